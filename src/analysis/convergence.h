@@ -48,27 +48,26 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels);
 ///
 ///     (max - min of all f on cells of up to 2 h) / (2 - 1)   and   (max - min on cells of up to 4 h) / (4 - 1)
 ///
-/// with h the finest: what a first-order method still changes between h and cells of size zero. Where the values on
-/// 4 h to h change in one direction, by less on the second halving than on the first, and the terrain's detail is
-/// exhausted (`unseen_detail` up to 1), p is observed on 4 h, 2 h and h; with p held within 0.5 to 1 the error is the
-/// greater of |f(2h) - f(h)| / (2^p - 1) and S, times 1.25 where the observed order is within a tenth of the expected
-/// 1, else times 3 (the rule of Oberkampf and Roy 2010). Everywhere else it is 3 S, times `unseen_detail` where that is
-/// over
-/// 1. Throws Error(input) unless enough_levels().
+/// with h the finest cell size: the change of a first-order method between h and cells of size zero. If f changes
+/// monotonically from 4 h to h, the second halving changes it less than the first, and `unseen_detail` is at most 1,
+/// the order p is observed on 4 h, 2 h and h; with p limited to 0.5 to 1 the error is the greater of |f(2h) - f(h)| /
+/// (2^p - 1) and S, times 1.25 if the observed order is within a tenth of the expected 1, else times 3 (Oberkampf and
+/// Roy 2010). Otherwise the error is 3 S, times `unseen_detail` if that exceeds 1. Throws Error(input) unless
+/// enough_levels().
 GridConvergence grid_convergence(const std::vector<Refinement>& levels, double unseen_detail);
 
-/// Whether levels with these cell sizes, coarsest first, are enough for that: three on up to 4 h, one of them on 2 h.
+/// Whether these cell sizes, coarsest first, suffice for grid_convergence with `unseen_detail`: three of up to 4 h, one
+/// of them 2 h.
 bool enough_levels(const std::vector<double>& cell_sizes);
 
-/// How much more detail the finest terrain has than a coarser one, in what a halving of the cells adds: curvature
-/// (root mean square over the flow's ground [1/m]) that doubles with every halving, as that of rough ground does, grew
-/// by half its present value in the last; 2 (finest / now - 1). 0 where the ground bends no more on finer cells.
-/// Curvature of a radius over 10 km counts as none.
+/// How much detail the finest terrain has beyond a coarser one, relative to what the last halving of the cells added:
+/// 2 (finest / now - 1), since the curvature of rough ground (root mean square over the flow's ground [1/m]) doubles
+/// with every halving. 0 where the curvature does not grow on finer cells, or its radius is over 10 km.
 double unseen_detail(double curvature_now, double curvature_finest);
 
-/// Root mean square of the second differences of a terrain over its cells' size squared [1/m], over the cells whose
-/// centre lies where `depth` is over `threshold`; both rasters over the same ground, on grids of their own. 0 where
-/// there is no such cell.
+/// Root mean square of a terrain's second differences divided by the cell size squared [1/m], over the cells whose
+/// centres lie where `depth` exceeds `threshold`. The rasters cover the same ground, each on its own grid. 0 if there
+/// is no such cell.
 double ground_curvature(const Raster& terrain, const Raster& depth, double threshold);
 
 /// The same, cell by cell, for a field: the estimated error of the finest raster [its unit], with one order

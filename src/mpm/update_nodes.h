@@ -202,7 +202,8 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const double follows = levels ? 1 - levels[i].ponding : 1;
         if constexpr (Slope::curved) {
             frame = node_frame(nodes, i, column, row);
-            // In the frame in which it was gathered: what flows level over a lip is not as fast as the face is steep.
+            // The slope of the frame of the gathered velocity: a level flow over a lip gets no speed from the face
+            // below.
             bed = {frame.slope_x, frame.slope_y};
             // Half of the force, the turn, the other half: of second order (Strang 1968).
             const double half = 0.5 * k.dt;
@@ -233,20 +234,20 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, node.crowding, inverse_area);
         // The particles' own mean velocity: the new nodal one overshoots at nodes with almost no mass.
-        const double brought = bed.speed(old);
+        const double gathered = bed.speed(old);
         // Ghosts mirror nodes inside, which are counted already.
-        if (!ghost && brought > k.moving_speed) report.moving += node.mass;
+        if (!ghost && gathered > k.moving_speed) report.moving += node.mass;
         if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;  // however thin: tips fly first
         if (cell_depth < k.minimum_depth) {
             if (!ghost) report.thin += node.mass;
         } else {
             report.covered += ghost ? 0 : 1;
             report.max_depth = std::max(report.max_depth, cell_depth);
-            report.max_speed = std::max(report.max_speed, brought);
-            observe(i, cell_depth, brought);
+            report.max_speed = std::max(report.max_speed, gathered);
+            observe(i, cell_depth, gathered);
         }
         report.moves = report.moves || after.x != 0 || after.y != 0;
-        if (k.brought != nullptr) k.brought[i] = old;
+        if (k.gathered != nullptr) k.gathered[i] = old;
         Point back = Slope::curved ? frame.along_bed(after.x, after.y) : after;
         if (k.change_only) {
             const Point before = Slope::curved ? frame.along_bed(old.x, old.y) : old;

@@ -166,8 +166,8 @@ Point Flow::map_velocity(std::size_t p) const {
     return frame_at(state_.nodes, x, y).in_map(u, v);
 }
 
-void Flow::keep_brought_velocities() {
-    if (state_.brought.size() == 0) state_.brought = ZeroArray<Point>(state_.nodes.size());
+void Flow::record_gathered_velocities() {
+    if (state_.gathered.size() == 0) state_.gathered = ZeroArray<Point>(state_.nodes.size());
 }
 
 void Flow::synchronise() {

@@ -123,10 +123,10 @@ class Flow {
         Raster depth, momentum_x, momentum_y;
     };
     NodalFields nodal_fields();
-    /// From now on stores the velocities in map view that the nodes gather from the particles, for brought_velocity.
-    void keep_brought_velocities();
+    /// From now on stores the velocities in map view that the nodes gather from the particles, for gathered_velocity.
+    void record_gathered_velocities();
     /// Velocity of a node's particles at the beginning of the last step [m/s].
-    [[nodiscard]] Point brought_velocity(std::size_t node) const { return state_.brought[node]; }
+    [[nodiscard]] Point gathered_velocity(std::size_t node) const { return state_.gathered[node]; }
     /// Updates the maxima with the present depth (they are otherwise updated at the start of each step).
     void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }

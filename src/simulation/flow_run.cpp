@@ -160,7 +160,7 @@ double pressure_factor(const StructuredFlow&) {
 }
 
 void prepare_to_record(Flow& flow) {
-    flow.keep_brought_velocities();
+    flow.record_gathered_velocities();
 }
 
 void prepare_to_record(const StructuredFlow&) {}

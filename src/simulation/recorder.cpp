@@ -67,12 +67,12 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
     NodeState state;
     state.depth = shown_depth(nodes, node);
     state.volume_depth = motion.mass / (cell_size_ * cell_size_);
-    const Point brought = flow.brought_velocity(node);
-    state.u = brought.x;
-    state.v = brought.y;
+    const Point gathered = flow.gathered_velocity(node);
+    state.u = gathered.x;
+    state.v = gathered.y;
     state.moved_x = state.volume_depth * motion.u;
     state.moved_y = state.volume_depth * motion.v;
-    state.speed = flow.speed_along_bed(node, brought);
+    state.speed = flow.speed_along_bed(node, gathered);
     return state;
 }
 

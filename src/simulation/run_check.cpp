@@ -10,7 +10,7 @@
 #include "simulation/structured_flow.h"
 #include "simulation/structured_laws.h"
 #include "simulation/terrain_sample.h"
-#include "simulation/trouble_place.h"
+#include "simulation/problem_place.h"
 
 namespace frana {
 namespace {

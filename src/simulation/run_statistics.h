@@ -36,7 +36,7 @@ inline constexpr RunStatistic k_run_statistics[] = {
      [](const RunStatistics& f) { return f.final_depth_fraction; }},
 };
 
-/// Of all values those whose error is told: the 99 % values add nothing.
+/// Whether error estimates are reported for this value; the 99 % values add nothing.
 constexpr bool is_reported(const RunStatistic& statistic) {
     const std::string_view key = statistic.key;
     return key.find("_p99_") == key.npos && key != "final_depth_fraction";

@@ -9,19 +9,19 @@
 
 namespace frana {
 
-/// A value of a run that people use, with what its estimate of error needs to know.
+/// A value of a run whose error numerics.accuracy estimates.
 struct RunValue {
     std::string key;    ///< "covered_area_m2", "gauge bridge: max_depth_m"
     std::string title;  ///< "covered area", "depth at gauge bridge"
     std::string unit;
     double value = 0;
-    double resolution = 0;  ///< error that its way of measuring has in any case
-    double negligible = 0;  ///< error that matters to nobody, however small the value
+    double resolution = 0;  ///< error of its measurement, whatever the cell size's convergence
+    double negligible = 0;  ///< absolute error that is always acceptable
 };
 
-/// Those of run_statistics() that is_reported() selects; then, for each gauge, greatest depth and speed; for each
-/// cross-section, greatest discharge and the volume that passed. In the same order for every run of a scene. Where
-/// nothing was deeper than the threshold, values are 0. The run-out is known to a cell.
+/// Values of run_statistics() selected by is_reported(); then greatest depth and speed for each gauge; greatest
+/// discharge and volume for each cross-section. Same order for every run of a scene. All 0 if nothing was deeper than
+/// the threshold. The resolution of the run-out is one cell.
 /// @param threshold depth from which a cell belongs to the covered area [m]
 std::vector<RunValue> reported_values(const RunResult& result, const Scene& scene, double threshold);
 

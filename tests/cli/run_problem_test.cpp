@@ -24,7 +24,7 @@ TEST_F(FailingRun, NamesPlaceStepAndTimeEverywhere) {
         EXPECT_NE(text.find("step "), std::string::npos) << text;
     }
     EXPECT_EQ(json_text(summary, "stop_reason"), "reached-no-data");
-    EXPECT_EQ(json_value(summary, "troubles").size(), 1U);
+    EXPECT_EQ(json_value(summary, "problems").size(), 1U);
     EXPECT_TRUE(fs::exists(path("result/frames/depth_0001.tif"))) << "the last frame";
     EXPECT_FALSE(fs::is_empty(path("result/checkpoint"))) << "the state at that step";
 }
@@ -46,7 +46,7 @@ TEST_F(FailingRun, AGoodRunHasNone) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const std::string summary = read_text(path("result/summary.json"));
-    EXPECT_EQ(json_value(summary, "troubles"), Json::array());
+    EXPECT_EQ(json_value(summary, "problems"), Json::array());
     for (const char* count : {"non_finite", "entered_no_data", "impossible_speed", "volume_drift", "depth_clamped"})
         EXPECT_EQ(json_value(summary, count), 0) << count;
 }

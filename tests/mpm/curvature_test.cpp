@@ -166,6 +166,48 @@ TEST(Bump, SlowerItPressesLess) {
     EXPECT_NEAR(u - without.map_speed, mu * k_gravity * time, 0.02 * mu * k_gravity * time);
 }
 
+// A bowl Z = r^2 / (2 k_curve).
+constexpr double k_side = 600, k_curve = 200, k_film = 0.01;
+constexpr Point k_middle{k_side / 2, k_side / 2};
+
+// Potential and kinetic energy by the bowl's own elevation and slope, per weight [m].
+double bowl_energy(const Flow& flow) {
+    const ParticleSet& particles = flow.particles();
+    double sum = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles[Field::x][p] - k_middle.x, y = particles[Field::y][p] - k_middle.y;
+        const Point v = flow.map_velocity(p);
+        const double climb = (x * v.x + y * v.y) / k_curve;
+        sum += particles[Field::volume][p] *
+               ((x * x + y * y) / (2 * k_curve) + (v.x * v.x + v.y * v.y + climb * climb) / (2 * k_gravity));
+    }
+    return sum / flow.volume();
+}
+
+// A film without friction that moves round a bowl for 30 s. A scheme of first order in time gains energy in proportion
+// to the step: 3.3 % at a Courant number of 0.5. The bound of 1 % is a third of that.
+TEST(Bowl, KeepsItsEnergyWhateverTheStep) {
+    const GridSpec grid = bench::plain_grid(60, 60, 10);
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [](Point p) {
+        return bench::Seed{std::hypot(p.x - k_middle.x - 180, p.y - k_middle.y) < 12 ? k_film : 0, 0, 20};
+    });
+    const Raster bed = bench::sample_raster(
+        grid, [](Point p) { return (std::pow(p.x - k_middle.x, 2) + std::pow(p.y - k_middle.y, 2)) / (2 * k_curve); });
+    for (const double cfl : {0.2, 0.5, 0.8}) {
+        Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open);
+        how.minimum_depth = 1e-6;
+        how.cfl = cfl;
+        Flow flow(bed, seeds, water(), how, 1);
+        const double start = bowl_energy(flow);
+        double worst = 0;
+        while (flow.time() < 30) {
+            flow.advance(30 - flow.time());
+            worst = std::max(worst, std::abs(bowl_energy(flow) / start - 1));
+        }
+        EXPECT_LT(worst, 0.01) << cfl;
+    }
+}
+
 // On a plane the curvature is zero up to rounding, and a quadric's is exact.
 TEST(CurvatureLoad, IsExactOnQuadrics) {
     const GridSpec grid = bench::plain_grid(9, 9, 2);

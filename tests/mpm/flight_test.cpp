@@ -16,7 +16,7 @@ struct Strip {
     std::function<double(double)> bed;
     double speed = 20, length = 240;
     bool flight = true;
-    double thickness = 0.05;
+    double thickness = 0.05, cfl = 0.5;
 };
 
 Flow film_on(const Strip& strip, int threads = 1) {
@@ -27,6 +27,7 @@ Flow film_on(const Strip& strip, int threads = 1) {
     Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall);
     how.minimum_depth = 1e-6;
     how.flight = strip.flight;
+    how.cfl = strip.cfl;
     Material material = water();
     return Flow(bench::sample_raster(grid, [&](Point p) { return strip.bed(p.x); }), seeds, material, how, threads);
 }
@@ -64,6 +65,19 @@ TEST_P(OverACliff, LandsWhereTheParabolaDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, OverACliff, testing::Values(5.0, 2.0, 1.0));
+
+// Particles take off where the edge is, not where a step happened to end beyond it.
+TEST(OverACliff, TheLengthOfTheStepDoesNotMatter) {
+    const double time = std::sqrt(2 * 50 / k_gravity);
+    for (const double cfl : {0.2, 0.5, 0.9}) {
+        Strip strip{5, cliff};
+        strip.cfl = cfl;
+        Flow flow = film_on(strip);
+        flow.advance_to(9);
+        // As LandsWhereTheParabolaDoes.
+        EXPECT_NEAR(flow.flights().statistics().longest, 20 * time, 0.05 * 20 * time + 1.4 * time) << cfl;
+    }
+}
 
 TEST(OverACliff, ASingleParticleLandsWithinATenthOfACell) {
     const GridSpec grid = bench::plain_grid(48, 8, 5);

@@ -14,28 +14,28 @@ namespace frana::app {
 /// How a level's scene is run: to its end, or until a signal stops it.
 using RunLevel = std::function<RunResult(const Scene&)>;
 
-/// Cells of the coarser levels [m], coarsest first: 24, 16, 12, 8, 6, 4, 3 and 2 times the scene's own, from the first
-/// on that puts nine cells on the release; all up to 8 times where material only flows in.
+/// Cell sizes of the coarser levels [m], coarsest first: 24, 16, 12, 8, 6, 4, 3 and 2 times the scene's own, beginning
+/// with the first that puts at least nine cells on the release; without a release, with 8 times.
 std::vector<double> coarse_cell_sizes(const Prepared& finest);
 
-/// The scene on larger cells over the same ground; for --resume it is the same scene. Throws Error(input) where the
-/// scene cannot be had on them.
+/// The scene on larger cells over the same ground; its identity for --resume is unchanged. Throws Error(input) if the
+/// scene cannot be prepared on them.
 Prepared prepare_level(const SceneReading& reading, const Prepared& finest, double cell_size, RunLog& log);
 
 /// A record without levels for a scene with numerics.accuracy.
 AccuracyRecord begin_record(const Prepared& finest);
 
-/// One coarser level, computed. None: a signal stopped it.
+/// Computes one coarser level. Returns nothing if a signal stopped it.
 std::optional<AccuracyLevel> compute_level(const SceneReading& reading, const Prepared& finest, double cell_size,
                                            const RunLevel& run);
 
-/// What a run gave, as a level.
+/// A level from the result of its run.
 AccuracyLevel level_of(const RunResult& result, const Prepared& level, const Raster& finest_terrain);
 
-/// Decides on which cells a scene with numerics.accuracy is computed: coarser levels, coarsest first, until all values
-/// of reported_values() are estimated within what was asked. The scene's own cells are chosen only where halving the
-/// remaining errors, as a first-order method would, brings all of them within it, or where there are too few coarser
-/// levels for an estimate. A level that fails is left out. Writes nothing. None: a signal stopped it.
+/// Chooses the cell size for a scene with numerics.accuracy: computes coarser levels, coarsest first, until the
+/// estimated errors of all reported_values() are within the requested accuracy. Chooses the scene's own cells only if
+/// half the remaining errors, as a first-order method would leave, are within it, or if there are too few coarser
+/// levels for an estimate. Skips a level that fails. Writes nothing. Returns nothing if a signal stopped it.
 std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Prepared& finest, const RunLevel& run,
                                            RunLog& log);
 

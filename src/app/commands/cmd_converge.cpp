@@ -109,7 +109,7 @@ std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) 
               {"finest_cell_size_m", levels.back().cell_size}};
     for (const RunStatistic& name : reported_statistics()) {
         const GridConvergence c = convergence_of(levels, name);
-        json["figures"][name.key] = {{"finest", name.of(levels.back().statistics)},
+        json["statistics"][name.key] = {{"finest", name.of(levels.back().statistics)},
                                      {"trend", describe(c.trend)},
                                      {"observed_order", c.observed_order},
                                      {"extrapolated", c.extrapolated},

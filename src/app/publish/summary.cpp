@@ -117,7 +117,7 @@ void add_run_problems(Json& json, const RunResult& result) {
                            {"entered_no_data", events.entered_no_data},
                            {"impossible_speed", events.impossible_speed},
                            {"volume_drift", events.volume_drift}};
-    Json& run_problems = json["troubles"] = Json::array();
+    Json& run_problems = json["problems"] = Json::array();
     for (const RunProblem& run_problem : result.run_problems) {
         Json& one = run_problems.emplace_back(Json{{"step", run_problem.step}, {"time_s", run_problem.time}});
         if (run_problem.place) {

@@ -84,7 +84,7 @@ std::string speed_csv(const SpeedResult& result) {
 }
 
 std::string speed_stages_csv(const SpeedResult& result) {
-    std::string out = "case,particles,threads,stage,nanoseconds_per_particle_step,share,bytes_moved\n";
+    std::string out = "case,particles,threads,stage,nanoseconds_per_particle_step,fraction,bytes_moved\n";
     for (const SpeedRow& row : result.rows) {
         for (std::size_t s = 0; s < k_stages && row.bytes_moved > 0; ++s) {
             char line[160];

@@ -51,14 +51,14 @@ struct State {
     ZeroArray<ErodibleBed> erodible_beds;        ///< padded; empty if the bed does not change
     ExchangeReport exchanged;                    ///< with the bed, so far
     std::vector<double> kept, lost;              ///< by each particle, within a step
-    ZeroArray<Point> brought;                    ///< padded; velocity in map view before the update; empty: not stored
+    ZeroArray<Point> gathered;                   ///< padded; velocity in map view before the update; empty: not stored
 };
 
 template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
                             since_sort, wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
-                            exchanged, kept, lost, brought] = state;
+                            exchanged, kept, lost, gathered] = state;
     archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
             wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step

@@ -109,7 +109,7 @@ void bed_resistance(Step& now) {
     now.nodes.change_only = now.stages.change_only;
     now.nodes.wall = laws.wall;
     now.nodes.drift = now.drift;
-    if (state.brought.size() != 0) now.nodes.brought = state.brought.data();
+    if (state.gathered.size() != 0) now.nodes.gathered = state.gathered.data();
     if (laws.friction.pore_pressure.active())
         now.nodes.effective_fraction = 1 - laws.friction.pore_pressure.ratio(state.time);
     BedState* const bed_states = state.bed_states.data();

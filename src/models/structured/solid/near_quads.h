@@ -10,19 +10,19 @@
 
 namespace frana::structured {
 
-/// Neighbours, four at a time as the sums over them read: for each particle the quads of the order's runs in which a
-/// particle is within the reach and the slack of the order. So no neighbour is missing until two particles have come
-/// nearer to each other by that slack, which is as long as the order itself serves.
+/// Lists of neighbours in groups of four, as the sums read them: for each particle, the quads of the order's runs with
+/// a particle within the reach plus the slack of the order. No neighbour is missing until two particles have approached
+/// by that slack, after which the order is renewed too.
 class NearQuads {
   public:
-    /// Of a particle in its row's list.
+    /// Part of a row's list that belongs to a particle.
     struct Range {
         std::uint32_t begin = 0, end = 0;
     };
 
     /// @param x, y of the particles in their order; three values beyond the last can be read
     void find(const CellOrder& order, const double* x, const double* y, std::size_t size, ThreadPool& pool);
-    /// Whether lists of so many particles are there; after reading a state they are not.
+    /// Whether there are lists for this number of particles; there are none after reading a state.
     [[nodiscard]] bool of(std::size_t size) const noexcept { return ranges_.size() == size; }
 
     [[nodiscard]] const std::uint32_t* row(std::int64_t row) const noexcept {

@@ -13,6 +13,38 @@ namespace {
 // lengths].
 constexpr double k_least_distance = 1e-9;
 
+/// Calls visit(i) for the particles of a row whose cells do not rest.
+template <class Visit>
+inline void for_each_moving(const CellOrder& order, std::int64_t row, const PairWork& w, Visit&& visit) {
+    const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
+    for (std::int64_t column = 0; column < order.columns(); ++column) {
+        const ParticleRun own = order.cell(row, column);
+        if (own.begin == own.end || (resting != nullptr && resting[column] != 0)) continue;
+        for (std::size_t i = own.begin; i < own.end; ++i) visit(i);
+    }
+}
+
+/// Four particles near particle i, at least one of them within the kernel's reach.
+struct NearQuad {
+    std::size_t first;       ///< of the four in PairWork
+    std::size_t count;       ///< of the four, the others follow the run
+    Quad dx, dy, distance2;  ///< from each of them to particle i [m], [m2]
+};
+
+/// Calls add(NearQuad) for the quads of particle i in its row's list.
+template <class Add>
+inline void for_each_near(const PairWork& w, std::int64_t row, std::size_t i, const Quad& reach2, Add&& add) {
+    const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]);
+    const std::uint32_t* const quads = w.near.row(row);
+    const NearQuads::Range range = w.near.range(i);
+    for (std::uint32_t n = range.begin; n < range.end; ++n) {
+        const std::size_t k = NearQuads::first(quads[n]);
+        const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
+        const Quad distance2 = dx * dx + dy * dy;
+        if (any(distance2 < reach2)) add(NearQuad{k, NearQuads::count(quads[n]), dx, dy, distance2});
+    }
+}
+
 /// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which
 /// makes it exact for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular: few
 /// neighbours, or all in one line, across which the inverse would make a strain of any difference.
@@ -21,53 +53,43 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     constexpr double k_least_determinant = 0.01, k_least_of_trace = 0.05;
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
     const Quad inverse(1 / length), reach2(4 * length * length);
-    const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
-    const std::uint32_t* const quads = w.near.row(row);
-    for (std::int64_t column = 0; column < order.columns(); ++column) {
-        const ParticleRun own = order.cell(row, column);
-        if (own.begin == own.end || (resting != nullptr && resting[column] != 0)) continue;
-        for (std::size_t i = own.begin; i < own.end; ++i) {
-            const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]), u(w[PairWork::u][i]), v(w[PairWork::v][i]);
-            Quad l_xx(0.0), l_xy(0.0), l_yx(0.0), l_yy(0.0), b_xx(0.0), b_xy(0.0), b_yy(0.0);
-            const NearQuads::Range range = w.near.range(i);
-            for (std::uint32_t n = range.begin; n < range.end; ++n) {
-                const std::size_t k = NearQuads::first(quads[n]);
-                const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
-                const Quad distance2 = dx * dx + dy * dy;
-                if (!any(distance2 < reach2)) continue;  // within the slack alone
-                const Quad q = sqrt(distance2) * inverse;
-                const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
-                const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
-                const auto real = first_lanes(NearQuads::count(quads[n]));
-                const Quad weight = select(real, slope * Quad::load(w[PairWork::area] + k), 0.0);
-                const Quad gx = weight * dx, gy = weight * dy;
-                const Quad du = Quad::load(w[PairWork::u] + k) - u, dv = Quad::load(w[PairWork::v] + k) - v;
-                l_xx += du * gx;
-                l_xy += du * gy;
-                l_yx += dv * gx;
-                l_yy += dv * gy;
-                b_xx += -(dx * gx);
-                b_xy += -(dx * gy);
-                b_yy += -(dy * gy);
-            }
-            const double bxx = scale * sum(b_xx), bxy = scale * sum(b_xy), byy = scale * sum(b_yy);
-            const double lxx = scale * sum(l_xx), lxy = scale * sum(l_xy);
-            const double lyx = scale * sum(l_yx), lyy = scale * sum(l_yy);
-            const double determinant = bxx * byy - bxy * bxy;
-            if (determinant >= std::max(k_least_determinant, k_least_of_trace * (bxx + byy))) {
-                const double d = 1 / determinant;
-                w[PairWork::l_xx][i] = d * (lxx * byy - lxy * bxy);
-                w[PairWork::l_xy][i] = d * (lxy * bxx - lxx * bxy);
-                w[PairWork::l_yx][i] = d * (lyx * byy - lyy * bxy);
-                w[PairWork::l_yy][i] = d * (lyy * bxx - lyx * bxy);
-            } else {
-                w[PairWork::l_xx][i] = lxx;
-                w[PairWork::l_xy][i] = lxy;
-                w[PairWork::l_yx][i] = lyx;
-                w[PairWork::l_yy][i] = lyy;
-            }
+    for_each_moving(order, row, w, [&](std::size_t i) {
+        const Quad u(w[PairWork::u][i]), v(w[PairWork::v][i]);
+        Quad l_xx(0.0), l_xy(0.0), l_yx(0.0), l_yy(0.0), b_xx(0.0), b_xy(0.0), b_yy(0.0);
+        for_each_near(w, row, i, reach2, [&](const NearQuad& near) {
+            const auto& [k, count, dx, dy, distance2] = near;
+            const Quad q = sqrt(distance2) * inverse;
+            const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
+            const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
+            const auto real = first_lanes(count);
+            const Quad weight = select(real, slope * Quad::load(w[PairWork::area] + k), 0.0);
+            const Quad gx = weight * dx, gy = weight * dy;
+            const Quad du = Quad::load(w[PairWork::u] + k) - u, dv = Quad::load(w[PairWork::v] + k) - v;
+            l_xx += du * gx;
+            l_xy += du * gy;
+            l_yx += dv * gx;
+            l_yy += dv * gy;
+            b_xx += -(dx * gx);
+            b_xy += -(dx * gy);
+            b_yy += -(dy * gy);
+        });
+        const double bxx = scale * sum(b_xx), bxy = scale * sum(b_xy), byy = scale * sum(b_yy);
+        const double lxx = scale * sum(l_xx), lxy = scale * sum(l_xy);
+        const double lyx = scale * sum(l_yx), lyy = scale * sum(l_yy);
+        const double determinant = bxx * byy - bxy * bxy;
+        if (determinant >= std::max(k_least_determinant, k_least_of_trace * (bxx + byy))) {
+            const double d = 1 / determinant;
+            w[PairWork::l_xx][i] = d * (lxx * byy - lxy * bxy);
+            w[PairWork::l_xy][i] = d * (lxy * bxx - lxx * bxy);
+            w[PairWork::l_yx][i] = d * (lyx * byy - lyy * bxy);
+            w[PairWork::l_yy][i] = d * (lyy * bxx - lyx * bxy);
+        } else {
+            w[PairWork::l_xx][i] = lxx;
+            w[PairWork::l_xy][i] = lxy;
+            w[PairWork::l_yx][i] = lyx;
+            w[PairWork::l_yy][i] = lyy;
         }
-    }
+    });
 }
 
 /// dv_i/dt = sum_j m_j [ T_i + T_j + (F^4 - 1)+ (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper,
@@ -83,57 +105,47 @@ double accelerations(const CellOrder& order, std::int64_t row, const PairLaws& l
     const Quad softening(ArtificialViscosity::k_softening * length * length);
     const Quad linear(0.5 * laws.viscosity.linear), quadratic(laws.viscosity.quadratic);
     Quad least(0.0);
-    const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
-    const std::uint32_t* const quads = w.near.row(row);
-    for (std::int64_t column = 0; column < order.columns(); ++column) {
-        const ParticleRun own = order.cell(row, column);
-        if (own.begin == own.end || (resting != nullptr && resting[column] != 0)) continue;
-        for (std::size_t i = own.begin; i < own.end; ++i) {
-            const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]), u(w[PairWork::u][i]), v(w[PairWork::v][i]);
-            const Quad density(w[PairWork::density][i]), sound(w[PairWork::sound][i]);
-            const Quad t_xx(w[PairWork::t_xx][i]), t_yy(w[PairWork::t_yy][i]), t_xy(w[PairWork::t_xy][i]);
-            const Quad r_xx(w[PairWork::r_xx][i]), r_yy(w[PairWork::r_yy][i]), r_xy(w[PairWork::r_xy][i]);
-            Quad a_x(0.0), a_y(0.0);
-            const NearQuads::Range range = w.near.range(i);
-            for (std::uint32_t n = range.begin; n < range.end; ++n) {
-                const std::size_t k = NearQuads::first(quads[n]);
-                const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
-                const Quad distance2 = dx * dx + dy * dy;
-                if (!any(distance2 < reach2)) continue;  // within the slack alone
-                const Quad q = sqrt(distance2) * inverse;
-                const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
-                const Quad outer2 = outer * outer, inner2 = inner * inner;
-                const Quad sum_density = density + Quad::load(w[PairWork::density] + k);
-                const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
-                // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
-                const Quad fraction = 1.0 / (softened * sum_density * distance);
-                const Quad approach =
-                    min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
-                const Quad phi = smoothing * approach * (fraction * sum_density * distance);
-                const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
-                const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * fraction * softened * distance);
-                const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (fraction * softened * sum_density);
-                const auto real = first_lanes(NearQuads::count(quads[n]));
-                const auto near = real & (q < 2.0);
-                least = min(least, select(near, phi, 0.0));
-                const Quad weight = select(near, slope * Quad::load(w[PairWork::mass] + k), 0.0);
-                Quad s_xx = t_xx + Quad::load(w[PairWork::t_xx] + k) - pi;
-                Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) - pi;
-                Quad s_xy = t_xy + Quad::load(w[PairWork::t_xy] + k);
-                if (any(distance2 < spacing2)) {  // one quad in four
-                    const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
-                    const Quad f2 = f * f, nearness = max(f2 * f2 - 1.0, 0.0);
-                    s_xx += nearness * (r_xx + Quad::load(w[PairWork::r_xx] + k));
-                    s_yy += nearness * (r_yy + Quad::load(w[PairWork::r_yy] + k));
-                    s_xy += nearness * (r_xy + Quad::load(w[PairWork::r_xy] + k));
-                }
-                a_x += weight * (s_xx * dx + s_xy * dy);
-                a_y += weight * (s_xy * dx + s_yy * dy);
+    for_each_moving(order, row, w, [&](std::size_t i) {
+        const Quad u(w[PairWork::u][i]), v(w[PairWork::v][i]);
+        const Quad density(w[PairWork::density][i]), sound(w[PairWork::sound][i]);
+        const Quad t_xx(w[PairWork::t_xx][i]), t_yy(w[PairWork::t_yy][i]), t_xy(w[PairWork::t_xy][i]);
+        const Quad r_xx(w[PairWork::r_xx][i]), r_yy(w[PairWork::r_yy][i]), r_xy(w[PairWork::r_xy][i]);
+        Quad a_x(0.0), a_y(0.0);
+        for_each_near(w, row, i, reach2, [&](const NearQuad& near) {
+            const auto& [k, count, dx, dy, distance2] = near;
+            const Quad q = sqrt(distance2) * inverse;
+            const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
+            const Quad outer2 = outer * outer, inner2 = inner * inner;
+            const Quad sum_density = density + Quad::load(w[PairWork::density] + k);
+            const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
+            // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
+            const Quad fraction = 1.0 / (softened * sum_density * distance);
+            const Quad approach =
+                min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
+            const Quad phi = smoothing * approach * (fraction * sum_density * distance);
+            const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
+            const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * fraction * softened * distance);
+            const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (fraction * softened * sum_density);
+            const auto real = first_lanes(count);
+            const auto reached = real & (q < 2.0);
+            least = min(least, select(reached, phi, 0.0));
+            const Quad weight = select(reached, slope * Quad::load(w[PairWork::mass] + k), 0.0);
+            Quad s_xx = t_xx + Quad::load(w[PairWork::t_xx] + k) - pi;
+            Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) - pi;
+            Quad s_xy = t_xy + Quad::load(w[PairWork::t_xy] + k);
+            if (any(distance2 < spacing2)) {  // one quad in four
+                const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
+                const Quad f2 = f * f, nearness = max(f2 * f2 - 1.0, 0.0);
+                s_xx += nearness * (r_xx + Quad::load(w[PairWork::r_xx] + k));
+                s_yy += nearness * (r_yy + Quad::load(w[PairWork::r_yy] + k));
+                s_xy += nearness * (r_xy + Quad::load(w[PairWork::r_xy] + k));
             }
-            w[PairWork::a_x][i] = scale * sum(a_x);
-            w[PairWork::a_y][i] = scale * sum(a_y);
-        }
-    }
+            a_x += weight * (s_xx * dx + s_xy * dy);
+            a_y += weight * (s_xy * dx + s_yy * dy);
+        });
+        w[PairWork::a_x][i] = scale * sum(a_x);
+        w[PairWork::a_y][i] = scale * sum(a_y);
+    });
     return -(std::min({least[0], least[1], least[2], least[3]}));
 }
 

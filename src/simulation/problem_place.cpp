@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/trouble_place.h"
+#include "simulation/problem_place.h"
 
 #include <cmath>
 #include <limits>
