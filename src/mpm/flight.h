@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/default_values.h"
 #include "core/geometry.h"
 #include "core/thread_pool.h"
 #include "core/zero_array.h"
@@ -43,9 +44,9 @@ struct Jump {
 
 /// Conditions of jumps.
 struct JumpRules {
-    double gravity = 9.81;  ///< [m/s2]
-    bool wall = false;      ///< edges of the terrain are walls; a particle that meets one falls down it
-    double edge = 0;        ///< least fall of an edge in the direction of motion [-]
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    bool wall = false;                    ///< edges of the terrain are walls; a particle that meets one falls down it
+    double edge = 0;                      ///< least fall of an edge in the direction of motion [-]
 };
 
 /// Returns the jump, if there is one, of a particle that moves straight on along its bed for a time `reach` [s]: it

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/default_values.h"
 #include "physics/bed_contact.h"
 
 namespace frana {
@@ -22,12 +23,12 @@ namespace frana {
 /// drift.
 struct MechanicalErosion {
     static constexpr bool active = true;
-    static constexpr double k_slow = 0.1;  ///< [m/s]
-    double density = 2000;                 ///< [kg/m3]
-    double bed_friction = 0.6;             ///< tan(phi_b) [-]
-    double bed_cohesion = 0;               ///< c [Pa]
-    double bed_pore_pressure = 0;          ///< r_b [-]
-    double velocity_ratio = 1;             ///< lambda [-]
+    static constexpr double k_slow = 0.1;      ///< [m/s]
+    double density = k_flow_density;           ///< [kg/m3]
+    double bed_friction = 0.6;                 ///< tan(phi_b) [-]
+    double bed_cohesion = 0;                   ///< c [Pa]
+    double bed_pore_pressure = 0;              ///< r_b [-]
+    double velocity_ratio = k_velocity_ratio;  ///< lambda [-]
 
     double operator()(const BedContact& c) const noexcept {
         const double strength = bed_cohesion + (1 - bed_pore_pressure) * c.normal * bed_friction;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/default_values.h"
 #include "physics/bed_contact.h"
 
 namespace frana {
@@ -18,9 +19,9 @@ namespace frana {
 /// kPa.
 struct ShearStressErosion {
     static constexpr bool active = true;
-    double rate = 0.025;            ///< E [m/s]
-    double critical_shear = 1000;   ///< tau_c [Pa]
-    double potential_depth = 1e-4;  ///< k [m/Pa]
+    double rate = k_erosion_rate;                ///< E [m/s]
+    double critical_shear = k_critical_shear;    ///< tau_c [Pa]
+    double potential_depth = k_potential_depth;  ///< k [m/Pa]
 
     /// Returns the erosion rate [m/s], vertical.
     double operator()(const BedContact& c) const noexcept {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/default_values.h"
 #include "physics/friction_sum.h"
 #include "physics/increasing_root.h"
 #include "physics/yield_ratio.h"
@@ -18,9 +19,9 @@ namespace frana {
 /// Range: tau_Y > 0, mu > 0. Limits: at speed zero zeta is 0.951, so that the bound is 1.051 tau_Y / (rho d); for d ->
 /// 0 the flow stops. The exact root is in friction_herschel_bulkley.h with m = 1.
 struct BinghamQuadraticExcess {
-    double density = 2000;      ///< [kg/m3]
-    double yield_stress = 100;  ///< tau_Y [Pa]
-    double viscosity = 10;      ///< mu [Pa s]
+    double density = k_flow_density;  ///< [kg/m3]
+    double yield_stress = 100;        ///< tau_Y [Pa]
+    double viscosity = 10;            ///< mu [Pa s]
 
     /// Returns the bed stress at rest, this law's bound [Pa].
     [[nodiscard]] double bound() const noexcept { return yield_stress / QuadraticYieldRatio{}(0.0); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/default_values.h"
 #include "physics/bed_state.h"
 
 namespace frana {
@@ -13,8 +14,8 @@ namespace frana {
 /// to 100. Limits: 0 at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow, Open-Channel
 /// Hydraulics, 1959, section 5-4, with the friction slope s^2 / (C^2 d).
 struct ChezyFriction {
-    double gravity = 9.81;  ///< [m/s2]
-    double chezy = 30;      ///< C [m^(1/2)/s]
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    double chezy = 30;                    ///< C [m^(1/2)/s]
 
     void operator()(BedState& bed, std::size_t) const noexcept {
         bed.square += gravity / (chezy * chezy * bed.thickness);

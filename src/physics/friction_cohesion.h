@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/default_values.h"
 #include "physics/bed_state.h"
 
 namespace frana {
@@ -13,8 +14,8 @@ namespace frana {
 /// holds all material, so that a film thinner than c / (rho g sin(theta)) stays on the slope. Source: Mohr-Coulomb
 /// strength; with Voellmy's friction e.g. Christen, Kowalski, Bartelt 2010, Cold Reg. Sci. Technol. 63, 1.
 struct CohesiveFriction {
-    double density = 2000;  ///< [kg/m3]
-    NodeValue cohesion;     ///< c [Pa]
+    double density = k_flow_density;  ///< [kg/m3]
+    NodeValue cohesion;               ///< c [Pa]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
         bed.yield += cohesion.at(node) / (density * bed.thickness);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/default_values.h"
 #include "physics/friction_sum.h"
 #include "physics/increasing_root.h"
 
@@ -22,10 +23,10 @@ namespace frana {
 /// stress as the unknown. Sources: Coussot 1994, J. Hydraul. Res. 32, 535; Huang and Garcia 1998, J. Fluid
 /// Mech. 374, 305.
 struct HerschelBulkleyExcess {
-    double density = 2000;    ///< [kg/m3]
-    double yield_stress = 0;  ///< tau_Y [Pa]
-    double consistency = 1;   ///< K [Pa s^m]
-    double flow_index = 1;    ///< m [-]
+    double density = k_flow_density;  ///< [kg/m3]
+    double yield_stress = 0;          ///< tau_Y [Pa]
+    double consistency = 1;           ///< K [Pa s^m]
+    double flow_index = 1;            ///< m [-]
 
     /// The yield part, tau_Y / (rho d).
     void operator()(BedState& bed, std::size_t) const noexcept {

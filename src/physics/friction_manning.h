@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/default_values.h"
 #include "physics/bed_state.h"
 
 namespace frana {
@@ -20,8 +21,8 @@ inline double manning_resistance(double gravity, double manning, double thicknes
 
 /// Manning's resistance as a term of the sum.
 struct ManningFriction {
-    double gravity = 9.81;  ///< [m/s2]
-    double manning = 0.05;  ///< n [s/m^(1/3)]
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    double manning = 0.05;                ///< n [s/m^(1/3)]
 
     void operator()(BedState& bed, std::size_t) const noexcept {
         bed.square += manning_resistance(gravity, manning, bed.thickness);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/default_values.h"
 #include "physics/friction_manning.h"
 
 namespace frana {
@@ -16,12 +17,12 @@ namespace frana {
 /// Julien, Fullerton 1993, J. Hydraul. Eng. 119, 244 (friction slope S_f = R / g). The exact wide-channel Newtonian
 /// limit, 3 eta s / (rho d^2), is K = 24.
 struct OBrienJulienFriction {
-    double gravity = 9.81;           ///< [m/s2]
-    double density = 2000;           ///< [kg/m3]
-    double yield_stress = 0;         ///< tau_y [Pa]
-    double viscosity = 0;            ///< eta [Pa s]
-    double laminar_resistance = 24;  ///< K [-]
-    double manning = 0;              ///< n [s/m^(1/3)]
+    double gravity = k_standard_gravity;               ///< [m/s2]
+    double density = k_flow_density;                   ///< [kg/m3]
+    double yield_stress = 0;                           ///< tau_y [Pa]
+    double viscosity = 0;                              ///< eta [Pa s]
+    double laminar_resistance = k_laminar_resistance;  ///< K [-]
+    double manning = 0;                                ///< n [s/m^(1/3)]
 
     void operator()(BedState& bed, std::size_t) const noexcept {
         const double d = bed.thickness;

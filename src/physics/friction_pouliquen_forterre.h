@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/default_values.h"
 #include "physics/friction_sum.h"
 #include "physics/increasing_root.h"
 
@@ -22,7 +23,7 @@ namespace frana {
 struct PouliquenForterreExcess {
     NodeValue slow_coefficient;     ///< mu_1 [-]
     double fast_coefficient = 0.6;  ///< mu_2 [-]
-    double beta = 0.136;            ///< [-]
+    double beta = k_friction_beta;  ///< [-]
     double length = 1;              ///< L [m]
     double effective_fraction = 1;  ///< 1 - r_u [-]
 

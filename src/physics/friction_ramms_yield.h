@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/default_values.h"
 #include "physics/bed_state.h"
 
 namespace frana {
@@ -15,9 +16,9 @@ namespace frana {
 /// Bartelt, Valero, Feistl, Christen, Buhler, Buser 2015, J. Glaciol. 61, 837, with the RAMMS form S = mu N + rho g u^2
 /// / xi + (1 - mu) N_0 - (1 - mu) N_0 exp(-N / N_0).
 struct RammsYield {
-    double density = 2000;           ///< [kg/m3]
-    double yield_stress = 0;         ///< N_0 [Pa]
-    NodeValue friction_coefficient;  ///< mu [-]
+    double density = k_flow_density;  ///< [kg/m3]
+    double yield_stress = 0;          ///< N_0 [Pa]
+    NodeValue friction_coefficient;   ///< mu [-]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
         const double normal = density * bed.normal_gravity * bed.thickness;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/default_values.h"
 #include "physics/bed_state.h"
 
 namespace frana {
@@ -21,8 +22,8 @@ inline double turbulent_resistance(double gravity, double inverse_turbulence, do
 
 /// The turbulent part as a term of the sum.
 struct TurbulentFriction {
-    double gravity = 9.81;  ///< [m/s2]
-    NodeValue turbulence;   ///< xi [m/s2]
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    NodeValue turbulence;                 ///< xi [m/s2]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
         bed.square += turbulent_resistance(gravity, 1 / turbulence.at(node), bed.thickness);

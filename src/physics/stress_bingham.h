@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/default_values.h"
 #include "physics/yield_ratio.h"
 
 namespace frana {
@@ -38,10 +39,10 @@ struct NoStress {
 struct BinghamStress {
     static constexpr bool active = true;
 
-    double viscosity_over_density = 0;  ///< mu / rho [m2/s]
-    double yield_over_density = 0;      ///< tau_Y / rho [m2/s2]
-    double regularisation = 0.01;       ///< r [1/s]
-    bool exact_ratio = true;            ///< zeta from the cubic; false: from the paper's quadratic
+    double viscosity_over_density = 0;               ///< mu / rho [m2/s]
+    double yield_over_density = 0;                   ///< tau_Y / rho [m2/s2]
+    double regularisation = k_yield_regularisation;  ///< r [1/s]
+    bool exact_ratio = true;                         ///< zeta from the cubic; false: from the paper's quadratic
 
     template <class Number>
     [[nodiscard, gnu::always_inline]] PlaneStress<Number> operator()(const StrainRate<Number>& rate) const noexcept {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/default_values.h"
 #include "physics/stress_bingham.h"
 
 namespace frana {
@@ -22,10 +23,10 @@ namespace frana {
 struct EarthPressureStress {
     static constexpr bool active = true;
 
-    double gravity = 9.81;     ///< [m/s2]
-    double spreading = 1;      ///< K_act [-]
-    double compressed = 1;     ///< K_pass [-]
-    double transition = 1e-3;  ///< r [1/s]
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    double spreading = 1;                 ///< K_act [-]
+    double compressed = 1;                ///< K_pass [-]
+    double transition = 1e-3;             ///< r [1/s]
 
     /// @param internal_friction tan(phi_i), at least @param bed_friction tan(delta)
     static EarthPressureStress of(double internal_friction, double bed_friction, double gravity) noexcept {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/default_values.h"
 #include "core/raster.h"
 #include "core/thread_pool.h"
 #include "models/voellmy_bingham/step.h"
@@ -15,7 +16,7 @@ namespace frana {
 
 /// Gravity of a frame tilted along the bed, to test solutions in slope coordinates on a flat bed [m/s2].
 struct TiltedGravity {
-    double along_x = 0, along_y = 0, normal = 9.81;
+    double along_x = 0, along_y = 0, normal = k_standard_gravity;
 };
 
 /// A flow that can be stepped: the engine without scenes, files and clocks. Used by `run` and by the benches.

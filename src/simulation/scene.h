@@ -27,8 +27,6 @@ enum class Transfer { pic, flip, apic };
 /// Effect of steep terrain in the map-plane equations; see share/doc/model.md, "Unknowns".
 enum class SlopeCorrection { none, normal, surface };
 
-enum class Boundary { open, wall };
-
 /// Treatment of cells without terrain data.
 enum class NodataPolicy {
     stop,  ///< flow that reaches such a cell ends the run with a message
@@ -44,20 +42,19 @@ enum class PlaneStressLaw { bingham, earth_pressure, none };
 struct Material : MaterialValues {
     std::vector<std::string> bed_friction{"coulomb", "turbulence"};  ///< words of params/keys/laws.cpp
     PlaneStressLaw plane_stress = PlaneStressLaw::bingham;
-    double friction_coefficient = 0.3;                            ///< tan(phi) [-]
-    double turbulence = std::numeric_limits<double>::infinity();  ///< Voellmy xi [m/s2]; infinity: off
-    bool exact_yield_ratio = true;                                ///< zeta from the cubic; false: the paper's (9)
-    double cohesion = 0;                                          ///< c [Pa]
-    double ramms_yield_stress = 0;                                ///< N_0 [Pa]
-    double consistency = 0;                                       ///< Herschel-Bulkley K [Pa s^m]
-    double flow_index = 1;                                        ///< Herschel-Bulkley m [-]
-    double laminar_resistance = k_laminar_resistance;             ///< O'Brien-Julien K [-]
-    double manning = 0;                                           ///< n [s/m^(1/3)]
-    double chezy = 0;                                             ///< C [m^(1/2)/s]
-    double fast_friction_coefficient = 0;                         ///< Pouliquen-Forterre mu_2 [-]
-    double friction_length = 0;                                   ///< Pouliquen-Forterre L [m]
-    double friction_beta = k_friction_beta;                       ///< Pouliquen-Forterre beta [-]
-    double pore_pressure_ratio = 0;                               ///< r_u at the start [-]
+    double friction_coefficient = 0.3;                                       ///< tan(phi) [-]
+    double turbulence = std::numeric_limits<double>::infinity();             ///< Voellmy xi [m/s2]; infinity: off
+    double cohesion = 0;                                                     ///< c [Pa]
+    double ramms_yield_stress = 0;                                           ///< N_0 [Pa]
+    double consistency = 0;                                                  ///< Herschel-Bulkley K [Pa s^m]
+    double flow_index = 1;                                                   ///< Herschel-Bulkley m [-]
+    double laminar_resistance = k_laminar_resistance;                        ///< O'Brien-Julien K [-]
+    double manning = 0;                                                      ///< n [s/m^(1/3)]
+    double chezy = 0;                                                        ///< C [m^(1/2)/s]
+    double fast_friction_coefficient = 0;                                    ///< Pouliquen-Forterre mu_2 [-]
+    double friction_length = 0;                                              ///< Pouliquen-Forterre L [m]
+    double friction_beta = k_friction_beta;                                  ///< Pouliquen-Forterre beta [-]
+    double pore_pressure_ratio = 0;                                          ///< r_u at the start [-]
     double pore_dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]; infinity: r_u stays
     double internal_friction_coefficient = 0;                                ///< tan(phi_i), earth pressure [-]
 
@@ -75,42 +72,28 @@ struct SolidZone {
 
 /// Composition of a structured flow: blocks of solids with the fluid they confine, or fluid alone.
 struct StructuredMaterial : StructuredValues, SolidValues {
-    bool solids = false;            ///< false: the release is fluid, and no parameter of solids is read
-    bool manning_on_total = false;  ///< by the total depth; false: by that of the free fluid
-
-    double sin_dilatancy = 0;          ///< sin(psi) [-]
-    bool damage_by_distortion = true;  ///< false: by opening
-    double initial_structured = 1;     ///< f_sc of intact material [-]
-    bool yield_on_own_stress = false;  ///< without the overburden
-    bool broken_is_elastic = false;    ///< false: broken material has earth pressure alone
-    enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
-    int drag_exponent = 2;            ///< j: 1 or 2
-    bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
-    bool mixing_by_solids = false;    ///< P of the drag: alpha_s^m; false: the paper's quotient
-    double block_size = 0;            ///< d_sc [m]; 0: the local depth
-    double sound_speed = 0;           ///< of the artificial viscosity [m/s]; 0: the elastic waves'
-    enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
-    bool spread_evenly = false;  ///< particles placed by depth along the R2 sequence; false: on a lattice
+    bool solids = false;       ///< false: the release is fluid, and no parameter of solids is read
+    double sin_dilatancy = 0;  ///< sin(psi) [-]
+    double block_size = 0;     ///< d_sc [m]; 0: the local depth
+    double sound_speed = 0;    ///< of the artificial viscosity [m/s]; 0: the elastic waves'
     std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
     bool more_fluid = false;              ///< there is fluid besides the release: initial or inflow
 };
 
 /// Erosion and deposition; src/physics/erosion_*.h and deposition_*.h describe the laws.
-struct Entrainment {
-    std::string erosion = "off";  ///< or a word of params/keys/laws.cpp
-    bool deposition = false;
-    double erodible_depth = 0;                          ///< vertical, where MaterialZones has no value [m]
-    double erosion_rate = k_erosion_rate;               ///< shear stress: E [m/s]
-    double critical_shear = k_critical_shear;           ///< shear stress: tau_c [Pa]
-    double potential_depth = 1e-3 * k_potential_depth;  ///< shear stress: depth per stress [m/Pa]
-    double growth_rate = 0;                             ///< growth: E_s [1/m]
-    double bed_friction_coefficient = 0;                ///< mechanical: tan(phi_b) [-]
-    double bed_cohesion = 0;                            ///< mechanical: c [Pa]
-    double bed_pore_pressure_ratio = 0;                 ///< mechanical: r_b [-]
-    double velocity_ratio = k_velocity_ratio;           ///< mechanical: lambda [-]
-    double deposition_rate = 0.01;                      ///< w [m/s]
-    double deposition_shear = 1000;                     ///< tau_d [Pa]
+struct Entrainment : EntrainmentValues {
+    double erodible_depth = 0;                   ///< vertical, where MaterialZones has no value [m]
+    double erosion_rate = k_erosion_rate;        ///< shear stress: E [m/s]
+    double critical_shear = k_critical_shear;    ///< shear stress: tau_c [Pa]
+    double potential_depth = k_potential_depth;  ///< shear stress: depth per stress [m/Pa]
+    double growth_rate = 0;                      ///< growth: E_s [1/m]
+    double bed_friction_coefficient = 0;         ///< mechanical: tan(phi_b) [-]
+    double bed_cohesion = 0;                     ///< mechanical: c [Pa]
+    double bed_pore_pressure_ratio = 0;          ///< mechanical: r_b [-]
+    double velocity_ratio = k_velocity_ratio;    ///< mechanical: lambda [-]
+    double deposition_rate = 0.01;               ///< w [m/s]
+    double deposition_shear = 1000;              ///< tau_d [Pa]
 
     [[nodiscard]] bool erodes() const noexcept { return erosion != "off"; }
     [[nodiscard]] bool active() const noexcept { return erodes() || deposition; }
@@ -145,7 +128,6 @@ struct Numerics : NumericsValues {
     bool flight = true;     ///< particles thrown off the bed fly; only with curvature and the default scheme
     double flight_slope = std::tan(k_flight_slope_degrees * std::numbers::pi /
                                    180);  ///< tangent: least fall of an edge in the direction of motion [-]
-    Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
 };
 

@@ -49,7 +49,7 @@ void add_numerics(const Numerics& numerics, Words& words) {
 
 void add_solids(const StructuredMaterial& m, bool fluid, Words& words) {
     words.emplace_back("elasticity and Drucker-Prager plasticity of solids");
-    words.emplace_back("Coulomb bed friction");
+    words.push_back(find_law(LawKind::bed_friction, "coulomb").sentence);
     switch (m.earth_pressure) {
         case StructuredMaterial::EarthPressure::hydrostatic:
             words.emplace_back("lateral earth pressure, hydrostatic in broken material");
@@ -76,9 +76,9 @@ Words structured_terms(const Scene& scene) {
     if (scene.numerics.slope_correction != SlopeCorrection::none) words.emplace_back("slope correction: normal");
     if (m.solids) add_solids(m, fluid, words);
     if (!fluid) return words;
-    if (m.manning > 0) words.emplace_back("Manning bed resistance");
+    if (m.manning > 0) words.push_back(find_law(LawKind::bed_friction, "manning").sentence);
     if (m.fluid_viscosity > 0) {
-        words.emplace_back("in-plane viscosity");
+        words.push_back(find_law(LawKind::in_plane_stress, "bingham").sentence);
         if (m.velocity_shape > 0) words.emplace_back("viscous shear at the bed");
     }
     words.emplace_back("finite volumes, MUSCL with hydrostatic reconstruction, HLL");
@@ -98,8 +98,9 @@ std::vector<std::string> list_terms(const Scene& scene) {
     if (flies(numerics)) words.emplace_back("flight over edges");
     add_bed(scene, words);
     if (material.plane_stress == PlaneStressLaw::bingham) {
-        if (material.viscosity > 0) words.emplace_back("in-plane viscosity");
-        if (material.yield_stress > 0) words.emplace_back("in-plane yield stress");
+        const Law& bingham = find_law(LawKind::in_plane_stress, "bingham");
+        if (material.viscosity > 0) words.push_back(bingham.sentence);
+        if (material.yield_stress > 0) words.push_back(bingham.yield_sentence);
     }
     if (material.plane_stress == PlaneStressLaw::earth_pressure)
         words.push_back(find_law(LawKind::in_plane_stress, "earth-pressure").sentence);

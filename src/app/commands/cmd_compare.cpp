@@ -20,6 +20,7 @@
 #include "core/error.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
+#include "params/keys/picture_parameters.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -148,7 +149,7 @@ void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::stri
                    const std::string& ranking_file) {
     KeptFiles kept;
     MapStyle any;
-    any.formats = {"png", "pdf", "tif"};
+    any.formats = picture_formats();
     for (const Pair& pair : pairs) {
         if (fs::is_directory(pair.operand)) {
             const std::string result = ResultReader(pair.operand).directory();

@@ -17,8 +17,10 @@
 #include "app/store/kept_files.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
+#include "app/store/result_files.h"
 #include "core/error.h"
 #include "gis/raster/picture_in.h"
+#include "params/keys/picture_parameters.h"
 
 namespace frana::app {
 namespace {
@@ -77,7 +79,9 @@ void read_style(const Values& values, MapStyle& style, Problems& problems) {
     }
     if (const auto formats = text_options(values, "format"); !formats.empty()) {
         for (const std::string& one : formats) {
-            if (one != "png" && one != "pdf" && one != "tif") problems.add(not_one_of("format", one, "png, pdf, tif"));
+            const auto& known = picture_formats();
+            if (std::find(known.begin(), known.end(), one) == known.end())
+                problems.add(not_one_of("format", one, joined(known, ", ")));
         }
         style.formats = formats;
     }
@@ -248,7 +252,7 @@ void check_folder(const ResultReader& result, const Request& request, const MapS
     if (!request.out || std::find(formats.begin(), formats.end(), "tif") == formats.end()) return;
     std::error_code ignored;
     const fs::path folder = fs::weakly_canonical(*request.out, ignored);
-    for (const char* data : {"", "frames"}) {
+    for (const char* data : {"", k_frame_folder}) {
         if (fs::weakly_canonical(result.path(data), ignored) / "" == folder / "")
             problems.add({"contains the result's own rasters: pictures as tif cannot be written there", "--out",
                           *request.out, "", "Omit --out: RESULT_DIR/maps"});

@@ -20,6 +20,7 @@
 #include "app/store/error_estimate.h"
 #include "app/store/interrupted_run.h"
 #include "app/store/provenance.h"
+#include "app/store/result_files.h"
 #include "app/store/result_place.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
@@ -203,11 +204,12 @@ void log_run(const RunResult& result, double end, RunLog& log) {
 int run_into(const Session& session, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
     const Prepared& prepared = session.prepared;
     const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
-    FrameWriter frames(directory.path("frames"), provenance(prepared), particles,
-                       from != nullptr ? from->head().frame_times : std::vector<double>{},
-                       from != nullptr ? frame_records(*from, directory.path("frames")) : std::vector<FrameRecord>{});
+    FrameWriter frames(
+        directory.path(k_frame_folder), provenance(prepared), particles,
+        from != nullptr ? from->head().frame_times : std::vector<double>{},
+        from != nullptr ? frame_records(*from, directory.path(k_frame_folder)) : std::vector<FrameRecord>{});
     const bool has_frames = prepared.scene.time.frame_interval > 0;
-    if (has_frames) directory.make_folder("frames");
+    if (has_frames) directory.make_folder(k_frame_folder);
     publish_ground(prepared, directory);
     FrameWriter* const written_frames = has_frames ? &frames : nullptr;
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,

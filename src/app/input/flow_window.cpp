@@ -11,6 +11,7 @@
 #include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
 #include "params/keys/laws.h"
+#include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"
 
 namespace frana::app {
@@ -63,6 +64,10 @@ double velocity_head(double speed, double gravity) {
     return speed * speed / (2 * gravity);
 }
 
+Bounds box_of(const gis::RasterInfo& file, const std::string& crs) {
+    return gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds);
+}
+
 std::optional<Origin> release_origin(const SceneReading& reading, const std::string& crs) {
     const ReleaseSpec& release = reading.scene.release;
     const double gravity = reading.scene.numerics.gravity;
@@ -74,7 +79,7 @@ std::optional<Origin> release_origin(const SceneReading& reading, const std::str
         return if_readable([&] {
             const gis::RasterInfo file =
                 gis::inspect_raster(release.thickness->raster, reading.where("release.thickness"));
-            origin.extent = gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds);
+            origin.extent = box_of(file, crs);
             return origin;
         });
     }
@@ -135,34 +140,33 @@ std::optional<std::vector<Origin>> origins_of(const SceneReading& reading, const
     return all;
 }
 
-/// Layers that must lie on the working grid, or are compared with what flows on it.
-std::vector<Bounds> outlines_to_contain(const SceneReading& reading, const std::string& crs) {
-    const SceneSpec& scene = reading.scene;
+/// The ground of a file: of its cells, or of its polygons, lines and points. None for a file that cannot be read.
+std::optional<Bounds> ground_of(const SceneReading& reading, const std::string& file, const std::string& key,
+                                const std::string& crs) {
+    const std::string where = reading.where(key);
+    if (const auto raster = if_readable([&] { return gis::inspect_raster(file, where); })) return box_of(*raster, crs);
+    const LayerSpec choice = key == "scar.perimeter" ? reading.scene.scar.perimeter_layer : LayerSpec{};
+    std::optional<Bounds> box =
+        if_readable([&] { return gis::read_polygons(file, crs, where, layer_choice(reading, choice, key)).bounds; });
+    const auto add = [&](const Bounds& part) { box = box ? united(*box, part) : part; };
+    if (const auto marks = if_readable([&] { return gis::read_marks(file, crs, where); })) {
+        for (const gis::NamedPoint& point : marks->points)
+            add({point.place.x, point.place.y, point.place.x, point.place.y});
+        for (const gis::NamedLine& line : marks->lines) add(bounds(MultiPolygon{{line.line, {}}}));
+    }
+    return box;
+}
+
+/// Files that must lie on the working grid (Parameter::is_on_map).
+std::vector<Bounds> boxes_to_contain(const SceneReading& reading, const std::string& crs) {
     std::vector<Bounds> boxes;
-    const auto polygons = [&](const std::optional<std::string>& file, const std::string& key,
-                              const LayerSpec& layer = {}) {
-        if (!file) return;
-        const auto box = if_readable([&] {
-            return gis::read_polygons(*file, crs, reading.where(key), layer_choice(reading, layer, key)).bounds;
-        });
-        if (box) boxes.push_back(*box);
-    };
-    const auto marks = [&](const std::optional<std::string>& file, const std::string& key) {
-        if (!file) return;
-        const auto read = if_readable([&] { return gis::read_marks(*file, crs, reading.where(key)); });
-        if (!read) return;
-        for (const gis::NamedPoint& point : read->points)
-            boxes.push_back({point.place.x, point.place.y, point.place.x, point.place.y});
-        for (const gis::NamedLine& line : read->lines) boxes.push_back(bounds(MultiPolygon{{line.line, {}}}));
-    };
-    polygons(scene.scar.perimeter, "scar.perimeter", scene.scar.perimeter_layer);
-    polygons(scene.terrain.obstacles, "terrain.obstacles");
-    polygons(scene.terrain.walls, "terrain.walls");
-    if (scene.zones.beyond_dtm != "clip") polygons(scene.terrain.friction_zones, "terrain.friction-zones");
-    marks(scene.output.gauges, "output.gauges");
-    marks(scene.output.sections, "output.cross-sections");
-    marks(scene.output.profiles, "output.profiles");
-    marks(scene.scar.front, "scar.front");
+    for (const Parameter& key : scene_parameters()) {
+        if (!key.is_on_map) continue;
+        const bool clipped = key.name() == "terrain.friction-zones" && reading.scene.zones.beyond_dtm == "clip";
+        const auto file = key.write(reading.scene);
+        if (!file || clipped) continue;
+        if (const auto box = ground_of(reading, *file, key.name(), crs)) boxes.push_back(*box);
+    }
     return boxes;
 }
 
@@ -205,7 +209,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
         if (!std::isfinite(top)) return std::nullopt;  // it lies outside the DTM: reported later
         origin.head += top;                            // now above sea level
     }
-    for (const Bounds& box : outlines_to_contain(reading, working_crs)) needed = united(needed, box);
+    for (const Bounds& box : boxes_to_contain(reading, working_crs)) needed = united(needed, box);
 
     Bounds window = widened(needed, std::max(needed.width(), needed.height()));
     const auto within_reach = [&](const gis::ElevationSample& s) {

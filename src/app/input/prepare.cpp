@@ -41,7 +41,6 @@ Numerics numerics_of(const SceneSpec& spec) {
     numerics.curvature = curvature(words);
     numerics.flight = flight(words);
     numerics.flight_slope = std::tan(words.flight_slope * std::numbers::pi / 180);
-    numerics.boundary = words.boundary == "wall" ? Boundary::wall : Boundary::open;
     const std::string& policy = spec.terrain.nodata_policy;
     numerics.nodata = policy == "wall"   ? NodataPolicy::wall
                       : policy == "fill" ? NodataPolicy::fill

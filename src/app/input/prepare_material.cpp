@@ -36,7 +36,6 @@ Material material_of(const MaterialSpec& spec) {
     static_cast<MaterialValues&>(material) = spec;
     material.friction_coefficient = friction_coefficient(spec);
     set(material.turbulence, spec.turbulence);
-    material.exact_yield_ratio = spec.yield_ratio == "exact";
     set(material.cohesion, spec.cohesion);
     set(material.ramms_yield_stress, spec.ramms_yield_stress);
     set(material.consistency, spec.consistency);
@@ -59,8 +58,6 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     StructuredMaterial m;
     m.solids = s.phases == "solids-and-fluid";
     static_cast<StructuredValues&>(m) = s;
-    m.manning_on_total = s.manning_depth == "total";
-    m.spread_evenly = s.placement == "r2";
     for (const SolidKey& key : solid_keys()) {
         const std::optional<double> value = constant(s.*key.giving(s).source);
         if (key.degrees())
@@ -69,29 +66,14 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
             set(m.*key.value, value);
     }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
-    m.damage_by_distortion = s.damage == "equivalent-plastic";
-    m.initial_structured = s.initial_structured_fraction;
-    m.yield_on_own_stress = s.yield_check == "particle";
-    m.broken_is_elastic = s.broken_material == "elastic";
-    m.earth_pressure = s.earth_pressure == "active"           ? StructuredMaterial::EarthPressure::active
-                       : s.earth_pressure == "active-passive" ? StructuredMaterial::EarthPressure::passive
-                                                              : StructuredMaterial::EarthPressure::hydrostatic;
-    m.drag_exponent = s.drag_exponent > 1 ? 2 : 1;
-    m.exponent_by_grains = s.richardson_zaki_law == "by-grains";
-    m.mixing_by_solids = s.drag_mixing == "solids-fraction";
     set(m.block_size, s.block_size);
     set(m.sound_speed, s.sound_speed);
-    using VirtualMass = StructuredMaterial::VirtualMass;
-    m.virtual_mass = s.virtual_mass == "none"             ? VirtualMass::none
-                     : s.virtual_mass == "pudasaini-2019" ? VirtualMass::pudasaini_2019
-                                                          : VirtualMass::pudasaini_2012;
     return m;
 }
 
 Entrainment entrainment_of(const EntrainmentSpec& spec) {
     Entrainment e;
-    e.erosion = spec.erosion;
-    e.deposition = spec.deposition;
+    static_cast<EntrainmentValues&>(e) = spec;
     set(e.erodible_depth, spec.erodible_depth);
     set(e.erosion_rate, spec.erosion_rate);
     set(e.critical_shear, spec.critical_shear);

@@ -16,6 +16,7 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/elevation_sample.h"
 #include "gis/raster/working_grid.h"
+#include "params/keys/zone_keys.h"
 
 namespace frana::app {
 namespace {
@@ -66,12 +67,14 @@ gis::Resampling resampling_of(const std::string& name) {
 /// rasters and fitted surfaces.
 bool can_read_on_demand(const SceneSpec& scene) {
     const ZonesSpec& zones = scene.zones;
-    const bool by_place = scene.terrain.friction_zones || zones.friction_angle || zones.friction_coefficient ||
-                          zones.turbulence || zones.cohesion || zones.erodible_depth;
+    const bool by_place = scene.terrain.friction_zones ||
+                          std::any_of(zone_keys().begin(), zone_keys().end(),
+                                      [&](const ZoneKey& key) { return (zones.*key.source).has_value(); });
     const auto& thickness = scene.release.thickness;
     return !(thickness && (thickness->by_raster() || thickness->fitted())) &&
            scene.material.model == "voellmy-bingham" && !by_place && scene.entrainment.erosion == "off" &&
-           !scene.entrainment.deposition && scene.numerics.boundary != "wall" && scene.terrain.nodata_policy != "fill";
+           !scene.entrainment.deposition && scene.numerics.boundary != Boundary::wall &&
+           scene.terrain.nodata_policy != "fill";
 }
 
 void check_size(const SceneReading& reading, const GridSpec& grid, bool on_demand) {

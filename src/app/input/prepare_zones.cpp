@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "app/input/layer_values.h"
@@ -31,6 +32,7 @@ std::vector<Quantity> quantities(const ZonesSpec& spec) {
     for (const ZoneKey& key : zone_keys()) {
         const auto* const zone = std::find_if(std::begin(k_zone_rasters), std::end(k_zone_rasters),
                                               [&](const ZoneRaster& raster) { return raster.what == key.what; });
+        if (zone == std::end(k_zone_rasters)) throw std::out_of_range("no raster for " + key.name);
         list.push_back({&key, spec.*key.source, zone->raster});
     }
     return list;
@@ -160,15 +162,17 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
         burn(reading, layer, ground->terrain.grid, list, zones, log, problems);
 }
 
-/// RAMMS's yield term would be negative.
 void refuse_large_friction(const SceneReading& reading, const Scene& scene, Problems& problems) {
-    if (!scene.zones.friction_coefficient || !scene.material.has("ramms-yield")) return;
+    if (!scene.zones.friction_coefficient) return;
     double greatest = 0;
     for (const double value : scene.zones.friction_coefficient->values)
         if (value > greatest) greatest = value;
-    if (greatest <= 1) return;
-    problems.add({"the zones' friction is too large for the law ramms-yield", reading.where("terrain.friction-zones"),
-                  number_text(greatest), "0 to 1 (an angle of 45 degrees)", "Its term (1 - mu) N_0 would be negative"});
+    for (const Law* law : laws_of(reading.scene)) {
+        if (greatest <= law->greatest_friction) continue;
+        problems.add({"the zones' friction is too large for the law " + law->word,
+                      reading.where("terrain.friction-zones"), number_text(greatest),
+                      "0 to " + number_text(law->greatest_friction), "The law is not defined above that"});
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/error.h"
@@ -154,8 +155,8 @@ std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt) {
 
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     if (source.terrain.grid.columns == 0)
-        throw Error(ErrorKind::input, Problem{"is missing in the result, and a view needs a terrain", "dtm.tif", "", "",
-                                              "Restore it, or draw maps"});
+        throw Error(ErrorKind::input, Problem{"is missing in the result, and a view needs a terrain",
+                                              raster_file("dtm"), "", "", "Restore it, or draw maps"});
     render::ViewSpec spec = furnished<render::ViewSpec>(source, layer);
     spec.vertical_exaggeration = source.style.exaggeration;
     spec.camera = source.style.camera;

@@ -162,7 +162,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
         write(k_stresses, plate_of(stresses, source));
     }
 
-    if (!result.has("comparison.tif")) return files;
+    if (!result.has(raster_file("comparison"))) return files;
     MapLayer comparison = result.map_layer("comparison");
     Problems problems;
     const std::vector<NamedChart> charts = result_charts(result, source, problems);

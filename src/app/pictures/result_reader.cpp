@@ -83,9 +83,10 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (under_way()) return;
     for (const ResultRaster& row : main_rasters())
         if (has(row.name + ".tif")) return;
-    throw Error(ErrorKind::input, Problem{"contains no result: none of its rasters is there", "RESULT_DIR", directory_,
-                                          "a directory that `frana run` wrote",
-                                          has("dtm.tif") ? "The run has just begun; wait for the first frame" : ""});
+    throw Error(ErrorKind::input,
+                Problem{"contains no result: none of its rasters is there", "RESULT_DIR", directory_,
+                        "a directory that `frana run` wrote",
+                        has(raster_file("dtm")) ? "The run has just begun; wait for the first frame" : ""});
 }
 
 std::string ResultReader::path(const std::string& name) const {
@@ -156,7 +157,7 @@ std::string ResultReader::grid_raster() const {
 }
 
 const std::vector<StoredFrame>& ResultReader::frames() const {
-    if (frames_.empty()) frames_ = stored_frames(path("frames"));
+    if (frames_.empty()) frames_ = stored_frames(path(k_frame_folder));
     return frames_;
 }
 
@@ -309,7 +310,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     source.crs_label = gis::crs_name(grid.crs_wkt);
     source.convergence_deg =
         gis::meridian_convergence_deg(grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
-    if (has("dtm.tif")) source.terrain = raster_on(grid, "dtm");
+    if (has(raster_file("dtm"))) source.terrain = raster_on(grid, "dtm");
     source.release = outline("release", grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
@@ -329,7 +330,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);
-    if (has("comparison.tif")) include(source.extent, raster_on(grid, "comparison"));
+    if (has(raster_file("comparison"))) include(source.extent, raster_on(grid, "comparison"));
     return source;
 }
 

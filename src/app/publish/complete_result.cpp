@@ -37,7 +37,7 @@ void require_same_scene(const Prepared& prepared, const std::string& directory) 
 // Reads the comparison from the result's files.
 std::optional<Comparison> comparison_of(const Prepared& prepared, const std::string& directory, RunLog& log) {
     const ResultReader result(directory);
-    if (!result.has("comparison.tif")) return std::nullopt;
+    if (!result.has(raster_file("comparison"))) return std::nullopt;
     ComparisonInput input = surveyed(prepared);
     input.depth = result.raster("max_depth");
     input.bed = result.raster("bed");

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "analysis/high_values.h"
+#include "app/store/layers.h"
 #include "simulation/result.h"
 
 namespace frana::app {
@@ -12,14 +13,16 @@ namespace frana::app {
 /// in the report, and in studies.
 struct PeakStatistic {
     const char *name, *key_unit;  ///< "max_depth", "m"
-    const char *title, *unit;     ///< "depth, vertical", "m"
-    Raster RunResult::*values;
+    const char* title;            ///< "depth, vertical"
+
+    /// Its row in the table of rasters.
+    [[nodiscard]] const ResultRaster& row() const { return *find_result_raster(name); }
 };
 
 inline constexpr std::array<PeakStatistic, 3> k_peak_statistics{{
-    {"max_depth", "m", "depth, vertical", "m", &RunResult::max_depth},
-    {"max_velocity", "ms", "speed, along the ground", "m/s", &RunResult::max_velocity},
-    {"max_pressure", "kpa", "dynamic pressure", "kPa", &RunResult::max_pressure},
+    {"max_depth", "m", "depth, vertical"},
+    {"max_velocity", "ms", "speed, along the ground"},
+    {"max_pressure", "kpa", "dynamic pressure"},
 }};
 
 /// One for each value, over the cells of a trace.
@@ -27,7 +30,8 @@ using PeakStatistics = std::array<PeakValues, k_peak_statistics.size()>;
 
 inline PeakStatistics peak_statistics(const RunResult& result, const Raster& trace) {
     PeakStatistics high;
-    for (std::size_t i = 0; i < high.size(); ++i) high[i] = high_values(result.*k_peak_statistics[i].values, trace);
+    for (std::size_t i = 0; i < high.size(); ++i)
+        high[i] = high_values(*find_raster(result, k_peak_statistics[i].row()), trace);
     return high;
 }
 

@@ -66,27 +66,29 @@ std::string avaframe_name(const std::string& scene, const std::string& hash) {
 
 void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     if (prepared.spec.output.names != "avaframe") return;
-    directory.make_folder("peakFiles");
+    directory.make_folder(k_peak_folder);
     const auto origin = provenance(prepared);
-    const std::string name = "peakFiles/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
-    const auto write = [&](const std::string& kind, const Raster& values, const std::string& text,
-                           const std::string& unit) {
+    const std::string name =
+        std::string(k_peak_folder) + "/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
+    const Raster thickness = normal_thickness(result.max_depth, result.bed);
+    const Raster* const values_of[] = {&result.max_pressure, &thickness, &result.max_velocity};
+    static_assert(std::size(values_of) == std::size(k_peak_files));
+    for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
+        const auto& [kind, text, unit] = k_peak_files[i];
+        const Raster& values = *values_of[i];
         const Raster raster = filled(values, prepared.scene.terrain);
         if (has_format(prepared.spec, "ascii"))
             gis::write_ascii_grid(directory.path(name + "_" + kind + ".asc"), raster);
         else
             gis::write_geotiff(directory.path(name + "_" + kind + ".tif"), raster, {kind, text, unit, origin});
-    };
-    write("ppr", result.max_pressure, "Peak pressure", "kPa");
-    write("pft", normal_thickness(result.max_depth, result.bed), "Peak flow thickness, normal to the slope", "m");
-    write("pfv", result.max_velocity, "Peak flow velocity", "m/s");
+    }
 }
 
 void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory) {
     for (const auto& [word, file, format] : {std::tuple{"netcdf", k_netcdf_file, gis::StackFormat::netcdf},
                                              std::tuple{"zarr", k_zarr_folder, gis::StackFormat::zarr}}) {
         if (!has_format(prepared.spec, word)) continue;
-        const std::vector<StoredFrame> frames = stored_frames(directory.path("frames"));
+        const std::vector<StoredFrame> frames = stored_frames(directory.path(k_frame_folder));
         std::vector<double> times;
         for (const StoredFrame& frame : frames) times.push_back(frame.time);
         gis::FrameStack stack(directory.path(file), format, prepared.scene.grid, times, provenance(prepared));

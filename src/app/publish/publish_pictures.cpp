@@ -81,7 +81,7 @@ class Drawings {
 std::vector<std::string> map_choice(const std::vector<std::string>& requested, const ResultReader& written) {
     std::vector<std::string> names = requested.front() == "on" ? usual_maps() : requested;
     // A hazard scheme requests its map.
-    if (written.has("hazard.tif") && std::find(names.begin(), names.end(), "hazard") == names.end())
+    if (written.has(raster_file("hazard")) && std::find(names.begin(), names.end(), "hazard") == names.end())
         names.emplace_back("hazard");
     return names;
 }

@@ -52,7 +52,7 @@ void add_peak_statistics(Table& table, const PeakStatistics& high) {
     for (std::size_t i = 0; i < high.size(); ++i) {
         const PeakStatistic& what = k_peak_statistics[i];
         const auto row = [&](const std::string& name, double value) {
-            table.number(name + what.title, std::isnan(value) ? "–" : number_text(value, 4), what.unit);
+            table.number(name + what.title, std::isnan(value) ? "–" : number_text(value, 4), what.row().unit);
         };
         row("Greatest ", std::isnan(high[i].greatest) ? 0 : high[i].greatest);
         row("99.9 % of the area do not exceed: ", high[i].p999);

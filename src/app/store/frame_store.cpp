@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/frame_store.h"
+#include "app/store/result_files.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string list_file(const std::string& folder) {
-    return (fs::path(folder) / "frames.csv").string();
+    return (fs::path(folder) / fs::path(k_frame_list).filename()).string();
 }
 
 gis::BandText band_text(const std::string& what) {
@@ -118,7 +119,8 @@ void FrameWriter::list_particles(const std::vector<double>& times) const {
         text +=
             "    <DataSet timestep=\"" + shortest_text(times[i]) + "\" file=\"" + file.filename().string() + "\"/>\n";
     }
-    write_text_file((fs::path(folder_) / "particles.pvd").string(), text + "  </Collection>\n</VTKFile>\n");
+    write_text_file((fs::path(folder_) / fs::path(k_particle_list).filename()).string(),
+                    text + "  </Collection>\n</VTKFile>\n");
 }
 
 void FrameWriter::list(const std::vector<double>& times) const {

@@ -28,7 +28,7 @@ std::string obstacle(const CheckpointFile& checkpoint, const std::string& identi
     const CheckpointHead& head = checkpoint.head();
     if (head.scene != identity)
         return "is from another scene: " + joined(identity_differences(identity, head.scene), "; ");
-    const std::string frames = (result_of(checkpoint.path()) / "frames").string();
+    const std::string frames = (result_of(checkpoint.path()) / k_frame_folder).string();
     const std::string problem = frame_problem(frames, head.frame_times.size(), head.frame_records);
     return problem.empty() ? "" : "needs a frame that " + problem;
 }
@@ -127,18 +127,18 @@ void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& dire
     };
     if (fs::path(directory.folder()) == from) {
         remove_unwanted(to, "", [](const std::string& file) {
-            return file == k_checkpoint_folder || file == "frames" || file == k_building_file;
+            return file == k_checkpoint_folder || file == k_frame_folder || file == k_building_file;
         });
         remove_unwanted(to, k_checkpoint_folder, [&](const std::string& file) {
             return file <= name && file.find(".partial") == std::string::npos;
         });
-        remove_unwanted(to, "frames", is_earlier_frame);
+        remove_unwanted(to, k_frame_folder, is_earlier_frame);
         return;
     }
     directory.make_folder(k_checkpoint_folder);
-    directory.make_folder("frames");
-    for (const std::string& file : names_of_frames((from / "frames").string(), frames))
-        link(from / "frames" / file, to / "frames" / file);
+    directory.make_folder(k_frame_folder);
+    for (const std::string& file : names_of_frames((from / k_frame_folder).string(), frames))
+        link(from / k_frame_folder / file, to / k_frame_folder / file);
     link(checkpoint.path(), to / k_checkpoint_folder / name);
 }
 

@@ -224,7 +224,7 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
     std::vector<std::string> folders{k_checkpoint_folder, k_page_folder}, removed;
-    if (frames) folders.emplace_back("frames");
+    if (frames) folders.emplace_back(k_frame_folder);
     std::error_code error, ignored;
     for (const std::string& folder : folders) {
         for (const auto& [name, mark] : manifest->files) {

@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include "core/file_aside.h"
+#include "params/keys/picture_parameters.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {
@@ -32,13 +33,14 @@ class Table {
             if (row.in_result()) add(FileKind::raster, {row.name + ".tif"});
             if (row.in_result() && row.is_drawn()) add_styles(row.name + ".tif");
             if (row.in_frames || row.kind == ResultRaster::Kind::frame)
-                add(FileKind::raster, {"frames/" + row.name + "_*.tif"});
+                add(FileKind::raster, {std::string(k_frame_folder) + "/" + row.name + "_*.tif"});
         }
         return *this;
     }
     /// In every format of output.map-formats.
     Table& add_picture(const std::string& stem) {
-        return add(FileKind::picture, {stem + ".png", stem + ".pdf", stem + ".tif"});
+        for (const std::string& format : picture_formats()) add(FileKind::picture, {stem + "." + format});
+        return *this;
     }
     [[nodiscard]] std::vector<ResultFile> rows() const { return rows_; }
 
@@ -58,11 +60,11 @@ std::vector<ResultFile> make_table() {
     table.add_styles(k_hazard_zones_file);
     table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table});
     table.add(FileKind::page, {k_report_file});
-    table.add(FileKind::table, {k_frame_list, "frames/particles.pvd"});
+    table.add(FileKind::table, {k_frame_list, k_particle_list});
     table.add(FileKind::vector, {"frames/particles_*.gpkg", "frames/particles_*.vtp"});
     table.add(FileKind::stack, {k_netcdf_file, std::string(k_zarr_folder) + k_all_below});
-    for (const char* kind : {"ppr", "pft", "pfv"}) {
-        const std::string stem = std::string("peakFiles/*_C_null_dfa_") + kind;
+    for (const PeakFile& file : k_peak_files) {
+        const std::string stem = std::string(k_peak_folder) + "/*_C_null_dfa_" + file.kind;
         table.add(FileKind::raster, {stem + ".tif", stem + ".asc"}).add(FileKind::text, {stem + ".prj"});
     }
     table.by("compare");

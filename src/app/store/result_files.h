@@ -53,7 +53,21 @@ inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
 inline constexpr const char* k_animation_file = "animation.mp4";
 inline constexpr const char* k_netcdf_file = "frames.nc";
 inline constexpr const char* k_zarr_folder = "frames.zarr";
+inline constexpr const char* k_frame_folder = "frames";
 inline constexpr const char* k_frame_list = "frames/frames.csv";
+inline constexpr const char* k_particle_list = "frames/particles.pvd";
+/// File of a raster of params/keys/result_rasters.h.
+inline std::string raster_file(const std::string& name) {
+    return name + ".tif";
+}
+/// AvaFrame's peak files.
+struct PeakFile {
+    const char *kind, *text, *unit;
+};
+inline constexpr const char* k_peak_folder = "peakFiles";
+inline constexpr PeakFile k_peak_files[] = {{"ppr", "Peak pressure", "kPa"},
+                                            {"pft", "Peak flow thickness, normal to the slope", "m"},
+                                            {"pfv", "Peak flow velocity", "m/s"}};
 /// In the folder in which a result is being built, from the beginning.
 inline constexpr const char* k_building_file = "being_built.json";
 /// In the folder in which a result is being built: pictures for report.html alone.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/default_values.h"
 #include "models/voellmy_bingham/bed_friction.h"
 #include "models/voellmy_bingham/stage_times.h"
 #include "mpm/active_tiles.h"
@@ -78,15 +79,15 @@ struct BedExchange {
     GrowthErosion growth;
     MechanicalErosion mechanical;
     ShearStressDeposition deposition;
-    double density = 2000;  ///< [kg/m3]
+    double density = k_flow_density;  ///< [kg/m3]
 };
 
 /// Parameters and laws; constant during a run.
 struct Laws {
-    double gravity = 9.81;                ///< vertical, or normal to a tilted flat bed [m/s2]
+    double gravity = k_standard_gravity;  ///< vertical, or normal to a tilted flat bed [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< of a tilted frame, for verification [m/s2]
     double cfl = 0.5;
-    double minimum_depth = 0.01;  ///< [m]
+    double minimum_depth = k_minimum_depth;  ///< [m]
     bool wall = false;
     double flight_slope = 0;  ///< JumpRules::edge
     bool skips_rest = true;   ///< material at rest is not computed while nothing near it moves

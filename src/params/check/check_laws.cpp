@@ -63,7 +63,7 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
         problems.add({"names two laws for the same effect, the " + what, file + ": material.bed-friction",
                       joined(words, ", "), "one of them", "Keep one of them"});
     }
-    if (selects(selected, LawKind::bed_friction, "bingham") && scene.material.yield_ratio == "quadratic" &&
+    if (selects(selected, LawKind::bed_friction, "bingham") && !scene.material.exact_yield_ratio &&
         !(scene.material.yield_stress > 0)) {
         problems.add({"must be greater than 0", file + ": material.yield-stress",
                       shortest_text(scene.material.yield_stress), "",
@@ -86,9 +86,11 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     };
     check(LawKind::in_plane_stress, "earth-pressure", "internal-friction-angle", m.internal_friction_angle);
     check(LawKind::bed_friction, "pouliquen-forterre", "fast-friction-angle", m.fast_friction_angle);
-    if (selects(laws, LawKind::bed_friction, "ramms-yield") && friction_coefficient(m) > 1) {
-        problems.add({"is too large for the law ramms-yield", file + ": material.friction-coefficient",
-                      shortest_text(friction_coefficient(m)), "0 to 1", "Its term (1 - mu) N_0 would be negative"});
+    for (const Law* law : laws) {
+        if (friction_coefficient(m) <= law->greatest_friction) continue;
+        problems.add({"is too large for the law " + law->word, file + ": material.friction-coefficient",
+                      shortest_text(friction_coefficient(m)), "0 to " + shortest_text(law->greatest_friction),
+                      "It is not defined above that"});
     }
 }
 

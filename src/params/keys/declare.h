@@ -128,6 +128,40 @@ Parameter choice(const std::string& name, Member member, const std::vector<std::
     return result;
 }
 
+/// One of several words, each of which stands for a value of the member.
+template <class Value>
+using Words = std::vector<std::pair<std::string, Value>>;
+template <class Member, class Value>
+Parameter option(const std::string& name, Member member, const Words<Value>& words, const std::string& meaning) {
+    Parameter result = parameter(
+        name, "choice", member,
+        [words](auto& target, const std::string& text) -> std::optional<Refusal> {
+            for (const auto& [word, value] : words) {
+                if (word != text) continue;
+                target = value;
+                return std::nullopt;
+            }
+            return Refusal{"is not one of the choices", ""};
+        },
+        [words](const Value& value) {
+            const auto found =
+                std::find_if(words.begin(), words.end(), [&](const auto& pair) { return pair.second == value; });
+            return found->first;
+        });
+    std::vector<std::string> choices;
+    for (const auto& pair : words) choices.push_back(pair.first);
+    result.limits = joined(choices, ", ");
+    result.meaning = meaning;
+    return result;
+}
+
+/// A file whose features are compared with the flow or bound it: the part of a large terrain that frana selects
+/// contains them.
+inline Parameter on_map(Parameter file) {
+    file.is_on_map = true;
+    return file;
+}
+
 template <class Member>
 Parameter text(const std::string& name, Member member, const std::string& type, const std::string& meaning,
                const std::string& absent = {}) {

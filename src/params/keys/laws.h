@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,14 @@ struct Law {
     std::string word;  ///< of the key that selects it; "on" for deposition
     LawKind kind = LawKind::bed_friction;
     std::string sentence;                       ///< in the list of terms
+    std::string yield_sentence{};               ///< the same for its yield stress, if that is a term of its own
     std::vector<std::string> reads{}, needs{};  ///< keys; those needed are also read
     std::vector<std::string> resists_alike{};   ///< resistances of which a scene may have only one law
     /// The bed resists with at least the friction coefficient times the normal stress, so that an energy line bounds
     /// the run-out.
     bool resists_with_friction = false;
+    /// Friction coefficient up to which the law is defined: RAMMS's term (1 - mu) N_0 would be negative above 1.
+    double greatest_friction = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] bool reads_key(const std::string& name) const;
     /// Laws at the bed read every key of [zones] that they read elsewhere; stress in the plane does not vary by place.

@@ -48,35 +48,46 @@ void add_friction(std::vector<Parameter>& list) {
                "Pore pressure over total normal stress at the start, r_u; reduces friction by this fraction.", "0"));
     list.push_back(number("material.pore-dissipation-time", FRANA_MEMBER(material.pore_dissipation_time), "s",
                           Range{0, 1e9, true}, "Time in which the pore pressure decreases to 1/e.", "no dissipation"));
-    list.push_back(number("material.cohesion", FRANA_MEMBER(material.cohesion), "Pa", Range{0, 1e6},
-                          "Cohesion to the bed (law cohesion).", "required with the law"));
+    list.push_back(
+        number("material.cohesion", FRANA_MEMBER(material.cohesion), "Pa", Range{0, 1e6}, "Cohesion to the bed."));
     list.push_back(number("material.ramms-yield-stress", FRANA_MEMBER(material.ramms_yield_stress), "Pa",
-                          Range{0, 1e5, true}, "N_0 of RAMMS's yield term (law ramms-yield).",
-                          "required with the law"));
-    list.push_back(number("material.manning", FRANA_MEMBER(material.manning), "s/m^(1/3)", Range{0, 1, true},
-                          "Manning's n (laws manning, obrien-julien).", "required with the law manning"));
-    list.push_back(number("material.chezy", FRANA_MEMBER(material.chezy), "m^(1/2)/s", Range{0.1, 1000},
-                          "Chezy's C (law chezy).", "required with the law"));
+                          Range{0, 1e5, true}, "N_0 of RAMMS's yield term."));
+    list.push_back(
+        number("material.manning", FRANA_MEMBER(material.manning), "s/m^(1/3)", Range{0, 1, true}, "Manning's n."));
+    list.push_back(number("material.chezy", FRANA_MEMBER(material.chezy), "m^(1/2)/s", Range{0.1, 1000}, "Chezy's C."));
     list.push_back(number("material.laminar-resistance", FRANA_MEMBER(material.laminar_resistance), "",
-                          Range{24, 50000}, "K of the viscous part (law obrien-julien).",
+                          Range{24, 50000}, "K of the viscous part.",
                           shortest_text(k_laminar_resistance) + ", a smooth wide bed"));
     list.push_back(number("material.consistency", FRANA_MEMBER(material.consistency), "Pa s^m", Range{0, 1e8, true},
-                          "Herschel-Bulkley K (law herschel-bulkley).", "required with the law"));
-    list.push_back(number("material.flow-index", FRANA_MEMBER(material.flow_index), "", Range{0.1, 2},
-                          "Herschel-Bulkley m (law herschel-bulkley).", "required with the law"));
+                          "Herschel-Bulkley K."));
+    list.push_back(
+        number("material.flow-index", FRANA_MEMBER(material.flow_index), "", Range{0.1, 2}, "Herschel-Bulkley m."));
     list.push_back(number("material.fast-friction-angle", FRANA_MEMBER(material.fast_friction_angle), "degrees",
-                          Range{0, 80}, "Friction angle of fast, thin flow (law pouliquen-forterre).",
-                          "required with the law"));
+                          Range{0, 80}, "Friction angle of fast, thin flow."));
     list.push_back(number("material.friction-length", FRANA_MEMBER(material.friction_length), "m", Range{0, 100, true},
-                          "L of the deposit's thickness (law pouliquen-forterre).", "required with the law"));
+                          "L of the deposit's thickness."));
     list.push_back(number("material.friction-beta", FRANA_MEMBER(material.friction_beta), "", Range{0, 10, true},
-                          "beta of the flow rule (law pouliquen-forterre).",
-                          shortest_text(k_friction_beta) + ", glass beads"));
+                          "beta of the flow rule.", shortest_text(k_friction_beta) + ", glass beads"));
+}
+
+/// Adds to each key the laws that use it, and those that need it, as the table of laws has them.
+void name_laws(std::vector<Parameter>& list, std::size_t first) {
+    for (std::size_t i = first; i < list.size(); ++i) {
+        Parameter& key = list[i];
+        std::vector<const Law*> needing;
+        for (const Law* law : readers_of(key.name()))
+            if (std::find(law->needs.begin(), law->needs.end(), key.name()) != law->needs.end()) needing.push_back(law);
+        if (const auto readers = readers_of(key.name()); !readers.empty())
+            key.meaning += " Used by " + selected_by(readers) + ".";
+        if (!needing.empty() && key.absent.empty() && key.default_text().empty())
+            key.absent = "required with " + selected_by(needing);
+    }
 }
 
 }  // namespace
 
 void add_material(std::vector<Parameter>& list) {
+    const std::size_t first = list.size();
     list.push_back(text("material.preset", FRANA_MEMBER(material.preset), "text",
                         "A material of `frana materials` to start from; keys given in the scene override it.", "none"));
     list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham", "structured"},
@@ -84,57 +95,58 @@ void add_material(std::vector<Parameter>& list) {
     list.push_back(number("material.density", FRANA_MEMBER(material.density), "kg/m3", Range{10, 10000},
                           "Bulk density of the flow."));
     add_friction(list);
-    list.push_back(number("material.viscosity", FRANA_MEMBER(material.viscosity), "Pa s", Range{0, 1e8},
-                          "Bingham viscosity, in the plane and in the laws bingham and obrien-julien."));
-    list.push_back(number("material.yield-stress", FRANA_MEMBER(material.yield_stress), "Pa", Range{0, 1e7},
-                          "Yield stress, in the plane and in the laws bingham, herschel-bulkley and obrien-julien."));
+    list.push_back(
+        number("material.viscosity", FRANA_MEMBER(material.viscosity), "Pa s", Range{0, 1e8}, "Bingham viscosity."));
+    list.push_back(
+        number("material.yield-stress", FRANA_MEMBER(material.yield_stress), "Pa", Range{0, 1e7}, "Yield stress."));
     list.push_back(choice("material.in-plane-stress", FRANA_MEMBER(material.in_plane_stress),
                           law_words("auto", LawKind::in_plane_stress, {"none"}),
                           "Stress in the plane of the flow; auto: bingham if viscosity or yield stress are given and "
                           "no law of bed-friction uses them, otherwise none."));
     list.push_back(number("material.internal-friction-angle", FRANA_MEMBER(material.internal_friction_angle), "degrees",
-                          Range{0, 60, true}, "Internal friction angle of earth pressure, at least that of the bed.",
-                          "required with earth-pressure"));
+                          Range{0, 60, true}, "Internal friction angle of earth pressure, at least that of the bed."));
     list.push_back(number("material.yield-regularisation", FRANA_MEMBER(material.yield_regularisation), "1/s",
                           Range{1e-6, 10}, "Shear rate below which the yield stress in the plane is regularised."));
-    list.push_back(choice("material.yield-ratio", FRANA_MEMBER(material.yield_ratio), {"exact", "quadratic"},
-                          "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."));
+    list.push_back(
+        declare::option("material.yield-ratio", FRANA_MEMBER(material.exact_yield_ratio),
+                        declare::Words<bool>{{"exact", true}, {"quadratic", false}},
+                        "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."));
+    name_laws(list, first);
 }
 
 void add_entrainment(std::vector<Parameter>& list) {
+    const std::size_t first = list.size();
     list.push_back(choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), law_words("off", LawKind::erosion),
                           "Law of bed erosion: excess shear stress (RAMMS), volume growth with distance (McDougall and "
                           "Hungr), or mechanical (stress jump over momentum)."));
     list.push_back(number("entrainment.erodible-depth", FRANA_MEMBER(entrainment.erodible_depth), "m", Range{0, 1000},
-                          "Erodible depth, vertical.", "required with erosion"));
+                          "Erodible depth, vertical."));
     list.push_back(number("entrainment.erosion-rate", FRANA_MEMBER(entrainment.erosion_rate), "m/s", Range{0, 10, true},
-                          "Erosion rate (shear-stress).", shortest_text(k_erosion_rate)));
+                          "Erosion rate.", shortest_text(k_erosion_rate)));
     list.push_back(number("entrainment.critical-shear-stress", FRANA_MEMBER(entrainment.critical_shear), "Pa",
-                          Range{0, 1e6}, "Shear stress above which the bed erodes (shear-stress).",
-                          shortest_text(k_critical_shear)));
+                          Range{0, 1e6}, "Shear stress above which the bed erodes.", shortest_text(k_critical_shear)));
     list.push_back(number("entrainment.erosion-depth-per-stress", FRANA_MEMBER(entrainment.potential_depth), "m/kPa",
                           Range{0, 100, true},
-                          "Maximum eroded depth per kPa of shear stress above critical-shear-stress (shear-stress).",
-                          shortest_text(k_potential_depth)));
+                          "Maximum eroded depth per kPa of shear stress above critical-shear-stress.",
+                          shortest_text(1e3 * k_potential_depth)));
     list.push_back(number("entrainment.growth-rate", FRANA_MEMBER(entrainment.growth_rate), "1/m", Range{0, 1, true},
-                          "Volume growth rate per distance (growth).", "required with growth"));
+                          "Volume growth rate per distance."));
     list.push_back(number("entrainment.bed-friction-angle", FRANA_MEMBER(entrainment.bed_friction_angle), "degrees",
-                          Range{0, 60}, "Friction angle of the bed's material (mechanical).",
-                          "required with mechanical"));
+                          Range{0, 60}, "Friction angle of the bed's material."));
     list.push_back(number("entrainment.bed-cohesion", FRANA_MEMBER(entrainment.bed_cohesion), "Pa", Range{0, 1e6},
-                          "Cohesion of the bed's material (mechanical).", "0"));
+                          "Cohesion of the bed's material.", "0"));
     list.push_back(number("entrainment.bed-pore-pressure-ratio", FRANA_MEMBER(entrainment.bed_pore_pressure_ratio), "",
-                          Range{0, 1}, "Pore pressure over total normal stress in the bed (mechanical).", "0"));
+                          Range{0, 1}, "Pore pressure over total normal stress in the bed.", "0"));
     list.push_back(number("entrainment.velocity-ratio", FRANA_MEMBER(entrainment.velocity_ratio), "",
-                          Range{0, 1.5, true}, "Velocity at the base over mean velocity (mechanical).",
+                          Range{0, 1.5, true}, "Velocity at the base over mean velocity.",
                           shortest_text(k_velocity_ratio)));
     list.push_back(on_off("entrainment.deposition", FRANA_MEMBER(entrainment.deposition),
                           "Deposit material where the bed shear stress is below deposition-shear-stress."));
     list.push_back(number("entrainment.deposition-rate", FRANA_MEMBER(entrainment.deposition_rate), "m/s",
-                          Range{0, 10, true}, "Deposition rate at zero shear stress.", "required with deposition"));
+                          Range{0, 10, true}, "Deposition rate at zero shear stress."));
     list.push_back(number("entrainment.deposition-shear-stress", FRANA_MEMBER(entrainment.deposition_shear), "Pa",
-                          Range{0, 1e6, true}, "Shear stress above which there is no deposition.",
-                          "required with deposition"));
+                          Range{0, 1e6, true}, "Shear stress above which there is no deposition."));
+    name_laws(list, first);
 }
 
 }  // namespace frana

@@ -8,6 +8,7 @@ namespace {
 
 using declare::choice;
 using declare::number;
+using declare::on_map;
 using declare::on_off;
 using declare::Range;
 using declare::text;
@@ -66,16 +67,17 @@ void add_extra_output(std::vector<Parameter>& list) {
                           "under AvaFrame's names."));
     list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
                           "Write report.html: maps, parameters, inputs, results and warnings in one file."));
-    list.push_back(text("output.gauges", FRANA_MEMBER(output.gauges), "file",
-                        "Points where depth and speed are recorded over time, in their own CRS.", "none"));
-    list.push_back(text("output.cross-sections", FRANA_MEMBER(output.sections), "file",
-                        "Lines through which the discharge is recorded over time, in their own CRS.", "none"));
+    list.push_back(on_map(text("output.gauges", FRANA_MEMBER(output.gauges), "file",
+                               "Points where depth and speed are recorded over time, in their own CRS.", "none")));
+    list.push_back(on_map(text("output.cross-sections", FRANA_MEMBER(output.sections), "file",
+                               "Lines through which the discharge is recorded over time, in their own CRS.", "none")));
     list.push_back(number("output.sample-interval", FRANA_MEMBER(output.sample_interval), "s", Range{0, 1e6, true},
                           "Simulated time between rows of gauges and cross-sections.", "every step"));
-    list.push_back(text("output.profiles", FRANA_MEMBER(output.profiles), "file",
-                        "Lines along which profiles of the results are written, in their own CRS; the profile along "
-                        "the flow path is always written.",
-                        "none"));
+    list.push_back(
+        on_map(text("output.profiles", FRANA_MEMBER(output.profiles), "file",
+                    "Lines along which profiles of the results are written, in their own CRS; the profile along "
+                    "the flow path is always written.",
+                    "none")));
 }
 
 void add_hazard(std::vector<Parameter>& list) {
@@ -91,10 +93,12 @@ void add_hazard(std::vector<Parameter>& list) {
 }
 
 void add_survey(std::vector<Parameter>& list) {
-    list.push_back(text("scar.front", FRANA_MEMBER(scar.front), "file",
-                        "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.", "no comparison"));
-    list.push_back(text("scar.deposit", FRANA_MEMBER(scar.deposit), "file",
-                        "Surveyed deposit: polygons, or a raster of elevation after minus before.", "no comparison"));
+    list.push_back(
+        on_map(text("scar.front", FRANA_MEMBER(scar.front), "file",
+                    "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.", "no comparison")));
+    list.push_back(
+        on_map(text("scar.deposit", FRANA_MEMBER(scar.deposit), "file",
+                    "Surveyed deposit: polygons, or a raster of elevation after minus before.", "no comparison")));
 }
 
 }  // namespace frana

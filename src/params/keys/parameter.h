@@ -36,6 +36,8 @@ struct Parameter {
     std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< calls the map for each path in the value; empty:
                                                                 ///< none
 
+    bool is_on_map = false;  ///< its file's features must lie on the working grid, also where frana selects that
+
     /// Whether it can name files that are read.
     [[nodiscard]] bool reads_files() const { return map_files && type != "folder"; }
 

@@ -30,13 +30,18 @@ Parameter understood_text(const std::string& name, Member member, const std::str
 
 }  // namespace
 
+const std::vector<std::string>& picture_formats() {
+    static const std::vector<std::string> k_formats{"png", "pdf", "tif"};
+    return k_formats;
+}
+
 void add_pictures(std::vector<Parameter>& list) {
     list.push_back(understood_text("output.map-size", FRANA_MEMBER(output.map_size), k_sizes,
                                    "Write for example 1600x1200 or A4@300",
                                    "Size of maps, views and charts, in pixels or as a page.",
                                    [](const std::string& value) { return size_from_text(value).has_value(); }));
     list.push_back(
-        word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, {"png", "pdf", "tif"},
+        word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, picture_formats(),
                   "File formats of each map: picture, geospatial PDF page, GeoTIFF of the area inside the frame."));
     list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
                           "Colours in classes, or continuous."));

@@ -96,8 +96,9 @@ void add_numerics(std::vector<Parameter>& list) {
     list.push_back(
         number("numerics.flight-slope", FRANA_MEMBER(numerics.flight_slope), "degrees", Range{0, 89},
                "Smallest slope of an edge at which material takes off, in the direction of motion; 0: any bump."));
-    list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
-                          "Edge of the working grid: open (outflow is counted) or a wall."));
+    list.push_back(declare::option("numerics.boundary", FRANA_MEMBER(numerics.boundary),
+                                   declare::Words<Boundary>{{"open", Boundary::open}, {"wall", Boundary::wall}},
+                                   "Edge of the working grid: open (outflow is counted) or a wall."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
                           "Acceleration of gravity."));
     list.push_back(number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
@@ -149,8 +150,9 @@ void add_rest(std::vector<Parameter>& list) {
     add_extra_output(list);
     add_hazard(list);
 
-    list.push_back(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
-                        "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison"));
+    list.push_back(
+        declare::on_map(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
+                             "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison")));
     add_survey(list);
     list.push_back(number("scar.threshold", FRANA_MEMBER(scar.threshold), "m", Range{1e-6, 100},
                           "Depth above which ground counts as covered in the comparison.", "output.trace-threshold"));

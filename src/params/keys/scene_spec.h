@@ -80,16 +80,13 @@ struct MaterialSpec : MaterialValues {
     std::optional<double> fast_friction_angle, friction_length, friction_beta;
     std::string in_plane_stress = "auto";
     std::optional<double> internal_friction_angle;
-    std::string yield_ratio = "exact";
 };
 
 /// [structured], for material.model = structured; in the units of scene files (degrees).
 struct StructuredSpec : StructuredValues {
     std::optional<std::string> phases;
-    std::string manning_depth = "free";
     std::optional<std::string> zones;
     std::optional<SourceSpec> initial_fluid_depth;
-    std::string placement = "lattice";
     std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, SolidValues{}.solid_fraction, {}};
     std::optional<SourceSpec> confined_fraction =
         SourceSpec{SourceSpec::Kind::number, SolidValues{}.confined_fraction, {}};
@@ -97,21 +94,13 @@ struct StructuredSpec : StructuredValues {
     std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, SolidValues{}.grain_diameter, {}};
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0;
-    std::string damage = "equivalent-plastic", earth_pressure = "hydrostatic";
-    double initial_structured_fraction = 1;
-    std::string yield_check = "total", broken_material = "earth-pressure";
-    double drag_exponent = 2;
-    std::string richardson_zaki_law = "constant", drag_mixing = "quotient";
     std::optional<double> block_size, sound_speed;
-    std::string virtual_mass = "pudasaini-2012";
 };
 
 /// [entrainment], in the units of scene files (degrees, metres per kPa).
-struct EntrainmentSpec {
-    std::string erosion = "off";
+struct EntrainmentSpec : EntrainmentValues {
     std::optional<double> erodible_depth, erosion_rate, critical_shear, potential_depth, growth_rate;
     std::optional<double> bed_friction_angle, bed_cohesion, bed_pore_pressure_ratio, velocity_ratio;
-    bool deposition = false;
     std::optional<double> deposition_rate, deposition_shear;
 };
 
@@ -126,7 +115,6 @@ struct NumericsSpec : NumericsValues {
     std::optional<bool> curvature;
     std::optional<bool> flight;
     double flight_slope = k_flight_slope_degrees;
-    std::string boundary = "open";
     std::string precision = "double";
     std::optional<double> accuracy;  ///< as a fraction
 };

@@ -3,50 +3,69 @@
 // each once.
 #pragma once
 
+#include <string>
+
+#include "core/default_values.h"
+
 namespace frana {
 
 struct MaterialValues {
-    double density = 2000;               ///< [kg/m3]
-    double surface_pressure = 0;         ///< p_A, gauge [Pa]
-    double viscosity = 0;                ///< mu [Pa s]
-    double yield_stress = 0;             ///< tau_Y [Pa]
-    double yield_regularisation = 0.01;  ///< shear rate below which yield is softened in the plane [1/s]
+    double density = k_flow_density;  ///< [kg/m3]
+    double surface_pressure = 0;      ///< p_A, gauge [Pa]
+    double viscosity = 0;             ///< mu [Pa s]
+    double yield_stress = 0;          ///< tau_Y [Pa]
+    double yield_regularisation =
+        k_yield_regularisation;     ///< shear rate below which yield is softened in the plane [1/s]
+    bool exact_yield_ratio = true;  ///< zeta from the cubic; false: the paper's (9)
 };
-// Defaults of single laws.
-inline constexpr double k_laminar_resistance = 24;  ///< O'Brien-Julien K [-]
-inline constexpr double k_friction_beta = 0.136;    ///< Pouliquen-Forterre beta [-]
-inline constexpr double k_erosion_rate = 0.025;     ///< [m/s]
-inline constexpr double k_critical_shear = 1000;    ///< [Pa]
-inline constexpr double k_potential_depth = 0.1;    ///< [m/kPa]
-inline constexpr double k_velocity_ratio = 1;       ///< at the base over mean [-]
 
-struct StructuredValues {
-    double fluid_density = 1000;        ///< [kg/m3]
-    double fluid_viscosity = 0;         ///< a_eta [Pa s]; 0: no viscous terms
-    double viscosity_growth = 10;       ///< b_eta, with the solids' fraction [-]
-    double velocity_shape = 3;          ///< chi [-]
-    double mobility = 1;                ///< A of the enhanced stress [-]
-    double solids_shape = 2;            ///< zeta [-]
-    double manning = 0.1;               ///< n [s/m^(1/3)]
-    double dry_depth = 1e-4;            ///< [m]
-    double young_modulus = 12e6;        ///< [Pa]
-    double bulk_modulus = 23e6;         ///< [Pa]
-    double critical_strain = 0.05;      ///< eps_c [-]
-    double modulus_reduction = 1;       ///< divides both moduli [-]
-    double pic_fraction = 0;            ///< [-]
-    double pore_pressure_fraction = 0;  ///< B [-]
-    double richardson_zaki = 2.4;       ///< M [-]
-    double smoothing_velocity = 1;      ///< K of the drag [m/s]; 0: the mixture's flux
-    double drag_mixing_exponent = 1;    ///< m of P [-]
-    double linear_viscosity = 1;        ///< artificial [-]
-    double quadratic_viscosity = 1;     ///< artificial [-]
-    double artificial_stress = 0.5;     ///< [-]
+struct EntrainmentValues {
+    std::string erosion = "off";  ///< or a word of params/keys/laws.cpp
+    bool deposition = false;
 };
+struct StructuredValues {
+    double fluid_density = k_fluid_density;  ///< [kg/m3]
+    double fluid_viscosity = 0;              ///< a_eta [Pa s]; 0: no viscous terms
+    double viscosity_growth = 10;            ///< b_eta, with the solids' fraction [-]
+    double velocity_shape = 3;               ///< chi [-]
+    double mobility = 1;                     ///< A of the enhanced stress [-]
+    double solids_shape = 2;                 ///< zeta [-]
+    double manning = 0.1;                    ///< n [s/m^(1/3)]
+    double dry_depth = k_dry_depth;          ///< [m]
+    double young_modulus = 12e6;             ///< [Pa]
+    double bulk_modulus = 23e6;              ///< [Pa]
+    double critical_strain = 0.05;           ///< eps_c [-]
+    double modulus_reduction = 1;            ///< divides both moduli [-]
+    double pic_fraction = 0;                 ///< [-]
+    double pore_pressure_fraction = 0;       ///< B [-]
+    double richardson_zaki = 2.4;            ///< M [-]
+    double smoothing_velocity = 1;           ///< K of the drag [m/s]; 0: the mixture's flux
+    double drag_mixing_exponent = 1;         ///< m of P [-]
+    double linear_viscosity = 1;             ///< artificial [-]
+    double quadratic_viscosity = 1;          ///< artificial [-]
+    double artificial_stress = 0.5;          ///< [-]
+
+    bool manning_on_total = false;     ///< by the total depth; false: by that of the free fluid
+    bool spread_evenly = false;        ///< particles placed by depth along the R2 sequence; false: on a lattice
+    bool damage_by_distortion = true;  ///< false: by opening
+    double initial_structured = 1;     ///< f_sc of intact material [-]
+    bool yield_on_own_stress = false;  ///< without the overburden
+    bool broken_is_elastic = false;    ///< false: broken material has earth pressure alone
+    enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
+    int drag_exponent = 2;            ///< j: 1 or 2
+    bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
+    bool mixing_by_solids = false;    ///< P of the drag: alpha_s^m; false: the paper's quotient
+    enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
+};
+
+enum class Boundary { open, wall };
 
 struct NumericsValues {
     double cfl = 0.5;
-    double gravity = 9.81;        ///< [m/s2]
-    double minimum_depth = 0.01;  ///< depth from which a cell counts as reached in maxima and arrival time [m]
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    double minimum_depth =
+        k_minimum_depth;  ///< depth from which a cell counts as reached in maxima and arrival time [m]
+    Boundary boundary = Boundary::open;
 };
 inline constexpr int k_particles_per_cell = 4;
 inline constexpr double k_flight_slope_degrees = 70;

@@ -8,6 +8,7 @@ namespace {
 
 using declare::choice;
 using declare::number;
+using declare::on_map;
 using declare::on_off;
 using declare::Range;
 using declare::source;
@@ -98,16 +99,18 @@ void add_terrain(std::vector<Parameter>& list) {
                           {"automatic", "nearest", "bilinear", "cubic", "average"},
                           "Resampling of the DTM to the working grid; automatic: copied if the cells coincide, "
                           "averaged to coarser cells, bilinear to finer ones."));
-    list.push_back(text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
-                        "Polygons with different material values, in their own CRS; [zones] names the columns.",
-                        "none"));
-    list.push_back(text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
-                        "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none"));
+    list.push_back(
+        on_map(text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
+                    "Polygons with different material values, in their own CRS; [zones] names the columns.", "none")));
+    list.push_back(
+        on_map(text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
+                    "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none")));
     list.push_back(source("terrain.obstacle-height", FRANA_MEMBER(terrain.obstacle_height), "m", Range{0, 1000, true},
                           {Kind::number, Kind::attribute}, "Height of the obstacles above the DTM.",
                           "required with terrain.obstacles"));
-    list.push_back(text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
-                        "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none"));
+    list.push_back(
+        on_map(text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
+                    "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none")));
 }
 
 void add_release(std::vector<Parameter>& list) {

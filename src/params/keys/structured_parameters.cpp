@@ -9,9 +9,13 @@ namespace {
 
 using declare::choice;
 using declare::number;
+using declare::option;
 using declare::Range;
 using declare::source;
 using declare::text;
+using EarthPressure = StructuredValues::EarthPressure;
+using Flag = declare::Words<bool>;
+using VirtualMass = StructuredValues::VirtualMass;
 
 /// A property that may vary from place to place.
 template <class Member>
@@ -30,7 +34,8 @@ void add_fluid(std::vector<Parameter>& list) {
                           Range{0, 10}, "Shape of the velocity over depth, chi, in the viscous shear at the bed."));
     list.push_back(number("structured.manning", FRANA_MEMBER(structured.manning), "s/m^(1/3)", Range{0, 1},
                           "Manning's n of the ground under free fluid; 0: smooth."));
-    list.push_back(choice("structured.manning-depth", FRANA_MEMBER(structured.manning_depth), {"free", "total"},
+    list.push_back(option("structured.manning-depth", FRANA_MEMBER(structured.manning_on_total),
+                          Flag{{"free", false}, {"total", true}},
                           "Depth in Manning's law where there are solids: of the free fluid, or of solids and fluid."));
     list.push_back(by_place(
         "structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m", Range{0, 1000},
@@ -46,7 +51,8 @@ void add_solids(std::vector<Parameter>& list) {
             key.range, key.meaning, key.absent));
     list.push_back(text("structured.zones", FRANA_MEMBER(structured.zones), "file",
                         "Polygons, in their own CRS, for attribute:NAME in this section.", "the release's perimeter"));
-    list.push_back(choice("structured.placement", FRANA_MEMBER(structured.placement), {"lattice", "r2"},
+    list.push_back(option("structured.placement", FRANA_MEMBER(structured.spread_evenly),
+                          Flag{{"lattice", false}, {"r2", true}},
                           "Particle positions at the start: on a square lattice, or along the R2 sequence with as many "
                           "per cell as its depth requires."));
     list.push_back(number("structured.dilatancy-angle", FRANA_MEMBER(structured.dilatancy_angle), "degrees",
@@ -59,19 +65,23 @@ void add_solids(std::vector<Parameter>& list) {
                           "Bulk modulus K. Stiffer material takes more substeps."));
     list.push_back(number("structured.critical-strain", FRANA_MEMBER(structured.critical_strain), "", Range{1e-6, 10},
                           "Strain of yielding material at which half of the cohesion is lost."));
-    list.push_back(choice("structured.damage", FRANA_MEMBER(structured.damage), {"equivalent-plastic", "volumetric"},
+    list.push_back(option("structured.damage", FRANA_MEMBER(structured.damage_by_distortion),
+                          Flag{{"equivalent-plastic", true}, {"volumetric", false}},
                           "Strain measure for critical-strain: distortion, or volumetric opening alone."));
-    list.push_back(number("structured.initial-structured-fraction",
-                          FRANA_MEMBER(structured.initial_structured_fraction), "", Range{0, 1},
-                          "Structured fraction of the solids in intact material."));
-    list.push_back(choice("structured.yield-check", FRANA_MEMBER(structured.yield_check), {"total", "particle"},
+    list.push_back(number("structured.initial-structured-fraction", FRANA_MEMBER(structured.initial_structured), "",
+                          Range{0, 1}, "Structured fraction of the solids in intact material."));
+    list.push_back(option("structured.yield-check", FRANA_MEMBER(structured.yield_on_own_stress),
+                          Flag{{"total", false}, {"particle", true}},
                           "Stress in the yield check: total, with the overburden and the vertical stress of the "
                           "weight, or the particle's elastic stress alone."));
-    list.push_back(choice(
-        "structured.broken-material", FRANA_MEMBER(structured.broken_material), {"earth-pressure", "elastic"},
+    list.push_back(option(
+        "structured.broken-material", FRANA_MEMBER(structured.broken_is_elastic),
+        Flag{{"earth-pressure", false}, {"elastic", true}},
         "Stress of material without cohesion: earth pressure, or elastic and frictional as in intact material."));
-    list.push_back(choice("structured.earth-pressure", FRANA_MEMBER(structured.earth_pressure),
-                          {"hydrostatic", "active", "active-passive"},
+    list.push_back(option("structured.earth-pressure", FRANA_MEMBER(structured.earth_pressure),
+                          declare::Words<EarthPressure>{{"hydrostatic", EarthPressure::hydrostatic},
+                                                        {"active", EarthPressure::active},
+                                                        {"active-passive", EarthPressure::passive}},
                           "Lateral thrust of broken material: hydrostatic, Rankine's active one, or also passive in "
                           "compression. Intact material has Bell's active thrust."));
     list.push_back(number("structured.basal-pore-pressure-fraction", FRANA_MEMBER(structured.pore_pressure_fraction),
@@ -93,31 +103,28 @@ void add_solids(std::vector<Parameter>& list) {
 }
 
 void add_coupling(std::vector<Parameter>& list) {
-    Parameter exponent = number("structured.drag-exponent", FRANA_MEMBER(structured.drag_exponent), "", Range{1, 2},
-                                "Drag is linear (1) or quadratic (2) in the relative velocity.");
-    exponent.limits = "1, 2";
-    exponent.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
-        if (value != "1" && value != "2") return Refusal{"is neither 1 nor 2", ""};
-        scene.structured.drag_exponent = value == "1" ? 1 : 2;
-        return std::nullopt;
-    };
-    list.push_back(exponent);
+    list.push_back(option("structured.drag-exponent", FRANA_MEMBER(structured.drag_exponent),
+                          declare::Words<int>{{"1", 1}, {"2", 2}},
+                          "Drag is linear (1) or quadratic (2) in the relative velocity."));
     list.push_back(number("structured.richardson-zaki", FRANA_MEMBER(structured.richardson_zaki), "", Range{1, 5},
                           "Richardson and Zaki's exponent M of hindered settling."));
-    list.push_back(choice("structured.richardson-zaki-law", FRANA_MEMBER(structured.richardson_zaki_law),
-                          {"constant", "by-grains"}, "Exponent M: constant, or from the grains' Reynolds number."));
+    list.push_back(option("structured.richardson-zaki-law", FRANA_MEMBER(structured.exponent_by_grains),
+                          Flag{{"constant", false}, {"by-grains", true}},
+                          "Exponent M: constant, or from the grains' Reynolds number."));
     list.push_back(number("structured.smoothing-velocity", FRANA_MEMBER(structured.smoothing_velocity), "m/s",
                           Range{0, 1000}, "K of the drag's smoothing term; 0: the mixture's flux."));
-    list.push_back(choice("structured.drag-mixing", FRANA_MEMBER(structured.drag_mixing),
-                          {"quotient", "solids-fraction"},
+    list.push_back(option("structured.drag-mixing", FRANA_MEMBER(structured.mixing_by_solids),
+                          Flag{{"quotient", false}, {"solids-fraction", true}},
                           "Fluid-like fraction P of the drag: from the loose fractions of solids and fluid, or from "
                           "the solid fraction."));
     list.push_back(number("structured.drag-mixing-exponent", FRANA_MEMBER(structured.drag_mixing_exponent), "",
                           Range{0, 10}, "Exponent of the fluid-like fraction."));
     list.push_back(number("structured.block-size", FRANA_MEMBER(structured.block_size), "m", Range{0, 1000, true},
                           "Size of structured blocks, for the drag.", "the local depth"));
-    list.push_back(choice("structured.virtual-mass", FRANA_MEMBER(structured.virtual_mass),
-                          {"pudasaini-2012", "pudasaini-2019", "none"},
+    list.push_back(option("structured.virtual-mass", FRANA_MEMBER(structured.virtual_mass),
+                          declare::Words<VirtualMass>{{"pudasaini-2012", VirtualMass::pudasaini_2012},
+                                                      {"pudasaini-2019", VirtualMass::pudasaini_2019},
+                                                      {"none", VirtualMass::none}},
                           "Law of the virtual mass of fluid that accelerates with the solids."));
     list.push_back(number("structured.viscosity-growth", FRANA_MEMBER(structured.viscosity_growth), "", Range{0, 50},
                           "Growth of the viscosity with the solid fraction, b in a exp(b alpha)."));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/default_values.h"
+
 namespace frana::structured {
 
 /// A column as the bed feels it, per unit area in map view.
@@ -20,7 +22,7 @@ struct Column {
 /// unless a fraction B of the pore pressure reaches the bed. S, ours: loose solids float only as far as there is free
 /// fluid in their pores, so that dry rubble keeps its weight.
 struct BasalPressure {
-    double gravity = 9.81;
+    double gravity = k_standard_gravity;
     double fluid_density = 0;  ///< rho_f; 0 in a scene without any fluid [kg/m3]
     double propagation = 0;    ///< B [-]
 

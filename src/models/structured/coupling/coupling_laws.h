@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/default_values.h"
 #include "models/structured/coupling/drag.h"
 #include "models/structured/coupling/virtual_mass.h"
 
@@ -12,8 +13,8 @@ struct CouplingLaws {
     bool drags = true;
     Drag drag;
     VirtualMass virtual_mass;
-    double block_size = 0;  ///< d_sc of the structured part [m]; 0: the local depth
-    double dry = 1e-4;      ///< depth of free fluid from which there is any [m]
+    double block_size = 0;     ///< d_sc of the structured part [m]; 0: the local depth
+    double dry = k_dry_depth;  ///< depth of free fluid from which there is any [m]
 };
 
 }  // namespace frana::structured

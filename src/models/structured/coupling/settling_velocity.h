@@ -3,12 +3,14 @@
 
 #include <cmath>
 
+#include "core/default_values.h"
+
 namespace frana::structured {
 
 /// Clear water, in which grains are taken to settle (not in the mixture).
 struct SettlingFluid {
-    double gravity = 9.81;
-    double density = 1000;              ///< [kg/m3]
+    double gravity = k_standard_gravity;
+    double density = k_fluid_density;   ///< [kg/m3]
     double kinematic_viscosity = 1e-6;  ///< [m2/s]
 };
 

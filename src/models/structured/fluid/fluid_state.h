@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/default_values.h"
 #include "core/zero_array.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_tiles.h"
@@ -40,22 +41,22 @@ struct FluidSource {
 
 /// Parameters of the free fluid; const while it runs.
 struct FluidLaws {
-    double gravity = 9.81;      ///< [m/s2]
-    double cfl = 0.5;           ///< at most 0.5: positive depth needs no more
-    double dry = 1e-4;          ///< depth under which fluid does not move [m]
-    bool second_order = true;   ///< false: cell values and one Euler stage
-    bool steep = true;          ///< gravity over 1 + |grad b|^2, resistance along the bed
-    bool wall = false;          ///< the edge of the grid; false: open
-    bool gaps_are_open = true;  ///< flow may enter cells without terrain (and is counted); false: walls
-    double manning = 0;         ///< n [s/m^(1/3)]
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    double cfl = 0.5;                     ///< at most 0.5: positive depth needs no more
+    double dry = k_dry_depth;             ///< depth under which fluid does not move [m]
+    bool second_order = true;             ///< false: cell values and one Euler stage
+    bool steep = true;                    ///< gravity over 1 + |grad b|^2, resistance along the bed
+    bool wall = false;                    ///< the edge of the grid; false: open
+    bool gaps_are_open = true;            ///< flow may enter cells without terrain (and is counted); false: walls
+    double manning = 0;                   ///< n [s/m^(1/3)]
     bool manning_on_total =
-        false;              ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
-    double density = 1000;  ///< rho_u [kg/m3]
-    double viscosity = 0;   ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
-    double viscosity_growth = 10;  ///< b_eta [-]
-    double velocity_shape = 3;     ///< chi: bed shear by viscosity, chi nu u / h^2 [-]
-    double mobility = 1;           ///< A of the enhanced non-Newtonian stress [-]; 0: off
-    double solids_shape = 2;       ///< zeta: damping by the vertical profile of solids [-]
+        false;  ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
+    double density = k_fluid_density;  ///< rho_u [kg/m3]
+    double viscosity = 0;              ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
+    double viscosity_growth = 10;      ///< b_eta [-]
+    double velocity_shape = 3;         ///< chi: bed shear by viscosity, chi nu u / h^2 [-]
+    double mobility = 1;               ///< A of the enhanced non-Newtonian stress [-]; 0: off
+    double solids_shape = 2;           ///< zeta: damping by the vertical profile of solids [-]
 };
 
 /// Everything of the fluid that changes while it runs.

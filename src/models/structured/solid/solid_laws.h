@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/default_values.h"
 #include "models/structured/coupling/basal_pressure.h"
 #include "models/structured/solid/damage.h"
 #include "models/structured/solid/elasticity.h"
@@ -26,7 +27,7 @@ enum class BrokenMaterial {
 struct SolidLaws : PairLaws {
     explicit SolidLaws(double smoothing_length) : PairLaws(smoothing_length) {}
 
-    double gravity = 9.81;
+    double gravity = k_standard_gravity;
     bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
     Elasticity elastic;
     double sin_dilatancy = 0;                  ///< sin(psi)

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Defaults of scene files that laws and models of the engine use as well: each once.
+#pragma once
+
+namespace frana {
+
+inline constexpr double k_standard_gravity = 9.81;      ///< [m/s2]
+inline constexpr double k_flow_density = 2000;          ///< bulk density [kg/m3]
+inline constexpr double k_fluid_density = 1000;         ///< of the structured model's fluid [kg/m3]
+inline constexpr double k_dry_depth = 1e-4;             ///< depth of fluid that does not move [m]
+inline constexpr double k_minimum_depth = 0.01;         ///< depth that counts as reached in maxima [m]
+inline constexpr double k_yield_regularisation = 0.01;  ///< shear rate below which the yield stress is softened [1/s]
+inline constexpr double k_laminar_resistance = 24;      ///< O'Brien-Julien K [-]
+inline constexpr double k_friction_beta = 0.136;        ///< Pouliquen-Forterre beta [-]
+inline constexpr double k_erosion_rate = 0.025;         ///< erosion by shear stress [m/s]
+inline constexpr double k_critical_shear = 1000;        ///< erosion by shear stress [Pa]
+inline constexpr double k_potential_depth = 1e-4;       ///< eroded depth per shear stress [m/Pa]
+inline constexpr double k_velocity_ratio = 1;           ///< velocity at the base over the mean [-]
+
+}  // namespace frana
