@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "simulation/flow.h"
+#include "simulation/problem_place.h"
 #include "simulation/structured_flow.h"
 #include "simulation/structured_laws.h"
 #include "simulation/terrain_sample.h"
-#include "simulation/problem_place.h"
 
 namespace frana {
 namespace {
