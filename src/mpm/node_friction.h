@@ -20,7 +20,7 @@ struct NodeUpdate {
     double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
     bool change_only = false;             ///< particles take the change of the velocity (FLIP), not the velocity
     bool wall = false;                    ///< ghost nodes mirror those inside
-    Point* gathered = nullptr;             ///< padded, if recorded: velocity in map view before the update [m/s]
+    Point* gathered = nullptr;            ///< padded, if recorded: velocity in map view before the update [m/s]
     double drift = 0;                     ///< over which the particles then move [s]
 };
 

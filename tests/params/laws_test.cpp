@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Laws of friction, stress, erosion and deposition: required keys, contradicting keys, the echo.
 #include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
 
 #include "params/keys/laws.h"
 #include "params/keys/materials.h"
@@ -132,6 +136,28 @@ TEST_F(Laws, OfTheTableReadKeysThatExist) {
         EXPECT_FALSE(find_parameter(parameters, key)->read(scene, law.word)) << asked;
         const std::vector<const Law*> found = laws_of(scene);
         EXPECT_NE(std::find(found.begin(), found.end(), &law), found.end()) << asked;
+    }
+}
+
+// The table of bed friction in share/doc/model.md names the keys that each law uses.
+TEST_F(Laws, OfTheDocumentUseTheKeysOfTheTable) {
+    std::ifstream file(FRANA_SOURCE_SHARE "/doc/model.md");
+    std::map<std::string, std::set<std::string>> documented;
+    const std::regex quoted("`([a-z-]+)`");
+    for (std::string line; std::getline(file, line);) {
+        std::smatch word;
+        if (line.rfind("| `", 0) != 0 || !std::regex_search(line, word, quoted)) continue;
+        const std::size_t cell = line.rfind('|', line.size() - 2);
+        for (std::sregex_iterator key(line.begin() + static_cast<std::ptrdiff_t>(cell), line.end(), quoted), end;
+             key != end; ++key)
+            documented[word[1]].insert((*key)[1]);
+    }
+    for (const Law& law : laws()) {
+        if (law.kind != LawKind::bed_friction) continue;
+        std::set<std::string> used;
+        for (const auto* keys : {&law.reads, &law.needs})
+            for (const std::string& key : *keys) used.insert(key.substr(key.find('.') + 1));
+        EXPECT_EQ(documented[law.word], used) << law.word;
     }
 }
 

@@ -110,11 +110,11 @@ std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) 
     for (const RunStatistic& name : reported_statistics()) {
         const GridConvergence c = convergence_of(levels, name);
         json["statistics"][name.key] = {{"finest", name.of(levels.back().statistics)},
-                                     {"trend", describe(c.trend)},
-                                     {"observed_order", c.observed_order},
-                                     {"extrapolated", c.extrapolated},
-                                     {"estimated_error", c.error},
-                                     {"grid_convergence_index_percent", c.index_percent}};
+                                        {"trend", describe(c.trend)},
+                                        {"observed_order", c.observed_order},
+                                        {"extrapolated", c.extrapolated},
+                                        {"estimated_error", c.error},
+                                        {"grid_convergence_index_percent", c.index_percent}};
     }
     return json_text(json);
 }
