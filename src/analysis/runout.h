@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
+#include "analysis/separate_flows.h"
 #include "core/raster.h"
 
 namespace frana {
 
-/// Run-out of a mass: from the highest point of the release's surface (of the reached bed, where material only flowed
-/// in) to the cell of the trace farthest from it in map view.
+/// Run-out of one flow: from the highest point of the surface of its releases (of the bed it reached, where material
+/// only flowed in) to the cell of its trace farthest from it in map view. Flows that meet are one.
 struct Runout {
     double horizontal_m = 0;     ///< straight line in map view
     double drop_m = 0;           ///< surface at the top minus bed at the tip
     double reach_angle_deg = 0;  ///< atan(drop / horizontal), the angle of reach (Fahrboeschung)
     Point top;                   ///< map coordinates
     Point tip;
+    double covered_area_m2 = 0;  ///< of the trace
 };
 
-/// `bed` [m] is the sliding surface, `release` the vertical thickness of the failed mass [m] (positive: released),
-/// `trace` a mask of the area reached, all on the same cells. Throws Error(input) if the cells differ or nothing is
-/// released; a trace without cells gives zero length.
-Runout runout(const Raster& bed, const Raster& release, const Raster& trace);
+/// Run-outs by the number of the flow. `bed` [m] is the sliding surface, `release` the vertical thickness of the failed
+/// mass [m] (positive: released), `trace` a mask of the area reached, all on the same cells; cells of none of the flows
+/// do not count. A flow without trace has zero length. Throws Error(input) if the cells differ.
+std::vector<Runout> runouts_by_flow(const SeparateFlows& flows, const Raster& bed, const Raster& release,
+                                    const Raster& trace);
+
+/// The same, the longest first; those without a trace are left out unless there is no other. Throws also if nothing is
+/// released and nothing flows.
+std::vector<Runout> runouts(const SeparateFlows& flows, const Raster& bed, const Raster& release, const Raster& trace);
 
 }  // namespace frana

@@ -165,6 +165,26 @@ void prepare_to_record(Flow& flow) {
 
 void prepare_to_record(const StructuredFlow&) {}
 
+// A flow's particles know one origin; of several, the nearest is found here.
+void set_origins(Flow& flow, const FrontOrigins& origins) {
+    flow.set_origin(origins.first());
+}
+
+void set_origins(StructuredFlow& flow, const FrontOrigins& origins) {
+    flow.set_origins(origins);
+}
+
+void measure_front(const Flow& flow, const FrontOrigins& origins, StepStatistics& statistics) {
+    if (origins.single()) return;
+    const ParticleSet& particles = flow.particles();
+    double farthest = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        farthest = std::max(farthest, origins.squared_distance({particles[Field::x][p], particles[Field::y][p]}));
+    statistics.front_distance = std::sqrt(farthest);
+}
+
+void measure_front(const StructuredFlow&, const FrontOrigins&, StepStatistics&) {}
+
 }  // namespace
 
 void add_arrivals(const Arrivals::Arrived& arrived, Flow& flow) {
@@ -193,11 +213,12 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
       flow_(flow),
       engine_(engine),
       next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval : std::numeric_limits<double>::infinity()),
+      origins_(release, arrivals),
       fade_(scene.time),
-      settling_(scene.time, scene.grid, origin_of(release, arrivals)),
+      settling_(scene.time, scene.grid, origins_),
       recorder_(scene.recording, scene.grid, scene.numerics),
       watch_(scene, release, arrivals, pressure_factor(flow)) {
-    flow_.set_origin(origin_of(release, arrivals));
+    set_origins(flow_, origins_);
     flow_.set_moving_speed(scene.time.moving_speed);
     if (!recorder_.idle()) prepare_to_record(flow_);
     result_.terms = list_terms(scene);
@@ -308,6 +329,7 @@ void FlowRun<AnyFlow>::step() {
     // A step that does not advance time results from a non-finite value.
     if (!(flow_.time() > began)) statistics.non_finite = std::max<std::int64_t>(statistics.non_finite, 1);
     if (!recorder_.idle()) recorder_.record(flow_, AnyFlow::k_shows_end ? flow_.time() : began, statistics.dt);
+    measure_front(flow_, origins_, statistics);
     count(statistics);
     if (target - flow_.time() <= 1e-9 * target) arrive(target);
     if (options_.on_progress) options_.on_progress(progress());
@@ -356,6 +378,8 @@ RunResult FlowRun<AnyFlow>::finish() {
     read_ground_under(flow_.nodes(), scene_.terrain, release_.bed);
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);
+    for (const InflowSource& source : arrivals_.sources())
+        for (const Point place : source.places()) result.inflow_places.push_back(scene_.grid.map_from_local(place));
     result.settling = settling_.last();
     result.steps = flow_.steps();
     result.simulated_seconds = flow_.time();

@@ -5,6 +5,7 @@
 
 #include "simulation/arrivals.h"
 #include "simulation/energy_watch.h"
+#include "simulation/front_origins.h"
 #include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/result.h"
@@ -56,7 +57,7 @@ class FlowRun {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, result, stopped, frames, next_frame,
-                                last_frame, still, fade, settling, recorder, watch, energy] = *this;
+                                last_frame, origins, still, fade, settling, recorder, watch, energy] = *this;
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, settling, recorder, energy);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
@@ -97,6 +98,7 @@ class FlowRun {
     int frames_ = 0;
     double next_frame_;       ///< the first state at or after this time is the next frame [s]
     double last_frame_ = -1;  ///< time of the last frame by this process [s]
+    FrontOrigins origins_;
     StillWatch still_;
     FadeWatch fade_;
     SettlingWatch settling_;
@@ -109,7 +111,7 @@ class FlowRun {
 void add_arrivals(const Arrivals::Arrived& arrived, Flow& flow);
 void add_arrivals(const Arrivals::Arrived& arrived, StructuredFlow& flow);
 
-/// Returns the reference point of front distances and elevations: the centroid of everything released, else the middle
+/// Returns the reference point of elevations: the centroid of everything released, else the middle
 /// of the first inflow. Local metres.
 Point origin_of(const Release& release, const Arrivals& arrivals);
 

@@ -27,7 +27,7 @@ struct SeriesRow {
     double volume_deposited = 0;  ///< deposited on the bed so far [m3]
     double max_depth = 0;         ///< [m]
     double max_speed = 0;         ///< along the bed [m/s]
-    double front_distance = 0;    ///< farthest particle from the release's centroid, in map view [m]
+    double front_distance = 0;    ///< farthest particle from the nearest of the FrontOrigins, in map view [m]
     double kinetic_energy = 0;    ///< [J]
     double covered_area = 0;      ///< cells deeper than the minimum depth [m2]
 };
@@ -203,16 +203,17 @@ struct PhaseBudget {
 
 /// The result of a run: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
-    Raster bed;                     ///< sliding surface [m]
-    Raster release;                 ///< vertical thickness released, averaged over each cell [m]
-    Raster max_depth;               ///< [m], updated at every step
-    Raster max_velocity;            ///< along the bed [m/s], updated at every step
-    Raster max_pressure;            ///< density times speed squared [kPa], updated at every step
-    Raster arrival_time;            ///< first time deeper than the minimum depth [s]
-    Raster final_depth;             ///< [m]
-    Raster max_flux;                ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
-    Raster max_head;                ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
-    std::vector<NamedRaster> more;  ///< further rasters of the model at the end, with the names of Frame::more
+    Raster bed;                        ///< sliding surface [m]
+    Raster release;                    ///< vertical thickness released, averaged over each cell [m]
+    std::vector<Point> inflow_places;  ///< where material flows in, map coordinates
+    Raster max_depth;                  ///< [m], updated at every step
+    Raster max_velocity;               ///< along the bed [m/s], updated at every step
+    Raster max_pressure;               ///< density times speed squared [kPa], updated at every step
+    Raster arrival_time;               ///< first time deeper than the minimum depth [s]
+    Raster final_depth;                ///< [m]
+    Raster max_flux;                   ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
+    Raster max_head;                   ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
+    std::vector<NamedRaster> more;     ///< further rasters of the model at the end, with the names of Frame::more
     std::vector<SeriesRow> series;
     std::vector<GaugeRow> gauges;
     std::vector<SectionRow> sections;

@@ -21,8 +21,12 @@ RunStatistics run_statistics(const RunResult& result, double threshold, const Ra
     const Raster depth = part_inside(result.max_depth, inside);
     const Raster trace = trace_mask(depth, threshold);
     return {high_values(depth, trace), high_values(part_inside(result.max_velocity, inside), trace), masked_area(trace),
-            runout(result.bed, result.release, trace).horizontal_m,
+            runouts(separate_flows(result), result.bed, result.release, trace).front().horizontal_m,
             result.volume_final > 0 ? shown_volume(result) / result.volume_final : k_no_data};
+}
+
+SeparateFlows separate_flows(const RunResult& result) {
+    return {result.release, result.max_depth, result.inflow_places};
 }
 
 double shown_volume(const RunResult& result) {

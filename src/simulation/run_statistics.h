@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "analysis/high_values.h"
+#include "analysis/separate_flows.h"
 #include "simulation/result.h"
 
 namespace frana {
@@ -12,7 +13,7 @@ namespace frana {
 struct RunStatistics {
     PeakValues depth, speed;          ///< of the maxima [m], along the bed [m/s]
     double covered_area = 0;          ///< deeper than the threshold at any time [m2]
-    double run_out = 0;               ///< straight, in map view [m]
+    double run_out = 0;               ///< longest of the separate flows, straight, in map view [m]
     double final_depth_fraction = 0;  ///< fraction of the volume inside at the end that final_depth contains
 };
 
@@ -45,6 +46,9 @@ constexpr bool is_reported(const RunStatistic& statistic) {
 /// @param threshold depth from which a cell belongs to the covered area [m]
 /// @param inside on the result's grid: 0 excludes a cell; empty: none is excluded
 RunStatistics run_statistics(const RunResult& result, double threshold, const Raster& inside = {});
+
+/// Returns the flows of a result that never met.
+SeparateFlows separate_flows(const RunResult& result);
 
 /// Returns the volume in the raster of final depth [m3]: less than the flow's where particles are crowded.
 double shown_volume(const RunResult& result);

@@ -27,8 +27,8 @@ double depth_on(const StructuredFlow& flow, std::size_t cell) {
 
 }  // namespace
 
-SettlingWatch::SettlingWatch(const TimeControl& time, const GridSpec& grid, Point origin)
-    : time_(time), grid_(grid), origin_(origin) {}
+SettlingWatch::SettlingWatch(const TimeControl& time, const GridSpec& grid, const FrontOrigins& origins)
+    : time_(time), grid_(grid), origins_(origins) {}
 
 void SettlingWatch::restart(double time) {
     since_ = next_ = time;
@@ -51,9 +51,7 @@ SettlingWatch::Sample SettlingWatch::sample(const AnyFlow& flow) {
         for (std::int64_t i = i0; i < i1; ++i) {
             if (!(depth[flow.nodes().index(i, j)] >= time_.trace_threshold)) continue;
             ++cells;
-            const Point at = flow.nodes().middle(i + k_ghost, j + k_ghost);
-            const double x = at.x - origin_.x, y = at.y - origin_.y;
-            farthest2 = std::max(farthest2, x * x + y * y);
+            farthest2 = std::max(farthest2, origins_.squared_distance(flow.nodes().middle(i + k_ghost, j + k_ghost)));
         }
     });
     sample.area = static_cast<double>(cells) * grid_.cell_area();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "simulation/front_origins.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 
@@ -16,7 +17,7 @@ namespace frana {
 /// below its peak: a mass that only begins to move changes little.
 class SettlingWatch {
   public:
-    SettlingWatch(const TimeControl& time, const GridSpec& grid, Point origin);
+    SettlingWatch(const TimeControl& time, const GridSpec& grid, const FrontOrigins& origins);
 
     /// Restarts the window at this time [s], at which material entered.
     void restart(double time);
@@ -31,7 +32,7 @@ class SettlingWatch {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [time, grid, origin, since, next, peak, samples, lying, last] = *this;
+        [[maybe_unused]] auto& [time, grid, origins, since, next, peak, samples, lying, last] = *this;
         archive(since, next, peak, samples, lying);
         bool there = last.has_value();
         archive(there);
@@ -45,7 +46,7 @@ class SettlingWatch {
   private:
     struct Sample {
         double time = 0;
-        double runout = 0;  ///< farthest cell of the trace from the origin, in map view [m]
+        double runout = 0;  ///< farthest cell of the trace from the nearest origin, in map view [m]
         double area = 0;    ///< of the trace [m2]
         double moved = 0;   ///< volume moved to other cells since the previous sample [m3]
 
@@ -72,7 +73,7 @@ class SettlingWatch {
 
     const TimeControl& time_;
     const GridSpec& grid_;
-    Point origin_;
+    const FrontOrigins& origins_;
     double since_ = 0;             // time of the last entry [s]
     double next_ = 0;              // next sample [s]
     double peak_ = 0;              // of kinetic energy over density [m5/s2]

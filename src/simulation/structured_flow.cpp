@@ -247,8 +247,7 @@ StepStatistics StructuredFlow::observe() {
                 f.max_depth = std::max(f.max_depth, depth);
                 f.max_speed = std::max(f.max_speed, fast);
                 const Point here = state_.grid.middle(i, j);
-                const double x = here.x - origin_.x, y = here.y - origin_.y;
-                f.front_distance = std::max(f.front_distance, x * x + y * y);
+                f.front_distance = std::max(f.front_distance, origins_.squared_distance(here));
                 maxima_.update(cell, depth, fast, state_.time);
             });
     });

@@ -9,6 +9,7 @@
 #include "models/structured/step.h"
 #include "mpm/maxima.h"
 #include "particles/particle_set.h"
+#include "simulation/front_origins.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 #include "simulation/step_statistics.h"
@@ -34,7 +35,7 @@ class StructuredFlow {
     void add_release(const ParticleSet& columns);
     /// Lowers the bed between two steps: depth in each cell [m], NaN for none.
     void lower_bed(const Raster& depth);
-    void set_origin(Point origin) { origin_ = origin; }
+    void set_origins(const FrontOrigins& origins) { origins_ = origins; }
     void set_moving_speed(double speed) { moving_speed_ = speed; }
     void set_time(double time) { state_.time = time; }
 
@@ -100,7 +101,7 @@ class StructuredFlow {
     /// Everything that changes during a step.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin, moving_speed,
+        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origins, moving_speed,
                                 released_mass, released_volume, entered, steps, particle_steps] = *this;
         archive(state, maxima, released_mass, released_volume, entered, steps, particle_steps);
         if constexpr (Archive::k_reads) {
@@ -134,7 +135,7 @@ class StructuredFlow {
     structured::State state_;
     TileGrid tiles_;
     Maxima maxima_;
-    Point origin_;
+    FrontOrigins origins_{Point{}};
     double moving_speed_ = 0;
     double released_mass_ = 0, released_volume_ = 0;  // [kg], [m3]
     PhaseVolumes entered_;

@@ -8,6 +8,10 @@
 namespace frana {
 namespace {
 
+Runout runout(const Raster& bed, const Raster& release, const Raster& trace) {
+    return runouts(SeparateFlows(release, trace), bed, release, trace).front();
+}
+
 /// A bed that falls 10 m per cell of 10 m to the east, in map coordinates far from zero.
 Raster slope() {
     GridSpec grid;

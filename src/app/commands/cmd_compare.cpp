@@ -12,6 +12,7 @@
 #include "app/compare/ranking.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/kept_files.h"
+#include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
 #include "app/store/replace_result.h"
@@ -83,6 +84,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         if (result.has("bed.tif") && result.has("release.tif")) {
             input.bed = result.raster("bed");
             input.release = result.raster("release");
+            input.inflows = flow_tops(read_main_statistics(result.directory()));
         }
         if (result.has("final_depth.tif")) input.final_depth = result.raster("final_depth");
         simulated.source = result.map_source();

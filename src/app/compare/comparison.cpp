@@ -2,6 +2,7 @@
 #include "app/compare/comparison.h"
 
 #include <cmath>
+#include <utility>
 
 #include "analysis/flow_path.h"
 #include "analysis/runout.h"
@@ -14,33 +15,66 @@
 namespace frana::app {
 namespace {
 
-std::optional<double> runout_difference(const ComparisonInput& input, const Raster& observed, RunLog& log) {
-    if (!input.bed || !input.release) return std::nullopt;
-    if (!observed.grid.same_cells(input.bed->grid)) {
-        log.warn("the scar reaches beyond the computed ground, so its run-out is unknown: no run-out difference");
-        return std::nullopt;
-    }
-    const Runout simulated = runout(*input.bed, *input.release, trace_mask(input.depth, input.threshold));
-    return simulated.horizontal_m - runout(*input.bed, *input.release, observed).horizontal_m;
+/// The flows of a result and a survey together, on the same cells, and which of them is compared: that with the longest
+/// observed run-out, or the longest simulated one if nothing was observed.
+struct ComparedFlow {
+    Raster trace;     ///< simulated, of this flow alone
+    Raster observed;  ///< of this flow alone
+    Runout simulated_end, observed_end;
+};
+
+/// Returns the cells of a mask that belong to one flow.
+Raster part_of_flow(const Raster& mask, const SeparateFlows& flows, std::size_t flow) {
+    Raster part(mask.grid);
+    mask.values.for_each_stored([&](std::size_t cell, double inside) {
+        if (inside != 0 && flows.flow_of(cell) == flow) part.values[cell] = inside;
+    });
+    return part;
+}
+
+ComparedFlow compared_flow(const ComparisonInput& input, const Raster& observed) {
+    const Raster trace = trace_mask(input.depth, input.threshold);
+    Raster reached = input.depth;
+    observed.values.for_each_stored([&](std::size_t cell, double inside) {
+        if (inside != 0 && !(reached.values[cell] > 0)) reached.values[cell] = inside;
+    });
+    const SeparateFlows flows(*input.release, reached, input.inflows);
+    if (flows.count() == 0)
+        throw Error(ErrorKind::input, Problem{"nothing is released and nothing flows", "run-out", "", "", ""});
+    const std::vector<Runout> simulated = runouts_by_flow(flows, *input.bed, *input.release, trace),
+                              surveyed = runouts_by_flow(flows, *input.bed, *input.release, observed);
+    std::size_t chosen = 0;
+    const auto lengths = [&](std::size_t flow) {
+        return std::pair{surveyed[flow].horizontal_m, simulated[flow].horizontal_m};
+    };
+    for (std::size_t flow = 1; flow < flows.count(); ++flow)
+        if (lengths(flow) > lengths(chosen)) chosen = flow;
+    return {part_of_flow(trace, flows, chosen), part_of_flow(observed, flows, chosen), simulated[chosen],
+            surveyed[chosen]};
 }
 
 /// Computes both run-outs on one path: that of the simulated flow, extended to the farthest cell of trace and survey.
-std::optional<PathRunout> path_runout(const ComparisonInput& input, const Raster& observed) {
-    if (!input.bed || !input.release || !observed.grid.same_cells(input.bed->grid)) return std::nullopt;
-    const Raster trace = trace_mask(input.depth, input.threshold);
-    if (masked_area(trace) == 0) return std::nullopt;
-    Raster both = observed;
-    trace.values.for_each_stored([&](std::size_t cell, double inside) {
-        if (inside != 0) both.values[cell] = 1;
-    });
-    const Runout farthest = runout(*input.bed, *input.release, both);
+PathRunout path_runout(const ComparisonInput& input, const ComparedFlow& flow) {
+    const Runout& farthest =
+        flow.observed_end.horizontal_m > flow.simulated_end.horizontal_m ? flow.observed_end : flow.simulated_end;
     Raster depth = input.depth;
-    observed.values.for_each_stored([&](std::size_t cell, double inside) {
+    flow.observed.values.for_each_stored([&](std::size_t cell, double inside) {
         // Surveyed area without flow is preferred to area that nothing touched.
         if (inside != 0 && !(input.depth.values[cell] > input.threshold)) depth.values[cell] = input.threshold;
     });
     const Polyline path = flow_path(depth, farthest.top, farthest.tip);
-    return PathRunout{runout_along(path, trace), runout_along(path, observed)};
+    return {runout_along(path, flow.trace), runout_along(path, flow.observed)};
+}
+
+void compare_run_outs(const ComparisonInput& input, const Raster& observed, RunLog& log, Comparison& comparison) {
+    if (!input.bed || !input.release) return;
+    if (!observed.grid.same_cells(input.bed->grid)) {
+        log.warn("the scar reaches beyond the computed ground, so its run-out is unknown: no run-out difference");
+        return;
+    }
+    const ComparedFlow flow = compared_flow(input, observed);
+    comparison.runout_difference_m = flow.simulated_end.horizontal_m - flow.observed_end.horizontal_m;
+    if (maximum(flow.trace) > 0) comparison.path_runout = path_runout(input, flow);
 }
 
 FrontComparison compare_front(const gis::NamedLine& front, const LineSet& outline, const InsideTest& inside_trace,
@@ -82,8 +116,7 @@ void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log
     comparison.statistics = compare(depth, observed, input.threshold);
     comparison.curve = score_curve(depth, observed);
     comparison.classes = agreement(depth, observed, input.threshold);
-    comparison.runout_difference_m = runout_difference(input, observed, log);
-    comparison.path_runout = path_runout(input, observed);
+    compare_run_outs(input, observed, log, comparison);
     const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
     if (!trace.empty()) {
         comparison.outline = distance_between(LineSet(trace), LineSet(input.survey.scar), input.depth.grid.cell_size);

@@ -23,6 +23,7 @@ struct ComparisonInput {
     std::string depth_label;    ///< for the file: name of the simulated data
     std::optional<Raster> bed;  ///< for the run-outs; none: not compared
     std::optional<Raster> release;
+    std::vector<Point> inflows;         ///< places where material flows in, or of flows that have such a place
     std::optional<Raster> final_depth;  ///< for the deposit; none: not compared
     std::map<std::string, std::string> metadata;
 };

@@ -126,12 +126,14 @@ std::string map_subtitle(const MapFacts& facts) {
 std::vector<std::string> map_notes(const MapFacts& facts) {
     std::vector<std::string> notes{"Volume " + grouped(facts.volume) + " m³"};
     if (const auto& statistics = facts.statistics) {
-        const Runout& run_out = statistics->run_out;
+        const Runout& run_out = statistics->run_out();
+        const std::size_t flows = statistics->run_outs.size();
         notes.insert(notes.end(),
                      {"Covered " + grouped(statistics->covered_area_m2) + " m²",
                       "(deeper than " + number_text(statistics->threshold, 3) + " m)",
                       "Run-out " + grouped(run_out.horizontal_m) + " m", "Drop " + grouped(run_out.drop_m) + " m",
                       "Angle of reach " + number_text(run_out.reach_angle_deg, 3) + "°"});
+        if (flows > 1) notes.push_back("(longest of " + std::to_string(flows) + " flows)");
     }
     // Warnings on the map itself: it is passed on without its log.
     if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");

@@ -8,6 +8,7 @@
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_pictures.h"
 #include "app/store/checkpoints.h"
+#include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
 #include "app/store/replace_result.h"
 #include "app/store/result_directory.h"
@@ -42,6 +43,7 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
     input.depth = result.raster("max_depth");
     input.bed = result.raster("bed");
     input.release = result.raster("release");
+    input.inflows = flow_tops(read_main_statistics(directory));
     input.final_depth = result.raster("final_depth");
     return compare_with_survey(input, log);
 }

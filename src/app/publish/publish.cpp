@@ -40,6 +40,7 @@ ComparisonInput comparison_input(const Finished& run) {
     input.depth = run.result.max_depth;
     input.bed = run.result.bed;
     input.release = run.result.release;
+    input.inflows = run.result.inflow_places;
     input.final_depth = run.result.final_depth;
     return input;
 }
@@ -118,6 +119,14 @@ void warn_of_empty_trace(const Finished& run, RunLog& log) {
              "output.trace-threshold to about a tenth of the usual flow depth");
 }
 
+/// Run-out, drop and angle of reach are those of one flow.
+void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
+    if (run_outs.size() < 2) return;
+    log.note(std::to_string(run_outs.size()) + " separate flows with run-outs from " +
+             grouped(run_outs.back().horizontal_m) + " to " + grouped(run_outs.front().horizontal_m) +
+             " m; maps and tables show the longest, summary.json lists all");
+}
+
 void warn_of_problem(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
@@ -193,14 +202,16 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.spec = prepared.spec;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
-    facts.statistics = {threshold, masked_area(trace), runout(result.bed, result.release, trace)};
+    const SeparateFlows flows = separate_flows(result);
+    facts.statistics = {threshold, masked_area(trace), runouts(flows, result.bed, result.release, trace)};
+    note_flows(facts.statistics.run_outs, log);
     facts.high = peak_statistics(result, trace);
 
     if (prepared.ground.on_demand) publish_dtm(prepared, directory);  // more of it has been read since the start
     publish_rasters(prepared, result, directory);
-    publish_outlines(prepared, result, facts.statistics.run_out, directory);
+    publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
     publish_series(prepared, result, directory);
-    publish_profiles(prepared, result, facts.statistics.run_out, directory);
+    publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));

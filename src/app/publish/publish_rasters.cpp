@@ -77,8 +77,8 @@ void publish_ground(const Prepared& prepared, const ResultDirectory& directory) 
     write_text_file(directory.path(k_scene_file), echoed_scene(prepared));
 }
 
-void publish_outlines(const Prepared& prepared, const RunResult& result, const Runout& run_out,
-                      const ResultDirectory& directory) {
+void publish_outlines(const Prepared& prepared, const RunResult& result, const SeparateFlows& flows,
+                      const Runout& run_out, const ResultDirectory& directory) {
     std::vector<gis::OutlineLayer> layers{{"release", {}}};
     for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
         const ReleaseArea& area = prepared.scene.release[i];
@@ -91,8 +91,9 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const R
     }
     const double threshold = prepared.spec.output.trace_threshold;
     layers.push_back(outline("trace", result.max_depth, threshold, result, run_out));
+    const Raster deposit = trace_mask(result.final_depth, threshold);
     layers.push_back(outline("deposit", result.final_depth, threshold, result,
-                             runout(result.bed, result.release, trace_mask(result.final_depth, threshold))));
+                             runouts(flows, result.bed, result.release, deposit).front()));
     for (PolygonFeature& trace : layers[1].features) {
         // The volume over the trace is that released; depths at different times do not add up.
         trace.numbers["volume_m3"] = result.volume_initial;

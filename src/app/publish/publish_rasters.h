@@ -20,7 +20,7 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
 
 /// Writes extent.gpkg: release, trace (greatest depth above the threshold), deposit (final depth above it), scar if
 /// given.
-void publish_outlines(const Prepared& prepared, const RunResult& result, const Runout& run_out,
-                      const ResultDirectory& directory);
+void publish_outlines(const Prepared& prepared, const RunResult& result, const SeparateFlows& flows,
+                      const Runout& run_out, const ResultDirectory& directory);
 
 }  // namespace frana::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/report_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -102,6 +103,23 @@ std::string curve_chart(const std::vector<ComparisonStatistics>& curve) {
     return line_chart("depth threshold [m]", "score", {jaccard, hit, alarm}, render::Scale::logarithmic);
 }
 
+/// The separate flows of a result, if it has several.
+std::string flows_table(const std::vector<Runout>& run_outs) {
+    constexpr std::size_t k_most = 20;  // of hundreds, summary.json has the rest
+    if (run_outs.size() < 2) return "";
+    Table table({"Flow", "Run-out [m]", "Drop [m]", "Angle of reach [°]", "Area [m²]", "From", "To"});
+    const auto place = [](Point p) { return number_text(p.x, 9) + ", " + number_text(p.y, 9); };
+    for (std::size_t i = 0; i < std::min(run_outs.size(), k_most); ++i) {
+        const Runout& one = run_outs[i];
+        table.row({std::to_string(i + 1), grouped(one.horizontal_m), grouped(one.drop_m),
+                   number_text(one.reach_angle_deg, 3), grouped(one.covered_area_m2), place(one.top), place(one.tip)});
+    }
+    return "<p>" + std::to_string(run_outs.size()) +
+           " flows never met. Run-out, drop and angle of reach above are those of the longest" +
+           (run_outs.size() > k_most ? "; the table has the " + std::to_string(k_most) + " longest" : "") + ".</p>\n" +
+           table.html();
+}
+
 std::string operation(const gis::TransformInfo& transform) {
     const std::string text = transform_text(transform);
     return text == "none" ? "none needed" : text + "; accuracy " + accuracy_text(transform);
@@ -117,16 +135,16 @@ std::string results_table(const ReportInput& input) {
     table
         .number("Area deeper than " + number_text(input.prepared.spec.output.trace_threshold) + " m at any time",
                 grouped(f.statistics.covered_area_m2), "m²")
-        .number("Run-out, straight in map view", grouped(f.statistics.run_out.horizontal_m), "m")
-        .number("Drop", grouped(f.statistics.run_out.drop_m), "m")
-        .number("Angle of reach", number_text(f.statistics.run_out.reach_angle_deg, 3), "°")
+        .number("Run-out, straight in map view", grouped(f.statistics.run_out().horizontal_m), "m")
+        .number("Drop", grouped(f.statistics.run_out().drop_m), "m")
+        .number("Angle of reach", number_text(f.statistics.run_out().reach_angle_deg, 3), "°")
         .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")", number_text(r.simulated_seconds, 4),
                 "s");
     return table.html() +
            "<p class=\"small\">The greatest value is that of a single cell; the 99.9 % and 99 % values are over the "
            "area deeper than " +
            escaped_markup(number_text(input.prepared.spec.output.trace_threshold)) +
-           " m, with the maximum over time in each cell.</p>\n";
+           " m, with the maximum over time in each cell.</p>\n" + flows_table(f.statistics.run_outs);
 }
 
 std::string budget_table(const RunResult& r) {

@@ -98,14 +98,24 @@ void add_flow(Json& json, const RunResult& result, const SummaryFacts& facts) {
     if (result.energy_error) json["energy_error"] = *result.energy_error;
 }
 
+Json runout_json(const Runout& one) {
+    return {{"horizontal_m", one.horizontal_m}, {"drop_m", one.drop_m}, {"reach_angle_deg", one.reach_angle_deg}};
+}
+
 void add_trace(Json& json, const SummaryFacts& facts) {
     add_peak_statistics(json, facts.high);
-    const Runout& run_out = facts.statistics.run_out;
     json["covered_area_m2"] = facts.statistics.covered_area_m2;
     json["trace_threshold_m"] = facts.statistics.threshold;
-    json["runout"] = {{"horizontal_m", run_out.horizontal_m},
-                      {"drop_m", run_out.drop_m},
-                      {"reach_angle_deg", run_out.reach_angle_deg}};
+    json["runout"] = runout_json(facts.statistics.run_out());
+    Json& flows = json["flows"] = Json::array();
+    for (const Runout& one : facts.statistics.run_outs) {
+        flows.push_back(runout_json(one));
+        flows.back().update({{"covered_area_m2", one.covered_area_m2},
+                             {"top_x", one.top.x},
+                             {"top_y", one.top.y},
+                             {"tip_x", one.tip.x},
+                             {"tip_y", one.tip.y}});
+    }
     for (const HazardArea& area : facts.hazard)
         json["hazard"].push_back({{"class", area.kind.value}, {"label", area.kind.label}, {"area_m2", area.area_m2}});
 }

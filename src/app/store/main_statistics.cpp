@@ -17,18 +17,41 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
     if (!summary)
         throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Restore it, or compute the scene again"});
     MainStatistics statistics;
-    const std::pair<const char*, double*> k_places[] = {
-        {"/trace_threshold_m", &statistics.threshold},
-        {"/covered_area_m2", &statistics.covered_area_m2},
-        {"/runout/horizontal_m", &statistics.run_out.horizontal_m},
-        {"/runout/drop_m", &statistics.run_out.drop_m},
-        {"/runout/reach_angle_deg", &statistics.run_out.reach_angle_deg}};
-    for (const auto& [name, value] : k_places) {
+    const auto read = [&](const std::string& name, double& value) {
         const std::optional<double> number = value_in<double>(*summary, name);
-        if (!number) return std::nullopt;
-        *value = *number;
+        value = number.value_or(0);
+        return number.has_value();
+    };
+    const auto read_runout = [&](const std::string& place) {
+        Runout& one = statistics.run_outs.emplace_back();
+        return read(place + "/horizontal_m", one.horizontal_m) && read(place + "/drop_m", one.drop_m) &&
+               read(place + "/reach_angle_deg", one.reach_angle_deg);
+    };
+    if (!read("/trace_threshold_m", statistics.threshold) || !read("/covered_area_m2", statistics.covered_area_m2) ||
+        !read_runout("/runout"))
+        return std::nullopt;
+    if (!summary->contains("flows")) return statistics;  // written before flows were told apart
+    statistics.run_outs.clear();
+    for (std::size_t i = 0; summary->contains(Json::json_pointer("/flows/" + std::to_string(i))); ++i) {
+        const std::string flow = "/flows/" + std::to_string(i);
+        if (!read_runout(flow)) return std::nullopt;
+        Runout& one = statistics.run_outs.back();
+        read(flow + "/covered_area_m2", one.covered_area_m2);
+        for (const auto& [name, point] : {std::pair{"/top", &one.top}, std::pair{"/tip", &one.tip}}) {
+            read(flow + name + "_x", point->x);
+            read(flow + name + "_y", point->y);
+        }
     }
+    if (statistics.run_outs.empty()) return std::nullopt;
     return statistics;
+}
+
+std::vector<Point> flow_tops(const std::optional<MainStatistics>& statistics) {
+    std::vector<Point> tops;
+    if (!statistics) return tops;
+    for (const Runout& one : statistics->run_outs)
+        if (one.covered_area_m2 > 0) tops.push_back(one.top);
+    return tops;
 }
 
 }  // namespace frana::app
