@@ -52,4 +52,18 @@ Raster padded_to(const Raster& raster, const Bounds& box, double fill) {
     return padded;
 }
 
+Raster cut_to(const Raster& raster, const CellWindow& window) {
+    if (raster.values.empty()) return raster;
+    if (window.rows * window.columns <= CellValues::k_most_dense) return part_of(raster, window);
+    Raster part(part_of(raster.grid, window), k_no_data);
+    const std::int64_t columns = raster.grid.columns;
+    raster.values.for_each_stored([&](std::size_t cell, double value) {
+        const std::int64_t row = static_cast<std::int64_t>(cell) / columns - window.row,
+                           column = static_cast<std::int64_t>(cell) % columns - window.column;
+        if (std::isnan(value) || row < 0 || column < 0 || row >= window.rows || column >= window.columns) return;
+        part.at(row, column) = value;
+    });
+    return part;
+}
+
 }  // namespace frana

@@ -18,4 +18,8 @@ double maximum(const Raster& raster);
 /// the box is inside already.
 Raster padded_to(const Raster& raster, const Bounds& box, double fill);
 
+/// Returns a window of a raster; of a window too large to be stored whole, what is stored of the raster there. An empty
+/// raster remains empty.
+Raster cut_to(const Raster& raster, const CellWindow& window);
+
 }  // namespace frana

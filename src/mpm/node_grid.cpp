@@ -38,6 +38,7 @@ struct NodeGrid::Demand {
     std::int64_t across, down;
     std::vector<std::uint8_t> covered{};  // by block
     double lowest = std::numeric_limits<double>::infinity();
+    std::vector<std::function<void(const Block&)>> fills{};
     std::exception_ptr failure{};
     std::mutex taking{};
 
@@ -161,6 +162,7 @@ void NodeGrid::take(std::int64_t a, std::int64_t b) const {
             if (std::isnan(z) && d.solid[node] == 0) d.solid[node] = k_gap;
         }
     }
+    for (const auto& fill : d.fills) fill(wanted);
 }
 
 void NodeGrid::cover(const Block& block) const noexcept {
@@ -183,6 +185,11 @@ void NodeGrid::cover(const Block& block) const noexcept {
             }
         }
     }
+}
+
+void NodeGrid::fill_with_ground(std::function<void(const Block&)> fill) {
+    for_each_covered_block(fill);
+    if (demand_) demand_->fills.push_back(std::move(fill));
 }
 
 void NodeGrid::cover_round(Point place) const noexcept {

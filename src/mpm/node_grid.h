@@ -89,6 +89,10 @@ class NodeGrid {
     void cover(const Block& block) const noexcept;
     /// The nodes round a local point, as what is there may read.
     void cover_round(Point place) const noexcept;
+    /// Calls fill(nodes) for all nodes; where ground is taken on demand, for each block when it is covered, from the
+    /// thread that covers it, one at a time. `fill` is then called as long as there is the grid, and what it throws is
+    /// kept for require_ground.
+    void fill_with_ground(std::function<void(const Block&)> fill);
     /// Whether ground could not be taken since the last call of require_ground.
     [[nodiscard]] bool lacks_ground() const noexcept;
     /// Throws what kept ground from being taken.

@@ -149,7 +149,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
 }
 
 Laws make_laws(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-               const Numerics& numerics, const NodeGrid& nodes, double gravity) {
+               const Numerics& numerics, NodeGrid& nodes, double gravity) {
     Laws laws;
     laws.gravity = gravity;
     laws.cfl = numerics.cfl;

@@ -18,8 +18,9 @@ voellmy_bingham::Stages choose_stages(const Material& material, const MaterialZo
 
 /// Returns the laws with their parameters, in the engine's units.
 /// @param gravity normal to the ground plane: numerics.gravity, or that of a tilted frame [m/s2]
+/// @param nodes whose values by place are filled as their ground is taken
 voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-                                const Numerics& numerics, const NodeGrid& nodes, double gravity);
+                                const Numerics& numerics, NodeGrid& nodes, double gravity);
 
 /// Returns whether particles and nodes exchange velocities along the bed rather than in map view.
 bool follows_bed(const Numerics& numerics);

@@ -119,7 +119,7 @@ void choose_erosion(const Entrainment& entrainment, Stages& stages) {
 // Converts the laws of a material to sweeps over the nodes.
 class FrictionBuilder {
   public:
-    FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes, double gravity)
+    FrictionBuilder(const Material& material, const MaterialZones& zones, NodeGrid& nodes, double gravity)
         : material_(material), zones_(zones), nodes_(nodes), gravity_(gravity) {}
 
     BedFriction build() {
@@ -132,8 +132,13 @@ class FrictionBuilder {
   private:
     NodeValue value(const std::optional<Raster>& raster, double uniform) {
         if (!raster) return {uniform};
-        friction_.node_values.push_back(node_values(*raster, uniform, nodes_));
-        return {uniform, friction_.node_values.back().data()};
+        double* const values = friction_.node_values.emplace_back(nodes_.bed.size()).data();
+        nodes_.fill_with_ground([&nodes = nodes_, &from = *raster, uniform, values](const NodeGrid::Block& block) {
+            for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
+                for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
+                    values[nodes.index(i, j)] = node_value(from, uniform, i, j);
+        });
+        return {uniform, values};
     }
     NodeValue coefficient() { return value(zones_.friction_coefficient, material_.friction_coefficient); }
     // `yields`: the law holds material at rest.
@@ -152,7 +157,7 @@ class FrictionBuilder {
 
     const Material& material_;
     const MaterialZones& zones_;
-    const NodeGrid& nodes_;
+    NodeGrid& nodes_;
     double gravity_;
     BedFriction friction_;
 };
@@ -221,7 +226,7 @@ void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, S
 }
 
 BedFriction make_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-                          const NodeGrid& nodes, double gravity) {
+                          NodeGrid& nodes, double gravity) {
     BedFriction friction;
     if (sums_friction(material, zones, entrainment))
         friction = FrictionBuilder(material, zones, nodes, gravity).build();
@@ -243,16 +248,11 @@ BedExchange make_exchange(const Entrainment& entrainment, double density) {
     return laws;
 }
 
-std::vector<double> node_values(const Raster& raster, double uniform, const NodeGrid& nodes) {
-    std::vector<double> values(nodes.bed.size());
-    for (std::int64_t j = -k_ghost; j < nodes.rows() + k_ghost; ++j) {
-        const std::int64_t row = nodes.rows() - 1 - std::clamp<std::int64_t>(j, 0, nodes.rows() - 1);
-        for (std::int64_t i = -k_ghost; i < nodes.columns() + k_ghost; ++i) {
-            const double here = raster.at(row, std::clamp<std::int64_t>(i, 0, nodes.columns() - 1));
-            values[nodes.index(i, j)] = std::isnan(here) ? uniform : here;
-        }
-    }
-    return values;
+double node_value(const Raster& raster, double uniform, std::int64_t i, std::int64_t j) {
+    const GridSpec& grid = raster.grid;
+    const double here = raster.at(grid.rows - 1 - std::clamp<std::int64_t>(j, 0, grid.rows - 1),
+                                  std::clamp<std::int64_t>(i, 0, grid.columns - 1));
+    return std::isnan(here) ? uniform : here;
 }
 
 }  // namespace frana

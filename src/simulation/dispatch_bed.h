@@ -21,10 +21,11 @@ void choose_node_stages(const Material& material, const Numerics& numerics, bool
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, voellmy_bingham::Stages& stages);
 
 voellmy_bingham::BedFriction make_friction(const Material& material, const MaterialZones& zones,
-                                           const Entrainment& entrainment, const NodeGrid& nodes, double gravity);
+                                           const Entrainment& entrainment, NodeGrid& nodes, double gravity);
 voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, double density);
 
-/// Returns a raster as a padded node array; NaN becomes `uniform`, ghosts get the value of the nearest cell.
-std::vector<double> node_values(const Raster& raster, double uniform, const NodeGrid& nodes);
+/// Returns a raster's value at a node of the terrain, rows from the south; NaN becomes `uniform`, ghosts have the value
+/// of the nearest cell.
+double node_value(const Raster& raster, double uniform, std::int64_t i, std::int64_t j);
 
 }  // namespace frana

@@ -93,15 +93,17 @@ voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles
     return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
 }
 
-ZeroArray<ErodibleBed> erodible_beds(const Entrainment& entrainment, const MaterialZones& zones,
-                                     const NodeGrid& nodes) {
-    ZeroArray<ErodibleBed> beds(nodes.bed.size());
-    if (!entrainment.erodes()) return beds;
-    std::vector<double> depths;
-    if (zones.erodible_depth) depths = node_values(*zones.erodible_depth, entrainment.erodible_depth, nodes);
-    for (std::size_t i = 0; i < beds.size(); ++i)
-        beds[i].erodible = depths.empty() ? entrainment.erodible_depth : depths[i];
-    return beds;
+// `beds` stays where it is, though a saved state may replace its content.
+void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zones, NodeGrid& nodes,
+                       ZeroArray<ErodibleBed>& beds) {
+    beds = ZeroArray<ErodibleBed>(nodes.bed.size());
+    if (!entrainment.erodes()) return;
+    const Raster* const depths = zones.erodible_depth ? &*zones.erodible_depth : nullptr;
+    nodes.fill_with_ground([&nodes, &beds, depths, uniform = entrainment.erodible_depth](const NodeGrid::Block& block) {
+        for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
+            for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
+                beds[nodes.index(i, j)].erodible = depths == nullptr ? uniform : node_value(*depths, uniform, i, j);
+    });
 }
 
 }  // namespace
@@ -123,7 +125,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.size());
     if (stages_.flies) state_.flights = Flights(state_.nodes.size());
     if (entrainment.active()) {
-        state_.erodible_beds = erodible_beds(entrainment, zones, state_.nodes);
+        set_erodible_beds(entrainment, zones, state_.nodes, state_.erodible_beds);
         state_.nodes.bed_changes = true;
     }
     if (tilt) {

@@ -35,6 +35,7 @@ Scene wide(Scene scene) {
     if (scene.walls) scene.walls = in_wide_map(*scene.walls);
     if (scene.zones.friction_coefficient)
         scene.zones.friction_coefficient = in_wide_map(*scene.zones.friction_coefficient);
+    if (scene.zones.erodible_depth) scene.zones.erodible_depth = in_wide_map(*scene.zones.erodible_depth);
     scene.grid = scene.terrain.grid;
     return scene;
 }
@@ -58,8 +59,34 @@ Scene on_demand(Scene scene, const std::shared_ptr<Reader>& reader) {
     return scene;
 }
 
+// Values by place that are read in windows too.
 Scene on_demand(const Scene& scene) {
-    return on_demand(scene, std::make_shared<Reader>());
+    Scene part = on_demand(scene, std::make_shared<Reader>());
+    for (const ZoneRaster& zone : k_zone_rasters) {
+        std::optional<Raster>& raster = part.zones.*zone.raster;
+        if (!raster) continue;
+        const auto whole = std::make_shared<const Raster>(*raster);
+        raster->values = CellValues::tiled(raster->grid.rows, raster->grid.columns, k_no_data,
+                                           [whole](const CellWindow& window, double* values) {
+                                               for (std::int64_t row = 0; row < window.rows; ++row)
+                                                   for (std::int64_t column = 0; column < window.columns; ++column)
+                                                       *values++ = whole->at(window.row + row, window.column + column);
+                                           });
+    }
+    return part;
+}
+
+// Friction and the erodible bed differ from place to place.
+Scene eroding_by_place() {
+    Scene scene = eventful();
+    scene.entrainment.erosion = "growth";
+    scene.entrainment.growth_rate = 0.002;
+    scene.entrainment.erodible_depth = 0.2;
+    scene.zones.erodible_depth = scene.terrain;
+    scene.zones.erodible_depth->values.change_each_stored([](std::size_t cell, double& value) {
+        value = cell % 3 == 0 ? k_no_data : 0.1 * static_cast<double>(cell % 7);
+    });
+    return scene;
 }
 
 // On ground that nothing else reaches.
@@ -97,7 +124,8 @@ INSTANTIATE_TEST_SUITE_P(, GroundOnDemand,
                          testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 200},
                                          Case{"resting", resting, 300}, Case{"settling", settling, 600},
                                          Case{"flying", flying, 100}, Case{"inflow_elsewhere", inflow_elsewhere, 45},
-                                         Case{"earth_pressure", earth_pressure, 60}),
+                                         Case{"earth_pressure", earth_pressure, 60},
+                                         Case{"eroding_by_place", eroding_by_place, 200}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 // Not before anything is computed: on the way. The state of the last whole step goes on when the ground can be read.

@@ -82,7 +82,8 @@ void print_site(const Scene& scene) {
             greatest = std::max(greatest, value);
         });
         line(zone.what, number_text(least, 4) + " to " + number_text(greatest, 4) + " " +
-                            (key->unit.empty() ? "(coefficient)" : key->unit) + " on " + grouped(cells) + " cells");
+                            (key->unit.empty() ? "(coefficient)" : key->unit) + " on " + grouped(cells) + " cells" +
+                            (raster->values.is_tiled() ? " looked at so far" : ""));
     }
     if (!scene.walls) return;
     std::int64_t walls = 0;

@@ -45,12 +45,6 @@ std::string cells_text(const CellList& list) {
     return grouped(list.count) + (list.count == 1 ? " cell: " : " cells: ") + list.text;
 }
 
-MultiPolygon all_outlines(const ReleaseInput& release) {
-    MultiPolygon all;
-    for (const ReleaseArea& area : release.areas) all.insert(all.end(), area.outline.begin(), area.outline.end());
-    return all;
-}
-
 /// Returns false if the outlines reach beyond the working grid.
 bool check_extent(const SceneReading& reading, const TerrainInput& ground, const MultiPolygon& outlines,
                   Problems& problems) {
@@ -149,6 +143,12 @@ void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& lo
 }
 
 }  // namespace
+
+MultiPolygon all_outlines(const ReleaseInput& release) {
+    MultiPolygon all;
+    for (const ReleaseArea& area : release.areas) all.insert(all.end(), area.outline.begin(), area.outline.end());
+    return all;
+}
 
 void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
                    Problems& problems) {

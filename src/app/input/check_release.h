@@ -10,4 +10,7 @@ namespace frana::app {
 void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
                    Problems& problems);
 
+/// Returns the outlines of all areas together.
+MultiPolygon all_outlines(const ReleaseInput& release);
+
 }  // namespace frana::app

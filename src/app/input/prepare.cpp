@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/input/check_release.h"
 #include "app/input/layer_choice.h"
 #include "app/input/memory_bound.h"
 #include "app/input/prepare_inflow.h"
@@ -129,7 +130,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     ReleaseInput release = prepare_release(reading, known_ground, files, log, problems);
     files.insert(files.end(), site.begin(), site.end());
     std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, files, log, problems);
-    MaterialZones zones = prepare_zones(reading, known_ground, files, log, problems);
+    MaterialZones zones = prepare_zones(reading, known_ground, all_outlines(release), files, log, problems);
     std::optional<StructuredMaterial> structured =
         prepare_structured(reading, known_ground, release, walls, files, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, files, log, problems);

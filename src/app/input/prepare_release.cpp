@@ -8,6 +8,7 @@
 #include "app/input/layer_choice.h"
 #include "app/input/layer_values.h"
 #include "app/input/release_areas.h"
+#include "app/input/thickness_on_demand.h"
 #include "app/input/thickness_volume.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
@@ -34,6 +35,20 @@ Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& re
     return sum;
 }
 
+/// Returns a mask of the cells where a thickness is positive.
+Raster positive_part(const Raster& thickness, const TerrainInput& ground, const gis::RasterInfo& file) {
+    if (ground.on_demand) {
+        const std::string& crs = thickness.grid.crs_wkt;
+        return positive_cells(thickness,
+                              gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds));
+    }
+    Raster positive(thickness.grid);
+    thickness.values.for_each_stored([&](std::size_t cell, double metres) {
+        if (metres > 0) positive.values[cell] = 1;
+    });
+    return positive;
+}
+
 /// Returns the thickness raster on the working grid: the file itself, the sum of two, or the positive part of before
 /// minus after or of the ground minus the slip surface.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
@@ -47,6 +62,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     std::vector<std::string> names{spec.raster};
     if (!spec.post.empty()) names.push_back(spec.post);
     std::vector<Raster> rasters;
+    std::vector<std::shared_ptr<const gis::RasterOnDemand>> unread;
     for (const std::string& file : names) {
         try {
             gis::RasterInfo info = gis::inspect_raster(file, where);
@@ -62,19 +78,28 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                               "State it with release.thickness-crs = EPSG:..."});
                 continue;
             }
-            gis::RasterRead read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt,
-                                                       gis::Resampling::automatic, unit, nodata, where);
+            gis::RasterRead read;
+            if (ground->on_demand) {
+                unread.push_back(std::make_shared<const gis::RasterOnDemand>(
+                    file, ground->terrain.grid, info.crs_wkt, gis::Resampling::automatic, unit, nodata, where));
+                read = unread.back()->known();
+            } else {
+                read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt, gis::Resampling::automatic, unit,
+                                           nodata, where);
+            }
             for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
             report_transform("thickness " + file, read.transform, ground->terrain.grid.cell_size, log);
             log.note("thickness " + file + ": resampling " + read.resampling_used);
             release.rasters.push_back(info);
             files.push_back(used_raster("Release thickness", info, read));
+            if (ground->on_demand) do_not_count_nodata(files.back());
             rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
             problems.add(error);
         }
     }
     if (rasters.size() != names.size()) return std::nullopt;
+    if (ground->on_demand) return thickness_on_demand(spec.kind, ground->terrain.grid, unread, ground->on_demand);
     if (spec.kind == Kind::raster) return std::move(rasters.front());
     if (spec.kind == Kind::phases) {
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -131,12 +156,8 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         if (release.perimeter) {
             release.areas = areas_of_raster(reading, *release.perimeter, *thickness, problems);
         } else {
-            Raster positive(thickness->grid);
-            thickness->values.for_each_stored([&](std::size_t cell, double metres) {
-                if (metres > 0) positive.values[cell] = 1;
-            });
             ReleaseArea area;
-            area.outline = gis::polygonise(positive);
+            area.outline = gis::polygonise(positive_part(*thickness, *ground, release.rasters.front()));
             area.thickness_raster = std::move(thickness);
             set_details(reading, nullptr, 0, area, problems);
             release.areas.push_back(std::move(area));
@@ -152,6 +173,9 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
     for (const ReleaseArea& area : release.areas) release.area_m2 += frana::area(area.outline);
     if (ground != nullptr) {
         check_release(reading, *ground, release, log, problems);
+        // What was read on demand is that under the outlines, which were looked at just now.
+        if (ground->on_demand && spec.by_raster() && !release.areas.empty())
+            files.back().checksum.add(*release.areas.front().thickness_raster);
         // Interpolated at its edge, a raster would lose volume; the released volume is that of the file.
         if (problems.empty() && spec.kind == Kind::raster && !reading.scene.release.volume)
             match_file_volume(release, ground->terrain.grid, files.back());

@@ -16,7 +16,6 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/elevation_sample.h"
 #include "gis/raster/working_grid.h"
-#include "params/keys/zone_keys.h"
 
 namespace frana::app {
 namespace {
@@ -63,17 +62,9 @@ gis::Resampling resampling_of(const std::string& name) {
 }
 
 /// Whether the DTM can be read where the flow comes. What looks at all of the ground needs it whole: the fluid of the
-/// structured model, zones, what the bed gives and takes, walls round the map, holes to be filled, thicknesses from
-/// rasters and fitted surfaces.
+/// structured model, walls round the map, holes to be filled.
 bool can_read_on_demand(const SceneSpec& scene) {
-    const ZonesSpec& zones = scene.zones;
-    const bool by_place = scene.terrain.friction_zones ||
-                          std::any_of(zone_keys().begin(), zone_keys().end(),
-                                      [&](const ZoneKey& key) { return (zones.*key.source).has_value(); });
-    const auto& thickness = scene.release.thickness;
-    return !(thickness && (thickness->by_raster() || thickness->fitted())) &&
-           scene.material.model == "voellmy-bingham" && !by_place && scene.entrainment.erosion == "off" &&
-           !scene.entrainment.deposition && scene.numerics.boundary != Boundary::wall &&
+    return scene.material.model == "voellmy-bingham" && scene.numerics.boundary != Boundary::wall &&
            scene.terrain.nodata_policy != "fill";
 }
 
@@ -139,7 +130,7 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
     known.raster = samples_of(spec, input.file, grid);
     check_terrain(reading, known.raster, grid, log);
     input.used = used_raster("DTM", input.file, known);
-    input.used.nodata.replace(0, input.used.nodata.find('\n'), "not counted");
+    do_not_count_nodata(input.used);
     log.note(
         "the DTM is large: elevations are read where the release lies and where the flow comes, and checked there; "
         "of the whole only samples were checked");

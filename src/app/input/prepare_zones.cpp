@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/trace.h"
 #include "app/input/layer_values.h"
 #include "app/input/transform_report.h"
+#include "app/input/zones_on_demand.h"
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
@@ -72,6 +75,8 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
     }
 }
 
+constexpr const char* k_state_crs = "Write one into the file, for example with gdal_edit.py -a_srs EPSG:...";
+
 double converted(double value, bool degrees) {
     return degrees ? std::tan(value * std::numbers::pi / 180) : value;
 }
@@ -80,6 +85,15 @@ std::string fraction_text(std::int64_t cells, const GridSpec& grid) {
     return grouped(static_cast<double>(cells) * grid.cell_area()) + " m2, " +
            number_text(100.0 * static_cast<double>(cells) / static_cast<double>(grid.cell_count()), 3) +
            " % of the working grid";
+}
+
+void refuse_large_friction(const SceneReading& reading, double greatest, Problems& problems) {
+    for (const Law* law : laws_of(reading.scene)) {
+        if (!(greatest > law->greatest_friction)) continue;
+        problems.add({"the zones' friction is too large for the law " + law->word,
+                      reading.where("terrain.friction-zones"), number_text(greatest),
+                      "0 to " + number_text(law->greatest_friction), "The law is not defined above that"});
+    }
 }
 
 /// Counts cells in no zone that are enclosed by zones.
@@ -148,8 +162,34 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
     report_cover(times, grid, log);
 }
 
-void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<Quantity>& list,
-                        MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+/// Looks at the cells under the release, so that `frana check` can show them and wrong values are known at once.
+void look_under(const MultiPolygon& released, const Raster& raster) {
+    gis::visit_cells(released, raster.grid, gis::Cover::closed,
+                     [&](std::int64_t row, std::int64_t column) { (void)raster.at(row, column); });
+}
+
+/// The same where the ground is read where the flow comes: nothing is burned before a cell is asked for.
+void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
+                    const MultiPolygon& released, const std::vector<Quantity>& list, MaterialZones& zones, RunLog& log,
+                    Problems& problems) {
+    for (const Quantity& quantity : list) {
+        if (!by_attribute(quantity)) continue;
+        std::vector<std::optional<double>> values;
+        for (std::size_t f = 0; f < layer.features.size(); ++f) {
+            values.push_back(value_of(reading, quantity.key->name, *quantity.source, layer, f, problems));
+            if (!values.back()) continue;
+            values.back() = converted(*values.back(), quantity.key->degrees());
+            if (quantity.key->what == "friction") refuse_large_friction(reading, *values.back(), problems);
+        }
+        zones.*quantity.target = polygon_values_on_demand(grid, layer.features, values);
+        look_under(released, *(zones.*quantity.target));
+    }
+    log.note("zones are looked at where the release lies and where the flow comes: overlaps and gaps are not counted");
+}
+
+void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
+                        std::vector<Quantity>& list, MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log,
+                        Problems& problems) {
     const std::string key = "terrain.friction-zones", file = *reading.scene.terrain.friction_zones;
     const gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
     log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
@@ -158,21 +198,45 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
     name_columns(reading, layer, list, log, problems);
     if (ground == nullptr) return;
     report_transform("zones", layer.transform, ground->terrain.grid.cell_size, log);
-    if (is_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems))
-        burn(reading, layer, ground->terrain.grid, list, zones, log, problems);
+    if (!is_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems)) return;
+    const GridSpec& grid = ground->terrain.grid;
+    if (ground->on_demand) {
+        burn_on_demand(reading, layer, grid, released, list, zones, log, problems);
+    } else {
+        burn(reading, layer, grid, list, zones, log, problems);
+    }
 }
 
-void refuse_large_friction(const SceneReading& reading, const Scene& scene, Problems& problems) {
-    if (!scene.zones.friction_coefficient) return;
-    double greatest = 0;
-    for (const double value : scene.zones.friction_coefficient->values)
-        if (value > greatest) greatest = value;
-    for (const Law* law : laws_of(reading.scene)) {
-        if (greatest <= law->greatest_friction) continue;
-        problems.add({"the zones' friction is too large for the law " + law->word,
-                      reading.where("terrain.friction-zones"), number_text(greatest),
-                      "0 to " + number_text(law->greatest_friction), "The law is not defined above that"});
-    }
+/// A raster of zones of which nothing is read yet but what lies under the release.
+Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const Quantity& quantity,
+                             const MultiPolygon& released, std::vector<UsedFile>& files, RunLog& log) {
+    const std::string &key = quantity.key->name, &path = quantity.source->name, where = reading.where(key);
+    const gis::RasterInfo info = gis::inspect_raster(path, where);
+    const GridSpec& grid = ground.terrain.grid;
+    if (!grid.crs_wkt.empty() && info.crs_wkt.empty())
+        throw Error(ErrorKind::input, Problem{"has no coordinate reference system", where, path, "", k_state_crs});
+    const auto file = std::make_shared<const gis::RasterOnDemand>(path, grid, "", gis::Resampling::automatic, "metre",
+                                                                  std::nullopt, where);
+    for (const std::string& warning : file->known().warnings) log.warn(key + ": " + warning);
+    report_transform(key, file->known().transform, grid.cell_size, log);
+    double least_limit = HUGE_VAL;
+    for (const Law* law : laws_of(reading.scene)) least_limit = std::min(least_limit, law->greatest_friction);
+    // Called as long as the run lasts.
+    Raster raster = raster_values_on_demand(grid, file, [reading, of = *quantity.key, least_limit](double read) {
+        const double value = converted(read, of.degrees());
+        const bool may_be_wrong = !of.range.has(read) || (of.what == "friction" && value > least_limit);
+        if (!may_be_wrong) return value;
+        Problems problems;
+        (void)within_limits(reading, of.name, read, "a value of the raster", problems);
+        if (of.what == "friction") refuse_large_friction(reading, value, problems);
+        problems.throw_if_any();
+        return value;
+    });
+    look_under(released, raster);
+    files.push_back(used_raster("Zones: " + key, info, file->known()));
+    do_not_count_nodata(files.back());
+    files.back().checksum.add(raster);
+    return raster;
 }
 
 }  // namespace
@@ -185,8 +249,7 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     if (ground == nullptr) return std::nullopt;
     const GridSpec& grid = ground->terrain.grid;
     if (!grid.crs_wkt.empty() && info.crs_wkt.empty()) {
-        problems.add({"has no coordinate reference system", where, file, "",
-                      "Write one into the file, for example with gdal_edit.py -a_srs EPSG:..."});
+        problems.add({"has no coordinate reference system", where, file, "", k_state_crs});
         return std::nullopt;
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
@@ -212,19 +275,23 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     return std::move(read.raster);
 }
 
-MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
-                            RunLog& log, Problems& problems) {
+MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
+                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     MaterialZones zones;
     std::vector<Quantity> list = quantities(reading.scene.zones);
     try {
         if (reading.scene.terrain.friction_zones)
-            read_polygon_zones(reading, ground, list, zones, files, log, problems);
+            read_polygon_zones(reading, ground, released, list, zones, files, log, problems);
     } catch (const Error& error) {
         problems.add(error);
     }
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         try {
+            if (ground != nullptr && ground->on_demand) {
+                zones.*quantity.target = zone_raster_on_demand(reading, *ground, quantity, released, files, log);
+                continue;
+            }
             std::optional<Raster> raster =
                 read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
                                  "the material's own value applies there", files, log, problems);
@@ -249,7 +316,8 @@ void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Proble
                       "Set " + selected_by(readers_of(key.name)) + ", or remove the zones"});
         reported = key.what;
     }
-    refuse_large_friction(reading, scene, problems);
+    if (const auto& friction = scene.zones.friction_coefficient; friction && !friction->values.is_tiled())
+        refuse_large_friction(reading, maximum(*friction), problems);
 }
 
 }  // namespace frana::app

@@ -13,10 +13,11 @@ namespace frana::app {
 
 /// Reads [zones] and terrain.friction-zones onto the working grid: polygons by their cells' centres, the later feature
 /// where two overlap, then rasters. Reports overlaps, gaps inside the zones and the fraction of the grid with the
-/// material's own value. Adds every problem to `problems`; without terrain (null) files are only checked. Adds the
-/// files read to `files`.
-MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
-                            RunLog& log, Problems& problems);
+/// material's own value. Where the ground is read where the flow comes, so are they, and only what lies under
+/// `released` (map coordinates) is looked at now. Adds every problem to `problems`; without terrain (null) files are
+/// only checked. Adds the files read to `files`.
+MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
+                            std::vector<UsedFile>& files, RunLog& log, Problems& problems);
 
 /// Returns a raster of values of `key` on the working grid, checked against the key's limits; none, with a problem
 /// added or without terrain, if it cannot be read. `elsewhere` describes the value where it has none; empty: not

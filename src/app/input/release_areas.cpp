@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/input/release_areas.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,12 +29,56 @@ std::optional<SlipShape> shape_of(const ReleaseSpec& spec) {
     return std::nullopt;
 }
 
+/// A slip surface under one polygon, fitted to the ground round it.
+class FittedSurface {
+  public:
+    FittedSurface(const Raster& ground, const MultiPolygon& outline, std::optional<SlipShape> shape)
+        : grid_(ground.grid),
+          window_(window_round(ground, outline)),
+          surface_(ground.values.is_tiled() ? SlipSurface(part_of(ground, window_), outline, shape)
+                                            : SlipSurface(ground, outline, shape)) {}
+
+    [[nodiscard]] const SlipSurface& surface() const noexcept { return surface_; }
+    /// On the cells of the whole ground.
+    [[nodiscard]] Raster thickness(double depth) const {
+        Raster near = surface_.thickness(depth);
+        if (near.grid.same_cells(grid_)) return near;
+        Raster whole(grid_);
+        near.values.for_each_stored([&](std::size_t cell, double metres) {
+            const auto n = static_cast<std::int64_t>(cell);
+            if (metres > 0) whole.at(window_.row + n / window_.columns, window_.column + n % window_.columns) = metres;
+        });
+        return whole;
+    }
+
+  private:
+    // A large map's ground is only read there; its edges are the window's only where the outline touches them.
+    static CellWindow window_round(const Raster& ground, const MultiPolygon& outline) {
+        constexpr double k_margin = 2;  // cells
+        const GridSpec& grid = ground.grid;
+        const Bounds box = bounds(outline);
+        const auto cell = [&](double metres, double margin, std::int64_t count) {
+            return static_cast<std::int64_t>(
+                std::clamp(std::floor(metres / grid.cell_size) + margin, 0.0, static_cast<double>(count - 1)));
+        };
+        const std::int64_t top = cell(grid.north - box.north, -k_margin, grid.rows),
+                           bottom = cell(grid.north - box.south, k_margin, grid.rows),
+                           left = cell(box.west - grid.west, -k_margin, grid.columns),
+                           right = cell(box.east - grid.west, k_margin, grid.columns);
+        return {top, left, bottom - top + 1, right - left + 1};
+    }
+
+    GridSpec grid_;
+    CellWindow window_;
+    SlipSurface surface_;
+};
+
 /// Returns the factor by which depths proportional to the square roots of the areas give a total volume.
-double common_factor(const std::vector<SlipSurface>& surfaces, const gis::PolygonLayer& layer, double volume) {
+double common_factor(const std::vector<FittedSurface>& surfaces, const gis::PolygonLayer& layer, double volume) {
     const auto total = [&](double factor) {
         double sum = 0;
         for (std::size_t i = 0; i < surfaces.size(); ++i)
-            sum += surfaces[i].volume(factor * std::sqrt(area(layer.features[i].parts)));
+            sum += surfaces[i].surface().volume(factor * std::sqrt(area(layer.features[i].parts)));
         return sum;
     };
     double low = 0, high = 1e-3;
@@ -122,7 +167,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
                                                    const Raster& ground, RunLog& log, Problems& problems) {
     const ReleaseSpec& spec = reading.scene.release;
     std::vector<ReleaseArea> areas;
-    std::vector<SlipSurface> surfaces;
+    std::vector<FittedSurface> surfaces;
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         try {
             surfaces.emplace_back(ground, layer.features[i].parts, shape_of(spec));
@@ -142,13 +187,13 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
         set_details(reading, &layer, i, area, problems);
         std::optional<double> depth;
         if (spec.slip_depth) depth = value_of(reading, "release.slip-depth", *spec.slip_depth, layer, i, problems);
-        if (area.volume) depth = surfaces[i].depth_for(*area.volume);
+        if (area.volume) depth = surfaces[i].surface().depth_for(*area.volume);
         if (shared) depth = factor * std::sqrt(frana::area(area.outline));
         if (!depth) continue;
         area.thickness_raster = surfaces[i].thickness(*depth);
         log.note("slip surface under " + name_of(layer, i) + ": " +
-                 (surfaces[i].shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") + ", " +
-                 number_text(*depth, 4) + " m deep");
+                 (surfaces[i].surface().shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") +
+                 ", " + number_text(*depth, 4) + " m deep");
         areas.push_back(std::move(area));
     }
     return areas;

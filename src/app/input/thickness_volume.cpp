@@ -2,7 +2,9 @@
 #include "app/input/thickness_volume.h"
 
 #include <cmath>
+#include <memory>
 
+#include "app/input/thickness_on_demand.h"
 #include "app/text/number_text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
@@ -52,6 +54,15 @@ std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& wo
     return grid;
 }
 
+/// All of the file, or of a large one what is asked for.
+Raster read_own(const std::string& path, const GridSpec& grid) {
+    if (grid.cell_count() <= CellValues::k_most_dense)
+        return gis::read_raster_on(path, grid, grid.crs_wkt, gis::Resampling::nearest).raster;
+    const auto file = std::make_shared<const gis::RasterOnDemand>(path, grid, grid.crs_wkt, gis::Resampling::nearest,
+                                                                  "auto", std::nullopt, path);
+    return thickness_on_demand(ThicknessSpec::Kind::raster, grid, {file}, nullptr);
+}
+
 }  // namespace
 
 void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used) {
@@ -61,14 +72,14 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, Used
     const gis::RasterInfo& file = release.rasters.front();
     const std::optional<GridSpec> grid = own_grid(file, working_grid);
     if (!grid) return;
-    const Raster own = gis::read_raster_on(file.path, *grid, grid->crs_wkt, gis::Resampling::nearest).raster;
-    used.checksum.add(own);
+    const Raster own = read_own(file.path, *grid);
     double sum = 0;
     for (ReleaseArea& area : release.areas) {
         const double volume = volume_inside(own, area.outline);
         if (volume > 0) area.volume = volume;
         sum += volume;
     }
+    used.checksum.add(own);
     release.file_volume_m3 = sum;
 }
 

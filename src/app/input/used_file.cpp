@@ -38,6 +38,10 @@ UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const
     return file;
 }
 
+void do_not_count_nodata(UsedFile& raster) {
+    raster.nodata.replace(0, raster.nodata.find('\n'), "not counted");
+}
+
 UsedFile used_polygons(const std::string& role, const std::string& path, const gis::PolygonLayer& layer) {
     UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.layer = layer.layer_name;

@@ -30,6 +30,8 @@ struct UsedFile {
 };
 
 UsedFile used_raster(const std::string& role, const gis::RasterInfo& file, const gis::RasterRead& read);
+/// For a raster of which only parts are read.
+void do_not_count_nodata(UsedFile& raster);
 UsedFile used_polygons(const std::string& role, const std::string& path, const gis::PolygonLayer& layer);
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer);
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);

@@ -15,6 +15,7 @@
 #include "app/publish/publish_rasters.h"
 #include "app/publish/publish_series.h"
 #include "app/publish/report.h"
+#include "app/publish/result_extent.h"
 #include "app/publish/timeseries.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
@@ -187,9 +188,8 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     }
 }
 
-}  // namespace
-
-PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
+/// Writes a result on the cells that its rasters have.
+PictureOutcome publish_rest(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     const Stopwatch output_watch;
     const Prepared& prepared = run.prepared;
     const RunResult& result = run.result;
@@ -200,6 +200,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     const Raster trace = trace_mask(result.max_depth, threshold);
     SummaryFacts facts;
     facts.spec = prepared.spec;
+    facts.computed = prepared.scene.grid;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
     const SeparateFlows flows = separate_flows(result);
@@ -207,7 +208,6 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     note_flows(facts.statistics.run_outs, log);
     facts.high = peak_statistics(result, trace);
 
-    if (prepared.ground.on_demand) publish_dtm(prepared, directory);  // more of it has been read since the start
     publish_rasters(prepared, result, directory);
     publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
     publish_series(prepared, result, directory);
@@ -215,7 +215,6 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
-    if (frames.count() > 0) frames.finish();
     publish_frame_stacks(prepared, directory);
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
     facts.wall.output = output_watch.seconds() + frames.seconds();
@@ -237,6 +236,26 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     log.note("wrote summary.json");
     write_text_file(directory.path(k_log_file), log.text());
     return pictures;
+}
+
+}  // namespace
+
+PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
+    if (frames.count() > 0) frames.finish();
+    const std::optional<CellWindow> window = reached_window(run.prepared, run.result);
+    if (!window) {
+        if (run.prepared.ground.on_demand) publish_dtm(run.prepared, directory);  // more has been read since the start
+        return publish_rest(run, directory, frames, log);
+    }
+    log.note("rasters cover the " + grouped(window->columns) + " x " + grouped(window->rows) +
+             " cells round what was reached; output.extent = map gives the whole map");
+    const Prepared prepared = cut_to(run.prepared, *window);
+    const RunResult result = cut_to(run.result, *window);
+    publish_dtm(prepared, directory);
+    if (frames.count() > 0) frames.cut_to(*window);
+    return publish_rest(
+        {prepared, result, run.threads, run.input_seconds, run.earlier_seconds, run.since_start, run.accuracy},
+        directory, frames, log);
 }
 
 }  // namespace frana::app

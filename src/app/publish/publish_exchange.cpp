@@ -91,7 +91,7 @@ void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& direc
         const std::vector<StoredFrame> frames = stored_frames(directory.path(k_frame_folder));
         std::vector<double> times;
         for (const StoredFrame& frame : frames) times.push_back(frame.time);
-        gis::FrameStack stack(directory.path(file), format, prepared.scene.grid, times, provenance(prepared));
+        gis::FrameStack stack(directory.path(file), format, prepared.scene.terrain.grid, times, provenance(prepared));
         for (std::size_t i = 0; i < frames.size(); ++i) {
             stack.add(i, gis::read_result_raster(frames[i].raster_file("depth")),
                       gis::read_result_raster(frames[i].raster_file("velocity")));

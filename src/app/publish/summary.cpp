@@ -26,13 +26,17 @@ void add_peak_statistics(Json& json, const PeakStatistics& high) {
     }
 }
 
-void add_grid_and_particles(Json& json, const RunResult& result) {
+void add_grid_and_particles(Json& json, const RunResult& result, const SummaryFacts& facts) {
     const GridSpec& grid = result.max_depth.grid;
     json["grid"] = {{"columns", grid.columns},
                     {"rows", grid.rows},
                     {"cell_size", grid.cell_size},
                     {"west", grid.west},
                     {"north", grid.north}};
+    json["map"] = {{"columns", facts.computed.columns},
+                   {"rows", facts.computed.rows},
+                   {"west", facts.computed.west},
+                   {"north", facts.computed.north}};
     json["particles"] = {
         {"initial", result.particles_initial}, {"final", result.particles_final}, {"peak", result.particles_peak}};
 }
@@ -198,7 +202,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
                             {"stop_change", facts.spec.time.stop_change},
                             {"stop_window", facts.spec.time.stop_window}};
     }
-    add_grid_and_particles(json, result);
+    add_grid_and_particles(json, result, facts);
     json["terms"] = result.terms;
     add_cost(json, result, facts);
     add_flow(json, result, facts);

@@ -22,6 +22,7 @@ struct WallSeconds {
 /// Content of summary.json besides the engine's own result.
 struct SummaryFacts {
     SceneSpec spec;
+    GridSpec computed;  ///< the scene's; rasters may cover a part of it
     std::string crs_label;
     int threads = 1;
     WallSeconds wall;

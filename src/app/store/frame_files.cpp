@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/store/result_files.h"
 #include "core/error.h"
 
 namespace frana::app {
@@ -40,6 +41,11 @@ std::string problem_without_records(const std::string& folder, std::size_t count
 ParticleFormats particle_formats(const std::vector<std::string>& formats) {
     const auto has = [&](const char* word) { return std::find(formats.begin(), formats.end(), word) != formats.end(); };
     return {has("particles-gpkg"), has("particles-vtp")};
+}
+
+std::string frames_of_run(const std::string& result) {
+    const fs::path whole = fs::path(result) / k_whole_frames;
+    return fs::is_directory(whole) ? whole.string() : (fs::path(result) / k_frame_folder).string();
 }
 
 std::vector<FrameFile> frame_files(const Frame& frame, ParticleFormats formats) {

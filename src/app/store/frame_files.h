@@ -19,6 +19,10 @@ struct ParticleFormats {
 /// Returns those in output.formats.
 ParticleFormats particle_formats(const std::vector<std::string>& formats);
 
+/// Returns the folder in a result with the frames as the run wrote them, which --resume continues: frames.whole where
+/// they were cut, else frames.
+std::string frames_of_run(const std::string& result);
+
 /// One file of a frame: "depth" and ".tif" are depth_0012.tif in frame 12.
 struct FrameFile {
     std::string what, ending;

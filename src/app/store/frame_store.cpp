@@ -6,12 +6,15 @@
 #include <filesystem>
 #include <fstream>
 
+#include "analysis/trace.h"
 #include "app/process/stopwatch.h"
+#include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "core/error.h"
 #include "core/shortest_text.h"
 #include "core/sync_path.h"
 #include "core/utf8.h"
+#include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
 #include "gis/vector/points_out.h"
 #include "params/grammar/value_text.h"
@@ -196,6 +199,50 @@ void FrameWriter::finish() {
     }
     require_good();
     list(times_);
+}
+
+void FrameWriter::cut_to(const CellWindow& window) {
+    const fs::path folder = folder_, whole = folder.parent_path() / k_whole_frames,
+                   cut = folder.parent_path() / k_cut_frames;
+    const auto attempt = [](const fs::path& path, const auto& change) {
+        std::error_code error;
+        change(error);
+        if (error) {
+            throw Error(ErrorKind::environment,
+                        Problem{"the frames cannot be cut to what was reached: " + error.message(), path.string(), "",
+                                "", "Check the disk's space and the rights"});
+        }
+    };
+    attempt(cut, [&](std::error_code& error) { fs::remove_all(cut, error); });  // of a killed program
+    attempt(cut, [&](std::error_code& error) { fs::create_directories(cut, error); });
+    for (const std::string& name : names_of_frames(folder.string(), times_.size())) {
+        if (!name.ends_with(".tif")) {  // particles do not depend on the map
+            attempt(cut / name, [&](std::error_code& error) {
+                fs::create_hard_link(folder / name, cut / name, error);
+                if (error) fs::copy_file(folder / name, cut / name, fs::copy_options::overwrite_existing, error);
+            });
+            continue;
+        }
+        gis::BandText text = band_text(name.substr(0, name.rfind('_')));
+        text.metadata = metadata_;
+        text.metadata["TIME_S"] = shortest_text(times_[frame_index(name).value()]);
+        gis::write_geotiff((cut / name).string(),
+                           frana::cut_to(gis::read_result_raster((folder / name).string()), window), text,
+                           gis::RasterUse::frame);
+    }
+    folder_ = cut.string();
+    list(times_);
+    folder_ = folder.string();
+    std::vector<fs::path> of_the_user;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (existing_file(std::string(k_frame_folder) + "/" + name) == nullptr) of_the_user.push_back(name);
+    }
+    for (const fs::path& name : of_the_user)
+        attempt(cut / name, [&](std::error_code& error) { fs::rename(folder / name, cut / name, error); });
+    sync_path(cut.string());
+    attempt(whole, [&](std::error_code& error) { fs::rename(folder, whole, error); });
+    attempt(folder, [&](std::error_code& error) { fs::rename(cut, folder, error); });
 }
 
 std::string StoredFrame::raster_file(const std::string& name) const {

@@ -48,6 +48,9 @@ class FrameWriter {
     void require_good();
     /// Waits for the last frame and lists all, including those that existed before. Throws Error(environment).
     void finish();
+    /// After finish(): cuts the rasters of all frames to a window of their cells. The whole ones remain beside the
+    /// folder (see frames_of_run) until the result is complete. Throws Error(environment).
+    void cut_to(const CellWindow& window);
     /// Of all frames so far [s].
     [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time by which add() delayed the run

@@ -28,8 +28,8 @@ std::string obstacle(const CheckpointFile& checkpoint, const std::string& identi
     const CheckpointHead& head = checkpoint.head();
     if (head.scene != identity)
         return "is from another scene: " + joined(identity_differences(identity, head.scene), "; ");
-    const std::string frames = (result_of(checkpoint.path()) / k_frame_folder).string();
-    const std::string problem = frame_problem(frames, head.frame_times.size(), head.frame_records);
+    const std::string problem = frame_problem(frames_of_run(result_of(checkpoint.path()).string()),
+                                              head.frame_times.size(), head.frame_records);
     return problem.empty() ? "" : "needs a frame that " + problem;
 }
 
@@ -45,6 +45,15 @@ void link(const fs::path& from, const fs::path& to) {
     fs::create_hard_link(from, to, error);
     if (error) fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
     if (error) fail(from, error);
+}
+
+// Frames that were cut for a result that did not become complete.
+void put_back_whole(const fs::path& whole, const fs::path& frames) {
+    if (whole == frames) return;
+    std::error_code error;
+    fs::remove_all(frames, error);
+    if (!error) fs::rename(whole, frames, error);
+    if (error) fail(whole, error);
 }
 
 // Removes files that frana wrote to an unfinished folder and that are no longer needed; other files are kept.
@@ -125,7 +134,9 @@ void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& dire
         const auto index = frame_index(file);
         return index && *index < frames;
     };
+    const fs::path run_frames = frames_of_run(from.string());
     if (fs::path(directory.folder()) == from) {
+        put_back_whole(run_frames, to / k_frame_folder);
         remove_unwanted(to, "", [](const std::string& file) {
             return file == k_checkpoint_folder || file == k_frame_folder || file == k_building_file;
         });
@@ -137,8 +148,8 @@ void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& dire
     }
     directory.make_folder(k_checkpoint_folder);
     directory.make_folder(k_frame_folder);
-    for (const std::string& file : names_of_frames((from / k_frame_folder).string(), frames))
-        link(from / k_frame_folder / file, to / k_frame_folder / file);
+    for (const std::string& file : names_of_frames(run_frames.string(), frames))
+        link(run_frames / file, to / k_frame_folder / file);
     link(checkpoint.path(), to / k_checkpoint_folder / name);
 }
 

@@ -223,7 +223,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
 void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
-    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder}, removed;
+    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder, k_whole_frames, k_cut_frames}, removed;
     if (frames) folders.emplace_back(k_frame_folder);
     std::error_code error, ignored;
     for (const std::string& folder : folders) {

@@ -55,6 +55,11 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::text, {k_scene_file, k_summary_file, k_log_file, k_manifest_file});
     table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana", "checkpoint/reserve",
                                   std::string(k_page_folder) + "/*.png"});
+    for (const std::string folder : {k_whole_frames, k_cut_frames}) {
+        for (const char* ending : {".tif", ".gpkg", ".vtp"})
+            table.add(FileKind::working, {folder + "/*_[0-9][0-9][0-9][0-9]*" + ending});
+        table.add(FileKind::working, {folder + "/frames.csv", folder + "/particles.pvd"});
+    }
     table.add_rasters();
     table.add(FileKind::vector, {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file});
     table.add_styles(k_hazard_zones_file);

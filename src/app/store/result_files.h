@@ -54,6 +54,9 @@ inline constexpr const char* k_animation_file = "animation.mp4";
 inline constexpr const char* k_netcdf_file = "frames.nc";
 inline constexpr const char* k_zarr_folder = "frames.zarr";
 inline constexpr const char* k_frame_folder = "frames";
+/// Beside it in a result that is being built: the frames before they were cut to a part of the map, and while they are.
+inline constexpr const char* k_whole_frames = "frames.whole";
+inline constexpr const char* k_cut_frames = "frames.cut";
 inline constexpr const char* k_frame_list = "frames/frames.csv";
 inline constexpr const char* k_particle_list = "frames/particles.pvd";
 /// File of a raster of params/keys/result_rasters.h.

@@ -25,7 +25,7 @@ struct BedFriction {
     std::tuple<NoExcess, HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess> excess;
     bool yields = false;  ///< whether any law of the sum holds material at rest
     PorePressure pore_pressure;
-    std::vector<std::vector<double>> node_values;  ///< targets of the laws' NodeValue, padded as the nodes are
+    std::vector<ZeroArray<double>> node_values;  ///< targets of the laws' NodeValue, padded as the nodes are
 
     [[nodiscard]] bool keeps_rest() const noexcept { return summed ? yields : voellmy.friction_coefficient > 0; }
 };

@@ -65,6 +65,10 @@ void add_extra_output(std::vector<Parameter>& list) {
     list.push_back(choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
                           "avaframe: also write peakFiles/ with pressure, thickness normal to the slope and speed "
                           "under AvaFrame's names."));
+    list.push_back(choice("output.extent", FRANA_MEMBER(output.extent), {"auto", "map", "reached"},
+                          "What the rasters of a finished result cover: the whole map, or the rectangle round "
+                          "everything released, reached or surveyed, with a margin; auto: reached on maps of over ten "
+                          "million cells."));
     list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
                           "Write report.html: maps, parameters, inputs, results and warnings in one file."));
     list.push_back(on_map(text("output.gauges", FRANA_MEMBER(output.gauges), "file",

@@ -146,6 +146,7 @@ struct OutputSpec {
     bool charts = true;
     std::optional<std::string> title;
     std::string names = "frana";
+    std::string extent = "auto";
     bool report = true;
     std::optional<std::string> gauges;
     std::optional<std::string> sections;
