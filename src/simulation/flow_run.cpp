@@ -165,26 +165,6 @@ void prepare_to_record(Flow& flow) {
 
 void prepare_to_record(const StructuredFlow&) {}
 
-// A flow's particles know one origin; of several, the nearest is found here.
-void set_origins(Flow& flow, const FrontOrigins& origins) {
-    flow.set_origin(origins.first());
-}
-
-void set_origins(StructuredFlow& flow, const FrontOrigins& origins) {
-    flow.set_origins(origins);
-}
-
-void measure_front(const Flow& flow, const FrontOrigins& origins, StepStatistics& statistics) {
-    if (origins.single()) return;
-    const ParticleSet& particles = flow.particles();
-    double farthest = 0;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-        farthest = std::max(farthest, origins.squared_distance({particles[Field::x][p], particles[Field::y][p]}));
-    statistics.front_distance = std::sqrt(farthest);
-}
-
-void measure_front(const StructuredFlow&, const FrontOrigins&, StepStatistics&) {}
-
 }  // namespace
 
 void add_arrivals(const Arrivals::Arrived& arrived, Flow& flow) {
