@@ -117,7 +117,8 @@ TEST_F(ResultExtent, OfAResumedRunIsThatOfAStraightOne) {
     ASSERT_EQ(straight.exit_code, 0) << straight.err;
     Outcome stopped = run("reached", "resumed", {}, 400);
     for (int k = 0; stopped.exit_code != 0 && k < 50; ++k) {
-        ASSERT_TRUE(stopped.exit_code == 130 || stopped.exit_code == 143) << stopped.exit_code << stopped.err;
+        // Negative: killed before it could take the signal.
+        ASSERT_TRUE(stopped.exit_code == 130 || stopped.exit_code == 143 || stopped.exit_code < 0) << stopped.err;
         stopped = run("reached", "resumed", {"--resume"}, 400 + 100 * k);
     }
     ASSERT_EQ(stopped.exit_code, 0) << stopped.err;

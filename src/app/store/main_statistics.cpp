@@ -30,11 +30,10 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
     if (!read("/trace_threshold_m", statistics.threshold) || !read("/covered_area_m2", statistics.covered_area_m2) ||
         !read_runout("/runout"))
         return std::nullopt;
-    if (!summary->contains("flows")) return statistics;  // written before flows were told apart
-    statistics.run_outs.clear();
+    // The first of the flows is the one in "runout". Results of older programs do not list them.
     for (std::size_t i = 0; summary->contains(Json::json_pointer("/flows/" + std::to_string(i))); ++i) {
         const std::string flow = "/flows/" + std::to_string(i);
-        if (!read_runout(flow)) return std::nullopt;
+        if (i > 0 && !read_runout(flow)) return std::nullopt;
         Runout& one = statistics.run_outs.back();
         read(flow + "/covered_area_m2", one.covered_area_m2);
         for (const auto& [name, point] : {std::pair{"/top", &one.top}, std::pair{"/tip", &one.tip}}) {
@@ -42,7 +41,6 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
             read(flow + name + "_y", point->y);
         }
     }
-    if (statistics.run_outs.empty()) return std::nullopt;
     return statistics;
 }
 

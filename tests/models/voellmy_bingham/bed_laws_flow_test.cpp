@@ -207,7 +207,7 @@ TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
 TEST(BedLaws, OfTheTableAreBuiltAndReadTheirZones) {
     const GridSpec grid = bench::plain_grid(4, 4, 1);
     const Raster ground(grid), values(grid, 0.5);
-    const NodeGrid nodes(ground);
+    NodeGrid nodes(ground);
     for (const Law& law : laws()) {
         if (law.kind != LawKind::bed_friction) continue;
         SCOPED_TRACE(law.word);
