@@ -33,10 +33,12 @@ void add_grid_and_particles(Json& json, const RunResult& result, const SummaryFa
                     {"cell_size", grid.cell_size},
                     {"west", grid.west},
                     {"north", grid.north}};
-    json["map"] = {{"columns", facts.computed.columns},
-                   {"rows", facts.computed.rows},
-                   {"west", facts.computed.west},
-                   {"north", facts.computed.north}};
+    if (!grid.same_cells(facts.computed)) {
+        json["map"] = {{"columns", facts.computed.columns},
+                       {"rows", facts.computed.rows},
+                       {"west", facts.computed.west},
+                       {"north", facts.computed.north}};
+    }
     json["particles"] = {
         {"initial", result.particles_initial}, {"final", result.particles_final}, {"peak", result.particles_peak}};
 }
