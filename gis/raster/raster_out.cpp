@@ -42,18 +42,19 @@ void place(GDALDatasetH dataset, const GridSpec& grid, double nodata) {
         GDALSetSpatialRef(dataset, crs);
         OSRDestroySpatialReference(crs);
     }
-    GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, 1), nodata);
+    for (int band = 1; band <= GDALGetRasterCount(dataset); ++band)
+        GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, band), nodata);
 }
 
-GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata) {
+GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata, int bands = 1) {
     GdalDataset dataset(GDALCreate(GDALGetDriverByName("MEM"), "", static_cast<int>(grid.columns),
-                                   static_cast<int>(grid.rows), 1, type, nullptr));
+                                   static_cast<int>(grid.rows), bands, type, nullptr));
     place(dataset.get(), grid, nodata);
     return dataset;
 }
 
-void set_texts(GDALDatasetH dataset, const BandText& text) {
-    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+void set_texts(GDALDatasetH dataset, const BandText& text, int number = 1) {
+    GDALRasterBandH band = GDALGetRasterBand(dataset, number);
     const std::string unit = text.unit.empty() ? "" : " [" + text.unit + "]";
     GDALSetDescription(band, (text.name + ": " + text.description + unit).c_str());
     GDALSetRasterUnitType(band, text.unit.c_str());
@@ -62,7 +63,7 @@ void set_texts(GDALDatasetH dataset, const BandText& text) {
 }
 
 /// Of the values in the file, not of those before rounding.
-void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std::size_t cells) {
+void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std::size_t cells, int number = 1) {
     double least = HUGE_VAL, greatest = -HUGE_VAL, sum = 0, squares = 0;
     std::size_t count = 0;
     for (const float value : values) {
@@ -77,7 +78,7 @@ void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std:
     for (const float value : values) {
         if (value != static_cast<float>(k_file_nodata)) squares += (value - mean) * (value - mean);
     }
-    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+    GDALRasterBandH band = GDALGetRasterBand(dataset, number);
     const auto set = [&](const char* key, double value) {
         GDALSetMetadataItem(band, key, shortest_text(value).c_str(), nullptr);
     };
@@ -139,14 +140,18 @@ std::vector<float> file_values(const Raster& raster) {
     return values;
 }
 
-GdalDataset in_memory(const std::string& path, const GridSpec& grid, const std::vector<float>& values) {
+void write_band(const std::string& path, GDALDatasetH dataset, int number, const std::vector<float>& values) {
     const GdalSession session;
-    GdalDataset dataset = in_memory(grid, GDT_Float32, k_file_nodata);
-    const int columns = static_cast<int>(grid.columns), rows = static_cast<int>(grid.rows);
-    if (GDALRasterIO(GDALGetRasterBand(dataset.get(), 1), GF_Write, 0, 0, columns, rows,
+    const int columns = GDALGetRasterXSize(dataset), rows = GDALGetRasterYSize(dataset);
+    if (GDALRasterIO(GDALGetRasterBand(dataset, number), GF_Write, 0, 0, columns, rows,
                      const_cast<float*>(values.data()), columns, rows, GDT_Float32, 0, 0) != CE_None) {
         refuse(path, session);
     }
+}
+
+GdalDataset in_memory(const std::string& path, const GridSpec& grid, const std::vector<float>& values) {
+    GdalDataset dataset = in_memory(grid, GDT_Float32, k_file_nodata);
+    write_band(path, dataset.get(), 1, values);
     return dataset;
 }
 
@@ -236,6 +241,20 @@ void write_geotiff(const std::string& path, const Raster& raster, const BandText
     set_texts(dataset.get(), text);
     set_statistics(dataset.get(), values, values.size());
     write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT", use);
+}
+
+void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands) {
+    const GdalSession session;
+    const GdalDataset dataset =
+        in_memory(bands.front().raster.grid, GDT_Float32, k_file_nodata, static_cast<int>(bands.size()));
+    int number = 0;
+    for (const RasterBand& band : bands) {
+        const std::vector<float> values = file_values(band.raster);
+        write_band(path, dataset.get(), ++number, values);
+        set_texts(dataset.get(), band.text, number);
+        set_statistics(dataset.get(), values, values.size(), number);
+    }
+    write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT");
 }
 
 void write_ascii_grid(const std::string& path, const Raster& raster) {

@@ -33,6 +33,14 @@ enum class RasterUse { result, frame };
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text,
                    RasterUse use = RasterUse::result);
 
+/// One band of a file with several.
+struct RasterBand {
+    const Raster& raster;
+    BandText text;
+};
+/// The same with several bands, all on one grid.
+void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands);
+
 /// Writes an ESRI ASCII grid (.asc, and .prj if there is a CRS), six significant digits, nodata -9999: for programs
 /// that read no GeoTIFF. Throws Error(environment).
 void write_ascii_grid(const std::string& path, const Raster& raster);

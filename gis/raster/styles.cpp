@@ -52,7 +52,8 @@ std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, S
         // QGIS leaves values above the last class uncoloured; its maps always end in infinity.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
         out << "          <item value=\"" << (last_class ? "inf" : shortest_text(stops[i].value)) << "\" color=\""
-            << hex(stops[i].colour) << "\" alpha=\"255\" label=\"" << escaped_markup(stops[i].label) << "\"/>\n";
+            << hex(stops[i].colour) << "\" alpha=\"" << (stops[i].transparent ? 0 : 255) << "\" label=\""
+            << escaped_markup(stops[i].label) << "\"/>\n";
     }
     out << "          <rampLegendSettings suffix=\"" << escaped_markup(unit.empty() ? "" : " " + unit) << "\"/>\n"
         << "        </colorrampshader>\n      </rastershader>\n    </rasterrenderer>\n"
@@ -75,8 +76,8 @@ std::string sld(const std::string& name, const std::vector<ColourStop>& stops, c
         // The same open end as in the QGIS style, as the largest Float32 number.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
         out << "              <ColorMapEntry quantity=\"" << (last_class ? "3.4e+38" : shortest_text(stops[i].value))
-            << "\" color=\"" << hex(stops[i].colour) << "\" opacity=\"1\" label=\"" << escaped_markup(stops[i].label)
-            << "\"/>\n";
+            << "\" color=\"" << hex(stops[i].colour) << "\" opacity=\"" << (stops[i].transparent ? 0 : 1)
+            << "\" label=\"" << escaped_markup(stops[i].label) << "\"/>\n";
     }
     out << "            </ColorMap>\n          </RasterSymbolizer>\n        </Rule>\n      "
            "</FeatureTypeStyle>\n"
@@ -130,9 +131,11 @@ std::string polygon_sld(const std::string& name, const std::string& attribute, c
 
 }  // namespace
 
-std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds,
-                                    const std::string& unit) {
+std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit,
+                                    bool zero_is_blank) {
     std::vector<ColourStop> stops;
+    if (zero_is_blank && !bounds.empty())
+        stops.push_back({bounds.front(), {255, 255, 255}, shortest_text(bounds.front()), true});
     const std::size_t classes = bounds.size() < 2 ? 0 : bounds.size() - 1;
     for (std::size_t i = 0; i < classes; ++i) {
         const double t = classes == 1 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1);

@@ -14,6 +14,7 @@ struct ColourStop {
     double value = 0;
     Rgb colour;
     std::string label;
+    bool transparent = false;
 };
 
 enum class StyleKind {
@@ -24,7 +25,9 @@ enum class StyleKind {
 
 /// Returns classes bounds[0]..bounds[1], bounds[1]..bounds[2], ... in colours spread evenly over the palette, the first
 /// class at its start and the last at its end, as on the maps. `bounds` as from nice_classes.
-std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit);
+/// @param zero_is_blank a first, transparent class up to bounds[0]
+std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit,
+                                    bool zero_is_blank = false);
 
 /// Writes NAME.qml (QGIS) and NAME.sld (OGC) beside NAME.tif; cells without data are transparent. Throws
 /// Error(environment).

@@ -27,11 +27,13 @@ namespace {
 
 constexpr const char* k_help =
     "frana computes the run-out of landslides.\n\nUsage: frana COMMAND [arguments]\n\n  run SCENE.ini            "
-    "compute a scene; write rasters, maps, animation, comparison\n  check SCENE.ini          validate a scene and "
+    "compute a scene; write rasters, maps, animation, comparison\n  check SCENE.ini          validate a scene or a "
+    "study and "
     "print what would run; writes nothing\n  render RESULT_DIR        draw maps, views or an animation of a result\n  "
     "compare RESULT_DIR|RASTER --scar VECTOR\n                           compare a result with a surveyed outline\n  "
     "params                   every key of a scene file: type, unit, default, range, meaning\n  materials              "
-    "  the material presets\n  converge SCENE.ini       the scene at several resolutions: estimated error\n  bench "
+    "  the material presets\n  converge SCENE.ini       the scene at several resolutions: estimated error\n  ensemble "
+    "STUDY.ini       many runs with uncertain values: probabilities, sensitivities\n  bench "
     "accuracy|stability|speed\n                           tests of frana: errors against exact solutions, hard cases, "
     "throughput\n  bench robustness SCENE.ini\n                           the scene with its grid shifted and rotated, "
     "noise, other particles and time steps\n\n  frana COMMAND --help     more about a command\n  frana --version       "
@@ -44,9 +46,9 @@ struct Command {
     int (*run)(const Arguments&);
 };
 
-constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_check},   {"render", cmd_render},
-                                  {"compare", cmd_compare},   {"params", cmd_params}, {"materials", cmd_materials},
-                                  {"converge", cmd_converge}, {"bench", cmd_bench}};
+constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_check},       {"render", cmd_render},
+                                  {"compare", cmd_compare},   {"params", cmd_params},     {"materials", cmd_materials},
+                                  {"converge", cmd_converge}, {"ensemble", cmd_ensemble}, {"bench", cmd_bench}};
 
 int dispatch(Arguments words) {
     // Decided by the user who starts the program, never by a scene.

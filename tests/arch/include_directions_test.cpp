@@ -21,10 +21,12 @@ const std::map<std::string, std::set<std::string>> k_may_include{
     {"models", {"core", "particles", "physics", "mpm"}},
     {"simulation", {"core", "params", "particles", "physics", "mpm", "models", "analysis"}},
     {"bench", {"core", "params", "particles", "physics", "mpm", "models", "simulation", "analysis"}},
+    {"study", {"core", "params", "particles", "physics", "mpm", "models", "simulation", "analysis"}},
     {"gis", {"core"}},
     {"render", {"core"}},
     {"app",
-     {"core", "params", "analysis", "particles", "physics", "mpm", "models", "simulation", "bench", "gis", "render"}},
+     {"core", "params", "analysis", "particles", "physics", "mpm", "models", "simulation", "study", "bench", "gis",
+      "render"}},
 };
 
 // The folders of a library, each above those before it. A library not listed here has one.
@@ -33,21 +35,23 @@ const std::map<std::string, std::vector<std::string>> k_folders{
     {"bench", {"exact", "set_up", "accuracy", "stability", "speed"}},
     {"gis", {"access", "crs", "vector", "raster"}},
     {"render", {"canvas", "chart", "map", "view", "animation"}},
-    {"app", {"process", "text", "input", "store", "pictures", "compare", "publish", "commands", "main.cpp"}},
+    {"app",
+     {"process", "text", "input", "store", "pictures", "compare", "publish", "ensemble", "commands", "main.cpp"}},
 };
 
 // Folders that may not include everything that their library may.
 const std::map<std::string, std::set<std::string>> k_may_not_include{
     {"bench/exact", {"params", "analysis", "particles", "physics", "mpm", "models", "simulation"}},
     {"app/process",
-     {"params", "analysis", "particles", "physics", "mpm", "models", "simulation", "bench", "gis", "render"}},
+     {"params", "analysis", "particles", "physics", "mpm", "models", "simulation", "study", "bench", "gis", "render"}},
     {"app/text",
-     {"params", "analysis", "particles", "physics", "mpm", "models", "simulation", "bench", "gis", "render"}},
-    {"app/input", {"bench", "render"}},
-    {"app/store", {"bench"}},
-    {"app/pictures", {"bench"}},
-    {"app/compare", {"bench"}},
-    {"app/publish", {"bench"}},
+     {"params", "analysis", "particles", "physics", "mpm", "models", "simulation", "study", "bench", "gis", "render"}},
+    {"app/input", {"bench", "render", "study"}},
+    {"app/store", {"bench", "study"}},
+    {"app/pictures", {"bench", "study"}},
+    {"app/compare", {"bench", "study"}},
+    {"app/publish", {"bench", "study"}},
+    {"app/ensemble", {"bench"}},
 };
 
 /// "src/mpm/shape.h" -> "mpm", "gis/crs/crs.h" -> "gis".

@@ -56,7 +56,7 @@ TEST(Layers, EveryRasterIsExplained) {
     for (const ResultRaster& row : result_rasters()) {
         if (!row.in_result()) continue;
         const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& one) {
-            return one.starts_with("| `") && one.find("`" + row.name + ".tif`") != std::string::npos;
+            return one.starts_with("| `") && one.find("`" + row.stem_pattern() + ".tif`") != std::string::npos;
         });
         ASSERT_NE(line, lines.end()) << row.name;
         if (!row.unit.empty() && row.unit != "-") {
@@ -76,6 +76,7 @@ TEST(Layers, EveryFileIsExplained) {
         // "frames/depth_*.tif" by its quantity, "maps/*.png" by its folder, a picture in any format.
         std::string name = file.pattern.substr(0, file.pattern.find('*'));
         while (name.ends_with('_') || name.ends_with('/')) name.pop_back();
+        if (file.pattern.starts_with("members/")) name = "members";
         if (file.pattern.starts_with("frames/") && name.find('/') != std::string::npos)
             name.erase(0, name.find('/') + 1);
         if (file.is_drawn()) name = name.substr(0, name.find('.'));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/publish/report.h"
+#include "app/publish/html_page.h"
 #include "params/keys/scene_parameters.h"
 #include "tiny_scene.h"
 

@@ -13,6 +13,7 @@
 #include "app/commands/input_table.h"
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
+#include "app/commands/study_check.h"
 #include "app/commands/time_estimate.h"
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
@@ -30,8 +31,9 @@ namespace {
 
 CommandForm check_form() {
     namespace options = boost::program_options;
-    CommandForm form{"frana check SCENE.ini [options]",
-                     "Validates a scene and all its files, prints what would run, and writes nothing.",
+    CommandForm form{"frana check SCENE.ini|STUDY.ini [options]",
+                     "Validates a scene, or a study of many runs, and all its files, prints what would run, and writes "
+                     "nothing.",
                      "SCENE.ini",
                      {}};
     form.options.add_options()("out", options::value<std::string>(),
@@ -144,6 +146,13 @@ int cmd_check(const Arguments& arguments) {
     const int threads = thread_count(*values);
     RunLog log(false);
     apply_memory_limit(*values, log);
+    if (const std::string file = (*values)["operand"].as<std::string>(); study::is_study(file)) {
+        if (!text_options(*values, "set").empty())
+            throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
+                                                  "Set the key in the study's scene"});
+        check_study(file, text_option(*values, "out"), threads, log);
+        return static_cast<int>(ExitCode::done);
+    }
     SceneReading reading =
         read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
     // Whether an existing result may be replaced is decided when the scene is run.

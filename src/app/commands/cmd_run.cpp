@@ -22,6 +22,7 @@
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
+#include "app/store/saved_work.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
@@ -86,6 +87,9 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
 
 // An incomplete run is neither discarded nor mixed with another.
 void refuse_to_discard(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
+    if (const std::string study = interrupted_study(target); !study.empty())
+        problems.add({"an interrupted study of it is kept in " + study, target, "", "",
+                      "`frana ensemble --resume` continues it; --overwrite replaces it at the end"});
     if (interrupted.beside().empty()) return;
     problems.add({"an interrupted run of it is kept in " + interrupted.beside(), target, "", "",
                   "--resume continues it; --overwrite starts anew and replaces it at the end"});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/gaussian_field.h"
 #include "analysis/trace.h"
 #include "app/input/check_terrain.h"
 #include "app/input/choose_crs.h"
@@ -113,6 +114,11 @@ Raster samples_of(const TerrainSpec& spec, const gis::RasterInfo& file, const Gr
     return raster;
 }
 
+std::optional<GaussianField> error_of(const TerrainSpec& spec) {
+    if (!spec.error) return std::nullopt;
+    return GaussianField{spec.error->standard_deviation, spec.error->range, spec.error->seed};
+}
+
 /// The ground of a large DTM, of which nothing is read yet but samples.
 void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainInput& input, RunLog& log) {
     const TerrainSpec& spec = reading.scene.terrain;
@@ -126,7 +132,10 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
     input.terrain.grid = grid;
     input.terrain.values =
         CellValues::tiled(grid.rows, grid.columns, k_no_data,
-                          [file](const CellWindow& window, double* values) { file->read(window, values); });
+                          [file, grid, error = error_of(spec)](const CellWindow& window, double* values) {
+                              file->read(window, values);
+                              if (error) add_field(*error, grid, window, values);
+                          });
     known.raster = samples_of(spec, input.file, grid);
     check_terrain(reading, known.raster, grid, log);
     input.used = used_raster("DTM", input.file, known);
@@ -183,6 +192,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     if (spec.nodata_policy == "fill" && input.nodata_cells > 0)
         input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
     check_terrain(reading, input.terrain, grid, log);
+    if (const auto error = error_of(spec))
+        add_field(*error, grid, {0, 0, grid.rows, grid.columns}, input.terrain.values.data());
     return input;
 }
 
@@ -197,6 +208,10 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
     else if (input.file.vertical_scale_to_metres != 1)
         log.note("elevations converted from " + input.file.vertical_unit + " to metres");
     report_transform("DTM", input.used.transform, grid.cell_size, log);
+    if (const auto& error = reading.scene.terrain.error)
+        log.note("terrain.error: a field of " + shortest_text(error->standard_deviation) + " m, range " +
+                 shortest_text(error->range) + " m and seed " + std::to_string(error->seed) +
+                 " was added to the elevations");
     if (input.nodata_cells > 0) {
         const std::string cells = grouped(input.nodata_cells) + " cells of the working grid have no elevation";
         if (input.filled_cells > 0)

@@ -17,13 +17,20 @@
 namespace frana::app {
 namespace {
 
+void hide_zeros(Raster& raster) {
+    raster.values.change_each_stored([](std::size_t, double& value) {
+        if (value == 0) value = k_no_data;
+    });
+}
+
 /// Sets title and colours of a raster of the table; returns false for others.
 bool set_from_table(const std::string& name, MapLayer& layer) {
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
-    layer.title = row->title;
+    layer.title = text_for(*row, row->title, name);
     layer.palette = row->palette;
-    layer.classes = class_bounds(row->progressive, maximum(layer.values));
+    layer.classes = row->bounds.empty() ? class_bounds(row->progressive, maximum(layer.values)) : row->bounds;
+    if (row->zero_is_blank) hide_zeros(layer.values);
     return true;
 }
 
@@ -46,11 +53,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     const gis::RasterText text = gis::read_raster_text(path);
     MapLayer layer;
     layer.values = gis::read_result_raster(path);
-    if (foreign && text.classes.empty()) {
-        layer.values.values.change_each_stored([](std::size_t, double& value) {
-            if (value == 0) value = k_no_data;
-        });
-    }
+    if (foreign && text.classes.empty()) hide_zeros(layer.values);
     const std::filesystem::path file(path);
     layer.name = file.stem().string();
     layer.unit = text.unit;

@@ -17,6 +17,7 @@
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/error.h"
+#include "core/folder_entries.h"
 #include "core/shortest_text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
@@ -30,6 +31,8 @@ namespace frana::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* k_hit_count = "hit_count";  // every study has it
 
 /// Adds the scores of a comparison's map, from the file that frana wrote. Throws Error(input) if it is truncated.
 void add_statistics(const std::string& path, std::vector<std::string>& notes) {
@@ -65,6 +68,14 @@ void include(Raster& extent, const Raster& more) {
     });
 }
 
+/// Adds the names of the rasters of a row that has one for each value.
+void add_files_of(const ResultRaster& row, const std::string& folder, std::vector<std::string>& names) {
+    for (const fs::directory_entry& entry : folder_entries(fs::path(folder))) {
+        const std::string name = entry.path().stem().string();
+        if (entry.path().extension() == ".tif" && name.starts_with(row.name + "_")) names.push_back(name);
+    }
+}
+
 }  // namespace
 
 ResultReader::ResultReader(std::string directory) : directory_(std::move(directory)) {
@@ -80,7 +91,7 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (const auto format = integer_from_text(scene_value("scene.format").value_or("1"));
         format && *format > k_scene_format)
         throw newer(path(k_scene_file), *format, k_scene_format);
-    if (under_way()) return;
+    if (under_way() || is_of_study()) return;
     for (const ResultRaster& row : main_rasters())
         if (has(row.name + ".tif")) return;
     throw Error(ErrorKind::input,
@@ -95,6 +106,10 @@ std::string ResultReader::path(const std::string& name) const {
 
 bool ResultReader::has(const std::string& name) const {
     return fs::exists(path(name));
+}
+
+bool ResultReader::is_of_study() const {
+    return has(std::string(k_hit_count) + ".tif");
 }
 
 void ResultReader::require(const std::string& name) const {
@@ -235,8 +250,11 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
 
 std::vector<std::string> ResultReader::drawable() const {
     std::vector<std::string> names;
-    for (const ResultRaster& row : result_rasters())
-        if (row.in_result() && row.is_drawn() && has(row.name + ".tif")) names.push_back(row.name);
+    for (const ResultRaster& row : result_rasters()) {
+        if (!row.in_result() || !row.is_drawn()) continue;
+        if (!row.by_value && has(row.name + ".tif")) names.push_back(row.name);
+        if (row.by_value) add_files_of(row, directory_, names);
+    }
     return names;
 }
 
@@ -302,6 +320,34 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     return all;
 }
 
+/// What maps of a study show besides their values: how many runs they are made of, and outlines of probability.
+void ResultReader::add_study(MapSource& source) const {
+    source.extent = raster_on(source.terrain.grid.columns > 0 ? source.terrain.grid : grid(), k_hit_count);
+    const std::optional<Json> summary = has(k_summary_file) ? read_json_file(path(k_summary_file)) : std::nullopt;
+    if (summary) {
+        const auto finished = value_in<std::int64_t>(*summary, "/finished"),
+                   failed = value_in<std::int64_t>(*summary, "/failed");
+        const auto error = value_in<double>(*summary, "/largest_standard_error");
+        if (finished) source.subtitle = std::to_string(*finished) + " runs with values drawn from their distributions";
+        if (failed && *failed > 0) source.notes.push_back(std::to_string(*failed) + " more runs failed");
+        if (error)
+            source.notes.insert(source.notes.end(),
+                                {"Standard error of", "probabilities at most", number_text(100 * *error, 2) + " %"});
+    }
+    const std::string& crs = source.extent.grid.crs_wkt;
+    struct Line {
+        const char *layer, *label;
+        Rgb colour;
+        bool dashed;
+    };
+    for (const Line& line : {Line{"probability_05", "Reached by 5 %", {90, 90, 90}, true},
+                             Line{"probability_50", "Reached by 50 %", {20, 20, 20}, false},
+                             Line{"probability_95", "Reached by 95 %", {150, 0, 60}, false}}) {
+        MultiPolygon area = outline(line.layer, crs);
+        if (!area.empty()) source.marks.push_back({line.label, std::move(area), line.colour, 1.6, line.dashed});
+    }
+}
+
 MapSource ResultReader::map_source(const std::optional<MainStatistics>& statistics) const {
     MapSource source;
     source.title =
@@ -320,6 +366,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
         source.subtitle = "run under way, " + number_text(frames().back().time, 3) + " s simulated so far";
         source.extent = greatest("depth").values;
     }
+    if (is_of_study()) add_study(source);
     if (!has("max_depth.tif") || !has("release.tif")) return source;
     const Raster release = raster_on(grid, "release");
     Raster max_depth = raster_on(grid, "max_depth");

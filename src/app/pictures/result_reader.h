@@ -47,6 +47,8 @@ class ResultReader {
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;
     /// Whether its run is unfinished: it has frames, no maxima, and no summary, which comes last.
     [[nodiscard]] bool under_way() const { return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list); }
+    /// Whether it is what many runs say together (`frana ensemble`).
+    [[nodiscard]] bool is_of_study() const;
     /// Of a raster of the frames: the maximum over time; if no max_NAME.tif gives it, over the frames so far. Throws
     /// Error(input).
     [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;
@@ -62,6 +64,8 @@ class ResultReader {
     [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
     [[nodiscard]] MapFacts facts(const std::optional<MainStatistics>& statistics) const;
+
+    void add_study(MapSource& source) const;
 
     /// Throws Error(input) if a file is missing.
     void require(const std::string& name) const;

@@ -25,7 +25,4 @@ struct ReportInput {
 /// comparison.png, embedded one after the other as they are written. Throws Error(environment).
 void write_report(const ReportInput& input, const ResultDirectory& directory);
 
-/// Encodes bytes in the base64 alphabet (RFC 4648), for data URLs.
-std::string base64(const std::string& bytes);
-
 }  // namespace frana::app

@@ -22,6 +22,7 @@
 #include "app/store/replace_result.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
+#include "app/store/saved_work.h"
 #include "app/store/unfinished_results.h"
 #include "app/text/text_file.h"
 #include "core/folder_entries.h"
@@ -106,7 +107,7 @@ void ResultDirectory::refuse() {
 
 ResultDirectory::~ResultDirectory() {
     try {
-        if (!published_ && checkpoints_in(aside_).empty()) remove_unfinished(aside_);
+        if (!published_ && !has_saved_work(aside_)) remove_unfinished(aside_);
     } catch (const Error&) {
         published_ = true;  // what cannot be read remains for the next run
     }
@@ -223,7 +224,8 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
 void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
-    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder, k_whole_frames, k_cut_frames}, removed;
+    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder, k_record_folder, k_whole_frames, k_cut_frames},
+        removed;
     if (frames) folders.emplace_back(k_frame_folder);
     std::error_code error, ignored;
     for (const std::string& folder : folders) {

@@ -23,7 +23,7 @@ class ResultDirectory {
     /// Creates the sibling, or continues in an unfinished one, and locks it. Throws Error(environment), and
     /// Error(input) if another run is writing the same result.
     ResultDirectory(const std::string& directory, bool overwrite, const std::string& left = "");
-    /// Removes the sibling unless it was published or has a checkpoint to resume from.
+    /// Removes the sibling unless it was published or has work to resume from (has_saved_work).
     ~ResultDirectory();
     ResultDirectory(const ResultDirectory&) = delete;
     ResultDirectory& operator=(const ResultDirectory&) = delete;

@@ -30,8 +30,8 @@ class Table {
     Table& add_rasters() {
         for (const ResultRaster& row : result_rasters()) {
             if (row.command != command_) continue;
-            if (row.in_result()) add(FileKind::raster, {row.name + ".tif"});
-            if (row.in_result() && row.is_drawn()) add_styles(row.name + ".tif");
+            if (row.in_result()) add(FileKind::raster, {row.stem_pattern() + ".tif"});
+            if (row.in_result() && row.is_drawn()) add_styles(row.stem_pattern() + ".tif");
             if (row.in_frames || row.kind == ResultRaster::Kind::frame)
                 add(FileKind::raster, {std::string(k_frame_folder) + "/" + row.name + "_*.tif"});
         }
@@ -75,6 +75,12 @@ std::vector<ResultFile> make_table() {
     table.by("compare");
     table.add(FileKind::text, {k_comparison_file}).add(FileKind::table, {k_comparison_curve});
     table.add_rasters().add(FileKind::picture, {"comparison.png", "comparison.pdf"});
+    table.by("ensemble");
+    table.add(FileKind::text, {k_study_file, std::string(k_member_folder) + "/member_*/scene.ini"});
+    table.add(FileKind::working, {k_record_identity, std::string(k_record_folder) + "/record_*.frana"});
+    table.add(FileKind::table, {k_member_table, k_sensitivity_table});
+    table.add(FileKind::vector, {k_member_outlines});
+    table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});
     table.by("render");
     table.add_picture("maps/*");
     table.add(FileKind::picture, {"charts/*.png", "charts/*.pdf", "plates/*.png", "plates/*.pdf"});

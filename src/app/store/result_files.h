@@ -71,6 +71,15 @@ inline constexpr const char* k_peak_folder = "peakFiles";
 inline constexpr PeakFile k_peak_files[] = {{"ppr", "Peak pressure", "kPa"},
                                             {"pft", "Peak flow thickness, normal to the slope", "m"},
                                             {"pfv", "Peak flow velocity", "m/s"}};
+inline constexpr const char* k_study_file = "study.ini";
+inline constexpr const char* k_member_table = "members.csv";
+inline constexpr const char* k_member_outlines = "members.gpkg";
+inline constexpr const char* k_sensitivity_table = "sensitivity.csv";
+/// Of a study: the maps of single members, if it keeps them.
+inline constexpr const char* k_member_folder = "members";
+/// In the folder in which the result of a study is being built: a record of each member, and what they belong to.
+inline constexpr const char* k_record_folder = "records";
+inline constexpr const char* k_record_identity = "records/study.txt";
 /// In the folder in which a result is being built, from the beginning.
 inline constexpr const char* k_building_file = "being_built.json";
 /// In the folder in which a result is being built: pictures for report.html alone.

@@ -82,6 +82,10 @@ void add_extra_output(std::vector<Parameter>& list) {
                     "Lines along which profiles of the results are written, in their own CRS; the profile along "
                     "the flow path is always written.",
                     "none")));
+    list.push_back(rising_numbers("output.depth-thresholds", FRANA_MEMBER(output.depth_thresholds), "m",
+                                  "`frana ensemble`: maximum depths whose probability of being exceeded is mapped."));
+    list.push_back(rising_numbers("output.velocity-thresholds", FRANA_MEMBER(output.velocity_thresholds), "m/s",
+                                  "`frana ensemble`: maximum speeds whose probability of being exceeded is mapped."));
 }
 
 void add_hazard(std::vector<Parameter>& list) {

@@ -40,6 +40,50 @@ class Table {
     bool (*is_produced_by_)(const SceneSpec&) = nullptr;
 };
 
+/// What a study of many runs writes.
+void add_study(Table& table) {
+    table.by("ensemble", "by `frana ensemble`");
+    const auto for_values = [&](const char* name, const char* title, const char* description, const char* unit,
+                                const char* palette, bool progressive) -> ResultRaster& {
+        ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
+        row.by_value = true;
+        return row;
+    };
+    const auto probability = [&](const char* name, const char* title, const char* description) {
+        ResultRaster& row = for_values(name, title, description, "-", "depth", k_even);
+        row.zero_is_blank = true;
+        row.bounds = {0, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
+    };
+    probability("probability_depth", "Probability of more than {} m",
+                "Probability that the maximum depth exceeds {} m");
+    probability("probability_velocity", "Probability of more than {} m/s",
+                "Probability that the maximum speed exceeds {} m/s");
+    for_values("quantile_max_depth", "Maximum depth, {} % quantile", "Quantile {} % of the maximum depth, vertical",
+               "m", "depth", k_progressive)
+        .zero_is_blank = true;
+    for_values("quantile_max_velocity", "Maximum velocity, {} % quantile", "Quantile {} % of the maximum speed", "m/s",
+               "velocity", k_even)
+        .zero_is_blank = true;
+    for_values("quantile_arrival_time", "Arrival time, {} % quantile",
+               "Quantile {} % of the arrival time among the runs that arrived", "s", "time", k_even);
+    const auto of_all = [&](const char* name, const char* title, const char* description, const char* unit,
+                            const char* palette, bool progressive) {
+        table.flow(name, title, description, unit, palette, progressive).zero_is_blank = true;
+    };
+    of_all("mean_max_depth", "Mean maximum depth", "Mean of the maximum depth, 0 where a run did not arrive", "m",
+           "depth", k_progressive);
+    of_all("deviation_max_depth", "Deviation of the maximum depth", "Standard deviation of the maximum depth", "m",
+           "depth", k_progressive);
+    of_all("mean_max_velocity", "Mean maximum velocity", "Mean of the maximum speed, 0 where a run did not arrive",
+           "m/s", "velocity", k_even);
+    of_all("deviation_max_velocity", "Deviation of the maximum velocity", "Standard deviation of the maximum speed",
+           "m/s", "velocity", k_even);
+    of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even);
+    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
+                                           "Which part of being reached hangs on {}", "-", "velocity", k_even);
+    sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
+}
+
 std::vector<ResultRaster> make_table() {
     Table table;
     ResultRaster& depth =
@@ -117,6 +161,7 @@ std::vector<ResultRaster> make_table() {
         .is_surface = true;
     table.add("velocity", Kind::frame, "Flow velocity", "Flow speed at one instant, along the bed", "m/s", "velocity",
               k_even);
+    add_study(table);
     table.by("converge", "after `frana converge`");
     table.add("uncertainty", Kind::flow, "Estimated error of the maximum depth",
               "Estimated discretisation error of the maximum depth", "m", "velocity", k_progressive);
@@ -132,8 +177,18 @@ const std::vector<ResultRaster>& result_rasters() {
 
 const ResultRaster* find_result_raster(const std::string& name) {
     const std::vector<ResultRaster>& all = result_rasters();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const ResultRaster& one) { return one.name == name; });
+    const auto found = std::find_if(all.begin(), all.end(), [&](const ResultRaster& one) {
+        return one.by_value ? name.starts_with(one.name + "_") : one.name == name;
+    });
     return found == all.end() ? nullptr : &*found;
+}
+
+std::string text_for(const ResultRaster& row, const std::string& text, const std::string& name) {
+    const auto place = text.find("{}");
+    if (!row.by_value || place == std::string::npos) return text;
+    std::string value = name.substr(row.name.size() + 1);
+    if (value.size() == 2 && value.front() == '0') value.erase(0, 1);
+    return std::string(text).replace(place, 2, value);
 }
 
 std::string raster_of_map(const std::string& map) {

@@ -8,9 +8,9 @@ namespace frana {
 
 struct SceneSpec;
 
-/// A raster that a result may contain as NAME.tif. The one list: the files written with their texts and styles, the
-/// maps that can be drawn, the names that output.maps and --map accept, what --overwrite may replace, and what
-/// share/doc/results.md explains follow from it.
+/// A raster that a result may contain as NAME.tif, or as one NAME_VALUE.tif for each of some values. The one list: the
+/// files written with their texts and styles, the maps that can be drawn, the names that output.maps and --map accept,
+/// what --overwrite may replace, and what share/doc/results.md explains follow from it.
 struct ResultRaster {
     enum class Kind {
         given,    ///< known before the flow starts
@@ -30,21 +30,28 @@ struct ResultRaster {
     std::string when;             ///< "with `[entrainment]`"; empty: always
     /// Whether the scene produces it; null: every scene does.
     bool (*is_produced_by)(const SceneSpec& scene) = nullptr;
-    bool if_it_happens = false;  ///< not in every result of such a scene
-    bool in_frames = false;      ///< also at every frame
-    bool is_surface = false;     ///< thickness: a view shows the surface of the flow
-    bool has_view = false;       ///< output.maps = on draws a view as well as a map
+    bool if_it_happens = false;    ///< not in every result of such a scene
+    bool in_frames = false;        ///< also at every frame
+    bool is_surface = false;       ///< thickness: a view shows the surface of the flow
+    bool has_view = false;         ///< output.maps = on draws a view as well as a map
+    bool by_value = false;         ///< one for each value (a threshold, a key), which takes the place of {} in texts
+    bool zero_is_blank = false;    ///< 0 is a value, and nothing is drawn there
+    std::vector<double> bounds{};  ///< of its classes; empty: from its values
 
     /// Whether it has a style file, and is among the maps that `frana render` draws by default.
     [[nodiscard]] bool is_drawn() const noexcept { return !palette.empty(); }
     /// Whether it is in the result's own folder.
     [[nodiscard]] bool in_result() const noexcept { return kind != Kind::frame && command != "converge"; }
+    /// "probability_depth_*" where it is by_value, otherwise the name.
+    [[nodiscard]] std::string stem_pattern() const { return by_value ? name + "_*" : name; }
 };
 
 const std::vector<ResultRaster>& result_rasters();
 
-/// Returns null for other names.
+/// Returns null for other names. Those of a value ("probability_depth_0.5") have the row of them all.
 const ResultRaster* find_result_raster(const std::string& name);
+/// Returns the title or description of a raster of this row: {} replaced by the value in its name, 05 as 5.
+std::string text_for(const ResultRaster& row, const std::string& text, const std::string& name);
 
 /// Ending of the name of a map that is a perspective view.
 inline constexpr const char* k_view_ending = "_3d";

@@ -18,6 +18,13 @@ namespace frana {
 /// The source of a parameter's value, in rising order of precedence.
 enum class Origin { default_value, preset, scene_file, command_line };
 
+/// A field of error added to the elevations: analysis/gaussian_field.h.
+struct TerrainErrorSpec {
+    double standard_deviation = 0;  ///< [m]
+    double range = 0;               ///< [m]
+    std::int64_t seed = 0;
+};
+
 /// [terrain]
 struct TerrainSpec {
     std::string dtm;
@@ -33,6 +40,7 @@ struct TerrainSpec {
     std::optional<std::string> obstacles;
     std::optional<SourceSpec> obstacle_height;
     std::optional<std::string> walls;
+    std::optional<TerrainErrorSpec> error;
 };
 
 /// How to read a vector file, besides its path.
@@ -152,6 +160,9 @@ struct OutputSpec {
     std::optional<std::string> sections;
     std::optional<std::string> profiles;
     std::optional<double> sample_interval;
+    // Of the maps of probability that a study of many runs writes.
+    std::vector<double> depth_thresholds{0.1, 0.5, 2};
+    std::vector<double> velocity_thresholds{1, 5};
 };
 
 /// [hazard]

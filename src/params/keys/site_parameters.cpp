@@ -75,6 +75,38 @@ Parameter thickness_parameter() {
     return result;
 }
 
+/// "0.5, 50, 7": standard deviation, range, seed.
+Parameter error_parameter() {
+    constexpr Range k_deviation{0, 100}, k_range{0, 1e5, true};
+    Parameter result = declare::parameter(
+        "terrain.error", "list", FRANA_MEMBER(terrain.error),
+        [=](std::optional<TerrainErrorSpec>& target, const std::string& value) -> std::optional<Refusal> {
+            const std::vector<std::string> words = words_of(value);
+            const Refusal not_understood{"is not a standard deviation, a range and a whole number",
+                                         "Write for example 0.5, 50, 1"};
+            if (words.size() != 3) return not_understood;
+            const auto deviation = number_from_text(words[0]), range = number_from_text(words[1]);
+            const auto seed = integer_from_text(words[2]);
+            if (!deviation || !range || !seed) return not_understood;
+            TerrainErrorSpec error{*deviation, *range, seed.value_or(0)};
+            if (!k_deviation.has(error.standard_deviation) || !k_range.has(error.range) || error.seed < 0)
+                return Refusal{"is out of range", ""};
+            target = error;
+            return std::nullopt;
+        },
+        [](const TerrainErrorSpec& error) {
+            return shortest_text(error.standard_deviation) + ", " + shortest_text(error.range) + ", " +
+                   std::to_string(error.seed);
+        });
+    result.unit = "m";
+    result.limits = "standard deviation " + k_deviation.text() + ", range " + k_range.text() + ", seed from 0";
+    result.meaning =
+        "Error added to the elevations of the DTM: a normal random field with this standard deviation, whose "
+        "correlation falls to 0.05 at the range; each seed is another field.";
+    result.absent = "none";
+    return result;
+}
+
 }  // namespace
 
 void add_terrain(std::vector<Parameter>& list) {
@@ -111,6 +143,7 @@ void add_terrain(std::vector<Parameter>& list) {
     list.push_back(
         on_map(text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
                     "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none")));
+    list.push_back(error_parameter());
 }
 
 void add_release(std::vector<Parameter>& list) {

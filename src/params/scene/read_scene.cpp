@@ -23,11 +23,12 @@ namespace fs = std::filesystem;
 /// Entries of one source; a later source overrides an earlier one.
 struct Source {
     Origin origin;
-    std::string file;  ///< for messages; empty: the command line
+    std::string file;  ///< for messages; empty: overrides
     std::vector<IniEntry> entries;
+    std::string label{};  ///< of overrides
 
     [[nodiscard]] std::string where(const std::string& name) const {
-        return file.empty() ? "--set " + name : file + ": " + name;
+        return file.empty() ? label + name : file + ": " + name;
     }
     [[nodiscard]] bool has(const std::string& name) const {
         return std::any_of(entries.begin(), entries.end(), [&](const IniEntry& e) { return e.name == name; });
@@ -173,8 +174,8 @@ std::optional<Source> preset_source(const std::string& name, const std::string& 
     return std::nullopt;
 }
 
-Source command_line_source(const std::vector<std::string>& overrides, Problems& problems) {
-    Source source{Origin::command_line, "", {}};
+Source command_line_source(const std::vector<std::string>& overrides, const std::string& label, Problems& problems) {
+    Source source{Origin::command_line, "", {}, label};
     for (const std::string& text : overrides) {
         const auto equals = text.find('=');
         if (equals == std::string::npos) {
@@ -208,9 +209,10 @@ std::vector<std::string> input_files(const SceneSpec& scene) {
 }
 
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
-                        const std::string& materials_directory) {
+                        const std::string& materials_directory, const std::string& override_label) {
     SceneReading reading;
     reading.label = path;
+    reading.override_label = override_label;
     const fs::path absolute = fs::absolute(path).lexically_normal();
     reading.scene.file = absolute.string();
     if (has_control_characters(reading.scene.file)) {
@@ -220,7 +222,7 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     }
 
     const Source file{Origin::scene_file, path, read_ini(path)};
-    const Source command_line = command_line_source(overrides, reading.problems);
+    const Source command_line = command_line_source(overrides, override_label, reading.problems);
     Reader reader(reading, absolute.parent_path().string());
     if (const auto preset = preset_of(file, command_line)) {
         const auto source = preset_source(preset->first, preset->second, materials_directory, reading.problems);

@@ -15,10 +15,11 @@ struct SceneReading {
     Problems problems;
     std::vector<std::string> warnings;  ///< keys given by a former name
     std::string label;                  ///< the scene file as the user named it
+    std::string override_label;         ///< before the name of a key that was overridden: "--set "
 
     /// Returns where a key was given, for messages: "scene.ini: terrain.dtm" or "--set terrain.dtm".
     [[nodiscard]] std::string where(const std::string& name) const {
-        return scene.origin_of(name) == Origin::command_line ? "--set " + name : label + ": " + name;
+        return scene.origin_of(name) == Origin::command_line ? override_label + name : label + ": " + name;
     }
 };
 
@@ -26,8 +27,9 @@ struct SceneReading {
 /// on the command line). Relative paths are relative to the scene file's folder and become absolute. Every problem is
 /// collected: unknown keys (with the nearest known), values, missing keys, contradictions. Throws Error(input) only if
 /// the file itself cannot be read as INI.
+/// @param override_label before the names of overridden keys in messages
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
-                        const std::string& materials_directory);
+                        const std::string& materials_directory, const std::string& override_label = "--set ");
 
 /// Returns the input files of a scene, the scene file first.
 std::vector<std::string> input_files(const SceneSpec& scene);

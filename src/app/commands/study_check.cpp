@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/study_check.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/input/memory_bound.h"
+#include "app/process/machine_memory.h"
+#include "app/store/result_place.h"
+#include "app/text/number_text.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+// Of a record: three Float32 numbers for each cell that the flow reached. Flows spread to about so many times their
+// release in the samples.
+constexpr std::int64_t k_record_cell_bytes = 12, k_spread = 10, k_record_head_bytes = 2000;
+// Of the window of cells, and of the rasters made of a quantity at once.
+constexpr std::int64_t k_window_bytes = 256'000'000, k_rasters_at_once = 16;
+// Particles split where the flow spreads thin.
+constexpr double k_growth = 2;
+
+void line(const std::string& name, const std::string& value) {
+    std::printf("  %-16s %s\n", name.c_str(), value.c_str());
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 120) return number_text(seconds, 2) + " s";
+    if (seconds < 7200) return number_text(seconds / 60, 2) + " min";
+    return number_text(seconds / 3600, 2) + " h";
+}
+
+std::string time_text(const StudyForecast& forecast, std::size_t members, int threads) {
+    const double all = forecast.member_seconds() * static_cast<double>(members) / threads;
+    return std::string(forecast.trial ? "about " : "at least ") + duration_text(all) + ": " +
+           duration_text(forecast.member_seconds()) + " a member on one thread, " + std::to_string(threads) +
+           " at a time";
+}
+
+}  // namespace
+
+double StudyForecast::member_seconds() const noexcept {
+    return trial ? trial->engine_seconds : member.wall_seconds;
+}
+
+std::string study_directory(const SceneSpec& scene) {
+    return output_directory(scene) + "-ensemble";
+}
+
+StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial) {
+    const Prepared& base = input.base;
+    StudyForecast forecast;
+    forecast.member = estimate(base.scene, 1);
+    if (with_trial) forecast.trial = estimate_time(input.central, base, forecast.member, 1);
+    const std::int64_t most =
+        forecast.trial ? forecast.trial->particles_peak
+                       : static_cast<std::int64_t>(k_growth * static_cast<double>(forecast.member.particles));
+    forecast.worker_bytes = forecast.member.memory_bytes + forecast.member.bytes_of_particles(std::max<std::int64_t>(
+                                                               0, most - forecast.member.particles));
+    const std::int64_t combining =
+        k_window_bytes + forecast.member.stored_cells * k_rasters_at_once * static_cast<std::int64_t>(sizeof(double));
+    forecast.peak_bytes = resident_memory() + std::max(threads * forecast.worker_bytes, combining);
+    const auto released = static_cast<std::int64_t>(base.release.area_m2 / base.scene.grid.cell_area());
+    forecast.disk_bytes = static_cast<std::int64_t>(input.table.size()) *
+                          (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
+    return forecast;
+}
+
+void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads) {
+    const MemoryBound bound = usable_memory();
+    if (static_cast<double>(forecast.peak_bytes) <= bound.bytes) return;
+    throw Error(
+        ErrorKind::input,
+        Problem{"the study needs about " + bytes_text(static_cast<double>(forecast.peak_bytes)) + " of memory, " +
+                    bytes_text(static_cast<double>(forecast.worker_bytes)) + " for each member that runs",
+                input.reading.label, std::to_string(threads) + " threads", bound_text(bound),
+                "Use fewer --threads, larger cells, or provide more memory"});
+}
+
+void check_study(const std::string& path, const std::optional<std::string>& out, int threads, RunLog& log) {
+    StudyTexts texts = read_study_texts(path);
+    const std::string directory = out.value_or(study_directory(texts.central.scene));
+    const std::optional<Problem> place =
+        check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.central.problems);
+    const StudyInput input = prepare_study(std::move(texts), place, log);
+    const StudyForecast forecast = forecast_study(input, threads, true);
+    refuse_study_beyond_memory(input, forecast, threads);
+    const study::StudySpec& study = input.reading.study;
+    std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
+    for (const study::Variation& one : study.vary) line(one.key, one.distribution.text);
+    if (study.vary.empty())
+        for (const std::string& key : input.table.keys) line(key, "as in " + study.table);
+    for (const study::Correlation& one : study.correlate)
+        line(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
+    std::printf("\nMembers\n");
+    line("members", std::to_string(input.table.size()) + (study.until ? " at most" : "") + ", sampling " +
+                        study::name_of(study.sampling) + ", seed " + std::to_string(study.seed));
+    line("estimated time", time_text(forecast, input.table.size(), threads) + ", engine alone");
+    line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which each member that runs takes " +
+                       bytes_text(static_cast<double>(forecast.worker_bytes)));
+    line("disk", "about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
+                     " for the members until the result is complete");
+    const std::string target = result_path(directory);
+    line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
+    std::fflush(stdout);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/commands/time_estimate.h"
+#include "app/ensemble/study_input.h"
+
+namespace frana::app {
+
+/// Expected resources of a study.
+struct StudyForecast {
+    RunEstimate member;                 ///< the central one
+    std::optional<TimeEstimate> trial;  ///< of its time, on one thread
+    std::int64_t worker_bytes = 0;      ///< memory of one member that runs
+    std::int64_t peak_bytes = 0;        ///< memory of all together, and of combining them
+    std::int64_t disk_bytes = 0;        ///< of the records, until the result is complete
+
+    /// Wall time of one member on one thread [s]; a lower bound without a trial.
+    [[nodiscard]] double member_seconds() const noexcept;
+};
+
+/// @param with_trial also makes a trial run, for time and memory
+StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial);
+
+/// Throws Error(input) if so many members at once need more memory than there is.
+void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads);
+
+/// Returns where a study's result goes without --out: beside that of its scene.
+std::string study_directory(const SceneSpec& scene);
+
+/// `frana check` of a study: prints keys, members and forecasts to stdout. Throws Error(input).
+void check_study(const std::string& path, const std::optional<std::string>& out, int threads, RunLog& log);
+
+}  // namespace frana::app

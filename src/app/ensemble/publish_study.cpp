@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ensemble/publish_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "analysis/trace.h"
+#include "app/ensemble/study_charts.h"
+#include "app/ensemble/study_files.h"
+#include "app/ensemble/study_report.h"
+#include "app/ensemble/study_result.h"
+#include "app/ensemble/study_tables.h"
+#include "app/store/result_files.h"
+#include "app/store/saved_work.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "core/shortest_text.h"
+#include "gis/raster/rasterize.h"
+#include "gis/vector/vector_out.h"
+
+namespace frana::app {
+namespace {
+
+/// Cells beyond those that a member reached, where the maps of a large terrain end.
+constexpr std::int64_t k_margin = 32;
+
+/// Puts the maps on one grid. That of the central member where it is not large and contains all that any member
+/// reached; otherwise the part of the terrain round all of them.
+void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
+    const GridSpec& grid = input.base.scene.grid;
+    const CellWindow reached = study::reached_window(result.finished, grid);
+    const bool is_inside = reached.row >= 0 && reached.column >= 0 && reached.row + reached.rows <= grid.rows &&
+                           reached.column + reached.columns <= grid.columns;
+    if (is_inside && !input.base.scene.terrain.values.is_tiled()) {
+        result.grid = grid;
+        return;
+    }
+    const CellWindow window{reached.row - k_margin, reached.column - k_margin, reached.rows + 2 * k_margin,
+                            reached.columns + 2 * k_margin};
+    SceneReading reading = input.central;
+    const Bounds part = part_of(grid, window).bounds(), file = input.base.ground.file.bounds;
+    const bool same_crs = input.base.ground.file.crs_wkt == grid.crs_wkt;  // then no more than there is
+    reading.scene.terrain.bounds = !same_crs ? part
+                                             : Bounds{std::max(part.west, file.west), std::max(part.south, file.south),
+                                                      std::min(part.east, file.east), std::min(part.north, file.north)};
+    RunLog silent(true);
+    Problems problems;
+    std::optional<TerrainInput> ground = prepare_terrain(reading, silent, problems);
+    problems.throw_if_any();
+    input.base.scene.terrain = std::move(ground->terrain);
+    input.base.scene.grid = result.grid = input.base.scene.terrain.grid;
+    log.note("maps are on the part of the terrain round the cells that a member reached: " +
+             extent_text(result.grid.bounds()));
+}
+
+/// Outlines of all members, each in a raster no larger than what was reached.
+void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& folder,
+                           const std::string& path) {
+    gis::OutlineLayer layer{"members", {}};
+    for (const std::size_t place : result.finished_at) {
+        const MemberResult& member = result.members[place];
+        study::FinishedMembers alone;
+        alone.records.push_back(record_file(folder, member.member));
+        const CellWindow window = study::reached_window(alone, result.grid);
+        if (window.rows == 0) continue;
+        const auto record = study::read_record(alone.records.front());
+        const Raster depth = record->raster(study::Quantity::depth, part_of(result.grid, window));
+        PolygonFeature feature;
+        feature.parts = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
+        if (feature.parts.empty()) continue;
+        feature.numbers["member"] = static_cast<double>(member.member);
+        feature.numbers["weight"] = input.table.weights[member.member];
+        for (const study::Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
+        for (std::size_t k = 0; k < input.table.keys.size(); ++k)
+            feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
+        layer.features.push_back(std::move(feature));
+    }
+    gis::write_outlines(path, result.grid.crs_wkt, {layer});
+}
+
+bool is_kept(study::Keep keep, const MemberResult& member) {
+    return keep == study::Keep::all || (keep == study::Keep::failed && !member.failure.empty());
+}
+
+void write_kept_members(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
+    for (const MemberResult& member : result.members) {
+        if (!is_kept(input.reading.study.keep, member)) continue;
+        char name[40];
+        std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
+        directory.make_folder(name);
+        const auto record = study::read_record(record_file(directory.folder(), member.member));
+        write_member(input, member.member, *record, result.grid, directory.path(name));
+    }
+}
+
+std::string percent(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
+}
+
+bool warn_of_failures(const StudyResult& result, RunLog& log) {
+    if (result.failed() == 0) return false;
+    const double fraction = static_cast<double>(result.failed()) / static_cast<double>(result.members.size());
+    const auto first = std::find_if(result.members.begin(), result.members.end(),
+                                    [](const MemberResult& member) { return !member.failure.empty(); });
+    log.warn(std::to_string(result.failed()) + " of " + std::to_string(result.members.size()) +
+             " members failed and are in no map; the first, member " + std::to_string(first->member) + ": " +
+             first->failure + ". members.csv has the reason of each");
+    return fraction > k_most_failed;
+}
+
+void warn_of_error(const StudyInput& input, const StudyResult& result, const study::MapError& error, RunLog& log) {
+    log.info(std::to_string(result.finished_at.size()) + " members; standard error of the probabilities " +
+             percent(error.largest) + " at most, " + percent(error.mean) + " on average where it is not 0");
+    const auto& until = input.reading.study.until;
+    if (until && error.largest > *until)
+        log.warn("study.until = " + shortest_text(*until) + " is not reached with all members: raise study.samples");
+}
+
+}  // namespace
+
+StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& directory, RunLog& log) {
+    StudyInput& input = study.input;
+    StudyResult result = read_study_result(input, directory.folder(), study.members);
+    StudyOutcome outcome;
+    outcome.too_many_failed = warn_of_failures(result, log);
+    write_text_file(directory.path(k_study_file), study::study_text(input.reading.study));
+    StudyFacts facts;
+    facts.threads = study.threads;
+    facts.computed = study.computed;
+    std::vector<FigureSensitivity> figures;
+    if (!result.finished_at.empty()) {
+        choose_grid(input, result, log);
+        figures = sensitivities(result);
+        publish_study_ground(input, directory);
+        facts.error = publish_study_maps(input, result, directory);
+        warn_of_error(input, result, facts.error, log);
+        write_member_outlines(input, result, directory.folder(), directory.path(k_member_outlines));
+    }
+    write_text_file(directory.path(k_member_table), members_csv(input, result));
+    write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
+    write_kept_members(input, result, directory);
+    // Maps show what the summary says; what drawing adds to it comes at the end.
+    write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
+    if (!result.finished_at.empty()) outcome.pictures_failed = !draw_study(input, result, figures, directory, log);
+    facts.wall_seconds = study.since_start.seconds();
+    facts.warnings = log.warnings();
+    if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);
+    write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
+    write_text_file(directory.path(k_log_file), log.text());
+    return outcome;
+}
+
+}  // namespace frana::app

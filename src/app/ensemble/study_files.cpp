@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ensemble/study_files.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "analysis/trace.h"
+#include "app/ensemble/study_charts.h"
+#include "app/pictures/map_source.h"
+#include "app/pictures/result_reader.h"
+#include "app/publish/publish_rasters.h"
+#include "app/store/layers.h"
+#include "app/store/provenance.h"
+#include "app/store/result_files.h"
+#include "app/text/text_file.h"
+#include "core/shortest_text.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/rasterize.h"
+#include "gis/raster/styles.h"
+#include "gis/vector/vector_out.h"
+#include "params/keys/result_rasters.h"
+#include "params/scene/write_scene.h"
+
+namespace frana::app {
+namespace {
+
+/// Suffixes of the files of k_map_quantiles.
+constexpr std::array<const char*, 3> k_quantile_names{"05", "50", "95"};
+
+/// Writes rasters of the table with their texts and styles.
+class MapWriter {
+  public:
+    MapWriter(const StudyInput& input, const ResultDirectory& directory)
+        : directory_(directory), metadata_(provenance(input.base)) {}
+
+    void write(const std::string& name, const Raster& raster) const { write(name, {band_of(name, raster)}); }
+    void write_probability(const std::string& name, const Raster& probability, const Raster& error) const {
+        gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
+        write(name, {band_of(name, probability), {error, text}});
+    }
+
+  private:
+    [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const {
+        const ResultRaster& row = *find_result_raster(name);
+        return {raster, {name, text_for(row, row.description, name), row.unit, metadata_}};
+    }
+    void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const {
+        const ResultRaster& row = *find_result_raster(name);
+        const std::string file = directory_.path(name + ".tif");
+        gis::write_geotiff(file, bands);
+        const std::vector<double> bounds =
+            row.bounds.empty() ? class_bounds(row.progressive, maximum(bands.front().raster)) : row.bounds;
+        gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
+                          gis::StyleKind::classed);
+    }
+
+    const ResultDirectory& directory_;
+    std::map<std::string, std::string> metadata_;
+};
+
+/// Of depth or velocity; returns the probabilities of the least threshold and their error.
+std::pair<Raster, std::vector<Raster>> write_quantity(const StudyResult& result, study::Quantity quantity,
+                                                      const std::string& name, const std::vector<double>& thresholds,
+                                                      const MapWriter& writer) {
+    study::QuantityMaps maps = study::quantity_maps(result.finished, quantity, result.grid, thresholds);
+    for (std::size_t t = 0; t < thresholds.size(); ++t)
+        writer.write_probability("probability_" + name + "_" + shortest_text(thresholds[t]), maps.probability[t],
+                                 maps.error[t]);
+    for (std::size_t q = 0; q < maps.quantile.size(); ++q)
+        writer.write("quantile_max_" + name + "_" + k_quantile_names[q], maps.quantile[q]);
+    writer.write("mean_max_" + name, maps.mean);
+    writer.write("deviation_max_" + name, maps.deviation);
+    if (quantity == study::Quantity::depth) writer.write("hit_count", maps.hits);
+    return {maps.probability.empty() ? Raster() : std::move(maps.probability.front()), std::move(maps.error)};
+}
+
+/// Of the cells with at least this probability.
+PolygonFeature probability_outline(const Raster& probability, double least) {
+    Raster mask(probability.grid);
+    probability.values.for_each_stored([&](std::size_t cell, double value) {
+        if (value >= least) mask.values[cell] = 1;
+    });
+    PolygonFeature feature;
+    feature.parts = gis::polygonise(mask);
+    feature.numbers["probability"] = least;
+    return feature;
+}
+
+/// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
+void write_probability_outlines(const StudyInput& input, const Raster& probability, const std::string& path) {
+    gis::OutlineLayer release{"release", {}};
+    for (const ReleaseArea& area : input.other_releases.empty() ? input.base.scene.release : input.other_releases)
+        release.features.push_back({area.outline, {}, {}});
+    std::vector<gis::OutlineLayer> layers{std::move(release)};
+    if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
+    for (std::size_t q = 0; q < k_quantile_names.size(); ++q) {
+        gis::OutlineLayer layer{std::string("probability_") + k_quantile_names[q], {}};
+        PolygonFeature feature = probability_outline(probability, study::k_map_quantiles[q]);
+        feature.numbers["threshold_m"] = input.base.spec.output.depth_thresholds.front();
+        if (!feature.parts.empty()) layer.features.push_back(std::move(feature));
+        layers.push_back(std::move(layer));
+    }
+    gis::write_outlines(path, probability.grid.crs_wkt, layers);
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
+                                                    "Check the place's rights and free space"});
+}
+
+/// Those that are handed on; `frana render` draws the others.
+bool is_drawn_at_once(const std::string& name) {
+    return name.starts_with("probability_") || name.starts_with("quantile_max_depth_") ||
+           name.starts_with("sensitivity_");
+}
+
+}  // namespace
+
+void publish_study_ground(const StudyInput& input, const ResultDirectory& directory) {
+    publish_ground(input.base, directory);
+}
+
+study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
+                                   const ResultDirectory& directory) {
+    const OutputSpec& output = input.base.spec.output;
+    const MapWriter writer(input, directory);
+    auto [probability, errors] =
+        write_quantity(result, study::Quantity::depth, "depth", output.depth_thresholds, writer);
+    if (!output.depth_thresholds.empty())
+        write_probability_outlines(input, probability, directory.path(k_outlines_file));
+    for (Raster& error :
+         write_quantity(result, study::Quantity::velocity, "velocity", output.velocity_thresholds, writer).second)
+        errors.push_back(std::move(error));
+    const study::QuantityMaps arrival =
+        study::quantity_maps(result.finished, study::Quantity::arrival, result.grid, {});
+    for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
+        writer.write(std::string("quantile_arrival_time_") + k_quantile_names[q], arrival.quantile[q]);
+    if (result.equal_weights() && result.design_at.size() > 1) {
+        const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
+        const std::vector<Raster> maps =
+            study::sensitivity_maps(result.design, result.points, result.groups, result.grid, threshold);
+        for (std::size_t k = 0; k < maps.size(); ++k) writer.write("sensitivity_" + input.table.keys[k], maps[k]);
+    }
+    return study::map_error(errors);
+}
+
+void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
+                  const std::string& folder) {
+    const auto path = [&](const std::string& name) { return folder + "/" + name; };
+    write_text_file(path(k_scene_file), scene_text(input.member(member).scene, {}));
+    const std::pair<const char*, study::Quantity> k_maps[] = {{"max_depth", study::Quantity::depth},
+                                                              {"max_velocity", study::Quantity::velocity},
+                                                              {"arrival_time", study::Quantity::arrival}};
+    for (const auto& [name, quantity] : k_maps) {
+        if (record.runs.empty()) continue;
+        const ResultRaster& row = *find_result_raster(name);
+        gis::write_geotiff(path(std::string(name) + ".tif"), record.raster(quantity, grid),
+                           {row.name, row.description, row.unit, provenance(input.base)});
+    }
+}
+
+bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
+                const ResultDirectory& directory, RunLog& log) {
+    const OutputSpec& output = input.base.spec.output;
+    if (output.maps.front() == "off") return true;
+    bool good = true;
+    const ResultReader written(directory.folder());
+    MapSource source = written.map_source();
+    source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
+    const auto attempt = [&](const std::string& what, const auto& draw) {
+        try {
+            draw();
+            log.note("drew " + what);
+        } catch (const Error& error) {
+            log.warn(what + " could not be drawn: " + error.what());
+            good = false;
+        }
+    };
+    LayerDrawer drawer(source);
+    make_folder(written.path("maps"));
+    for (const std::string& name : written.drawable()) {
+        if (!is_drawn_at_once(name)) continue;
+        attempt("maps/" + name, [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
+    }
+    if (!output.charts) return good;
+    make_folder(written.path("charts"));
+    for (const NamedChart& one : study_charts(input, result, figures, convergence_of(input, result), source)) {
+        attempt("charts/" + one.name, [&] {
+            write_plain_picture(render::draw_chart(one.chart, source.style.size.width, source.style.size.height),
+                                source.style, one.chart.title, written.path("charts/" + one.name));
+        });
+    }
+    return good;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/ensemble/study_input.h"
+#include "app/ensemble/study_result.h"
+#include "app/store/result_directory.h"
+#include "study/member_record.h"
+#include "study/study_maps.h"
+
+namespace frana::app {
+
+/// Writes the terrain, the scene of the central member and the release areas of all.
+void publish_study_ground(const StudyInput& input, const ResultDirectory& directory);
+
+/// Writes all rasters of the table of result rasters that a study makes, and the outlines where the least depth of
+/// output.depth-thresholds is exceeded with probabilities of 5, 50 and 95 %. Returns the error of the probabilities.
+study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
+                                   const ResultDirectory& directory);
+
+/// Writes a member's scene and maps to a folder.
+void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
+                  const std::string& folder);
+
+/// Draws the maps and charts that the scene's output.maps and output.charts ask for. Returns false if one could not be
+/// drawn, with a warning.
+bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
+                const ResultDirectory& directory, RunLog& log);
+
+}  // namespace frana::app

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/ensemble/study_input.h"
+#include "study/cell_statistics.h"
+#include "study/member_record.h"
+#include "study/sensitivity.h"
+#include "study/study_maps.h"
+
+namespace frana::app {
+
+/// A member without its maps.
+struct MemberResult {
+    std::size_t member = 0;
+    std::string failure;  ///< empty: finished
+    std::vector<study::Figure> figures;
+    double engine_seconds = 0;
+};
+
+/// Sensitivities of one figure, by key.
+struct FigureSensitivity {
+    study::Figure figure;  ///< its texts
+    std::vector<study::KeySensitivity> keys;
+};
+
+/// The members that ran, in the order of their numbers.
+struct StudyResult {
+    std::vector<MemberResult> members;
+    study::FinishedMembers finished;       ///< whose maps are used
+    std::vector<std::size_t> finished_at;  ///< their places in `members`
+    /// Members of whole groups of Saltelli's design, or all finished ones: those that sensitivities use. `groups`: rows
+    /// of matrix A among them, 0 if the members are independent.
+    study::FinishedMembers design;
+    std::vector<std::size_t> design_at;
+    study::DesignPoints points;
+    std::size_t groups = 0;
+    GridSpec grid;  ///< of all maps
+
+    [[nodiscard]] std::size_t failed() const noexcept { return members.size() - finished_at.size(); }
+    /// Whether all members count alike: only then are there sensitivities.
+    [[nodiscard]] bool equal_weights() const;
+    /// Returns a figure of the finished members, in their order.
+    [[nodiscard]] std::vector<double> figure(std::size_t index) const;
+    /// Texts of the figures; empty if no member finished.
+    [[nodiscard]] const std::vector<study::Figure>& figures() const;
+};
+
+/// Share of failed members above which the study itself has failed.
+inline constexpr double k_most_failed = 0.05;
+
+/// Reads the records of the first `count` members. Throws Error(environment) for one that cannot be read.
+StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count);
+
+/// Returns the sensitivities of all figures.
+std::vector<FigureSensitivity> sensitivities(const StudyResult& result);
+
+/// Weighted mean of values whose weights have a sum of 1.
+double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights);
+/// The quantile as on maps.
+double figure_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
+
+}  // namespace frana::app

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ensemble/study_tables.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/text/csv_cell.h"
+#include "app/text/version.h"
+#include "core/json.h"
+#include "core/shortest_text.h"
+
+namespace frana::app {
+namespace {
+
+/// Columns that scripts read, before the figures of gauges and others.
+constexpr const char* k_first_figures[] = {"runout_m", "covered_area_m2", "max_depth_m", "max_velocity_ms",
+                                           "volume_m3"};
+
+std::vector<std::string> figure_columns(const StudyResult& result) {
+    std::vector<std::string> columns(std::begin(k_first_figures), std::end(k_first_figures));
+    for (const study::Figure& figure : result.figures())
+        if (std::find(columns.begin(), columns.end(), figure.key) == columns.end()) columns.push_back(figure.key);
+    return columns;
+}
+
+std::string figure_cell(const MemberResult& member, const std::string& key) {
+    for (const study::Figure& figure : member.figures)
+        if (figure.key == key) return shortest_text(figure.value);
+    return "";
+}
+
+std::string cells(const std::optional<study::Interval>& interval) {
+    if (!interval) return ",";
+    return shortest_text(interval->low) + "," + shortest_text(interval->high);
+}
+
+std::string value_cell(const std::optional<study::Interval>& interval) {
+    return interval ? shortest_text(interval->value) : "";
+}
+
+}  // namespace
+
+std::string members_csv(const StudyInput& input, const StudyResult& result) {
+    const std::vector<std::string> figures = figure_columns(result);
+    std::string text = "member,status,weight";
+    for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
+    for (const std::string& figure : figures) text += "," + csv_cell(figure);
+    text += ",engine_seconds,reason\n";
+    for (const MemberResult& member : result.members) {
+        text += std::to_string(member.member) + (member.failure.empty() ? ",finished," : ",failed,") +
+                shortest_text(input.table.weights[member.member]);
+        for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
+        for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
+        text += "," + shortest_text(member.engine_seconds) + "," + csv_cell(member.failure) + "\n";
+    }
+    return text;
+}
+
+std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
+    std::string text =
+        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method\n";
+    for (const FigureSensitivity& figure : figures) {
+        for (std::size_t k = 0; k < figure.keys.size(); ++k) {
+            const study::KeySensitivity& one = figure.keys[k];
+            text += csv_cell(figure.figure.key) + "," + csv_cell(input.table.keys[k]) + "," +
+                    value_cell(one.first_order) + "," + value_cell(one.total) + "," + cells(one.first_order) + "," +
+                    cells(one.total) + "," + value_cell(one.rank_correlation) + "," + cells(one.rank_correlation) +
+                    "," + (one.method.empty() ? "not measurable" : one.method) + "\n";
+        }
+    }
+    return text;
+}
+
+std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts) {
+    const study::StudySpec& study = input.reading.study;
+    const GridSpec& grid = result.grid;
+    Json json{{"program", k_program},
+              {"version", k_version},
+              {"format", k_result_format},
+              {"kind", "ensemble"},
+              {"study", study.file},
+              {"scene", study.scene},
+              {"sampling", study::name_of(study.sampling)},
+              {"seed", study.seed},
+              {"samples", result.members.size()},
+              {"finished", result.finished_at.size()},
+              {"failed", result.failed()},
+              {"effective_members", result.finished.effective_size()},
+              {"wall_seconds", facts.wall_seconds},
+              {"threads", facts.threads},
+              {"members_per_hour",
+               facts.wall_seconds > 0 ? 3600 * static_cast<double>(facts.computed) / facts.wall_seconds : 0},
+              {"largest_standard_error", facts.error.largest},
+              {"mean_standard_error", facts.error.mean},
+              {"crs", input.base.ground.crs_label}};
+    if (study.until)
+        json["until"] = {{"standard_error", *study.until}, {"reached", facts.error.largest <= *study.until}};
+    json["grid"] = {{"columns", grid.columns},
+                    {"rows", grid.rows},
+                    {"cell_size", grid.cell_size},
+                    {"west", grid.west},
+                    {"north", grid.north}};
+    json["depth_thresholds_m"] = input.base.spec.output.depth_thresholds;
+    json["velocity_thresholds_ms"] = input.base.spec.output.velocity_thresholds;
+    for (std::size_t f = 0; f < result.figures().size(); ++f) {
+        const std::vector<double> values = result.figure(f);
+        const std::vector<double>& weights = result.finished.weights;
+        json["figures"][result.figures()[f].key] = {{"mean", weighted_mean(values, weights)},
+                                                    {"q05", figure_quantile(values, weights, 0.05)},
+                                                    {"q50", figure_quantile(values, weights, 0.5)},
+                                                    {"q95", figure_quantile(values, weights, 0.95)}};
+    }
+    Json& failures = json["failures"] = Json::array();
+    for (const MemberResult& member : result.members)
+        if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
+    json["warnings"] = facts.warnings;
+    return json_text(json);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/cell_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/error.h"
+
+namespace frana::study {
+namespace {
+
+constexpr std::size_t k_window_bytes = 256'000'000;
+
+MemberRecord require_record(const std::string& path) {
+    auto record = read_record(path);
+    if (!record)
+        throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", path, "", "",
+                                                    "Check the disk; --resume computes that member again"});
+    return *std::move(record);
+}
+
+/// Calls visit(row, column, index) for the cells of a record, by rows and columns of the grid.
+template <class Visit>
+void visit_cells(const MemberRecord& record, const GridSpec& grid, const Visit& visit) {
+    const CellWindow place = record.place_in(grid);
+    std::size_t next = 0;
+    for (const CellRun& run : record.runs) {
+        for (std::uint64_t cell = run.first; cell < run.first + run.count; ++cell, ++next)
+            visit(static_cast<std::int64_t>(cell) / record.columns + place.row,
+                  static_cast<std::int64_t>(cell) % record.columns + place.column, next);
+    }
+}
+
+CellWindow inside(const CellWindow& window, const GridSpec& grid) {
+    const std::int64_t top = std::max<std::int64_t>(0, window.row), left = std::max<std::int64_t>(0, window.column);
+    return {top, left, std::min(window.row + window.rows, grid.rows) - top,
+            std::min(window.column + window.columns, grid.columns) - left};
+}
+
+}  // namespace
+
+double FinishedMembers::effective_size() const {
+    double sum = 0, squares = 0;
+    for (const double weight : weights) {
+        sum += weight;
+        squares += weight * weight;
+    }
+    return squares > 0 ? sum * sum / squares : 0;
+}
+
+CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) {
+    constexpr std::int64_t k_far = std::numeric_limits<std::int64_t>::max();
+    std::int64_t top = k_far, bottom = -k_far, left = k_far, right = -k_far;
+    for (const std::string& file : members.records) {
+        visit_cells(require_record(file), grid, [&](std::int64_t row, std::int64_t column, std::size_t) {
+            top = std::min(top, row);
+            bottom = std::max(bottom, row);
+            left = std::min(left, column);
+            right = std::max(right, column);
+        });
+    }
+    if (bottom < top) return {};
+    return {top, left, bottom - top + 1, right - left + 1};
+}
+
+void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
+    const CellWindow window = inside(reached_window(members, grid), grid);
+    if (window.rows <= 0 || window.columns <= 0) return;
+    const std::size_t count = members.size(), columns = static_cast<std::size_t>(window.columns);
+    const auto rows_at_once =
+        static_cast<std::int64_t>(std::max<std::size_t>(1, k_window_bytes / (sizeof(float) * count * columns)));
+    const float nothing = quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
+    for (std::int64_t first = window.row; first < window.row + window.rows; first += rows_at_once) {
+        const std::int64_t last = std::min(first + rows_at_once, window.row + window.rows);
+        const std::size_t cells = static_cast<std::size_t>(last - first) * columns;
+        std::vector<float> values(cells * count, nothing);
+        std::vector<bool> reached(cells);
+        for (std::size_t m = 0; m < count; ++m) {
+            const MemberRecord record = require_record(members.records[m]);
+            const std::vector<float>& of_member = record.of(quantity);
+            visit_cells(record, grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+                const bool is_inside =
+                    row >= first && row < last && column >= window.column && column < window.column + window.columns;
+                if (!is_inside) return;
+                const std::size_t cell =
+                    static_cast<std::size_t>(row - first) * columns + static_cast<std::size_t>(column - window.column);
+                reached[cell] = true;
+                values[cell * count + m] = of_member[index];
+            });
+        }
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            if (!reached[cell]) continue;
+            const auto row = first + static_cast<std::int64_t>(cell / columns),
+                       column = window.column + static_cast<std::int64_t>(cell % columns);
+            visit(static_cast<std::size_t>(row * grid.columns + column), {values.data() + cell * count, count});
+        }
+    }
+}
+
+ProbabilityError::ProbabilityError(const FinishedMembers& members)
+    : members_(members), effective_size_(members.effective_size()) {
+    for (const std::size_t group : members.groups) group_count_ = std::max(group_count_, group + 1);
+}
+
+double ProbabilityError::of(double probability, std::span<const float> values, double threshold) const {
+    if (group_count_ == 0) return std::sqrt(std::max(0.0, probability * (1 - probability)) / effective_size_);
+    std::vector<double> hits(group_count_), size(group_count_);
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        hits[members_.groups[m]] += static_cast<double>(values[m]) > threshold ? 1 : 0;
+        size[members_.groups[m]] += 1;
+    }
+    double squares = 0, used = 0;
+    for (std::size_t g = 0; g < group_count_; ++g) {
+        if (size[g] == 0) continue;
+        const double difference = hits[g] / size[g] - probability;
+        squares += difference * difference;
+        used += 1;
+    }
+    return used > 1 ? std::sqrt(squares / (used - 1) / used) : 0.5;
+}
+
+double exceedance(std::span<const float> values, const std::vector<double>& weights, double threshold) {
+    double sum = 0;
+    for (std::size_t m = 0; m < values.size(); ++m)
+        if (static_cast<double>(values[m]) > threshold) sum += weights[m];
+    return std::min(1.0, sum);
+}
+
+double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,
+                         std::vector<std::size_t>& order) {
+    order.resize(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
+    constexpr double k_rounding = 1e-12;  // of the sum of weights
+    double sum = 0;
+    for (const std::size_t m : order)
+        if ((sum += weights[m]) >= q - k_rounding) return static_cast<double>(values[m]);
+    return static_cast<double>(values[order.back()]);
+}
+
+}  // namespace frana::study

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/read_study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "core/shortest_text.h"
+#include "params/grammar/absolute_path.h"
+#include "params/grammar/ini_file.h"
+#include "params/grammar/nearest_name.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/former_names.h"
+#include "params/keys/scene_parameters.h"
+#include "study/distribution_text.h"
+#include "study/varied_key.h"
+
+namespace frana::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t k_most_samples = 1'000'000;
+
+struct NamedSampling {
+    const char* name;
+    Sampling sampling;
+};
+constexpr NamedSampling k_samplings[] = {{"sobol", Sampling::sobol},
+                                         {"latin-hypercube", Sampling::latin_hypercube},
+                                         {"random", Sampling::random},
+                                         {"grid", Sampling::grid},
+                                         {"saltelli", Sampling::saltelli}};
+constexpr const char* k_table_word = "table:";
+
+/// One key of [study]; the parser, the messages and the echo follow from it.
+struct StudyKey {
+    const char *name, *limits, *meaning;
+    std::function<std::optional<Refusal>(StudySpec&, const std::string& text, const std::string& folder)> read;
+    std::function<std::optional<std::string>(const StudySpec&)> write;
+};
+
+std::optional<Refusal> read_sampling(StudySpec& study, const std::string& text, const std::string& folder) {
+    if (text.starts_with(k_table_word)) {
+        const std::string file = trimmed(text.substr(std::string(k_table_word).size()));
+        if (file.empty()) return Refusal{"names no file", "Write table:FILE.csv"};
+        study.sampling = Sampling::table;
+        study.table = absolute_path(file, folder);
+        return std::nullopt;
+    }
+    for (const NamedSampling& one : k_samplings) {
+        if (text != one.name) continue;
+        study.sampling = one.sampling;
+        return std::nullopt;
+    }
+    return Refusal{"is not one of the choices", ""};
+}
+
+const std::vector<StudyKey>& study_keys() {
+    static const std::vector<StudyKey> k_keys{
+        {"scene", "a scene file", "The scene whose keys vary.",
+         [](StudySpec& study, const std::string& text, const std::string& folder) -> std::optional<Refusal> {
+             study.scene = absolute_path(text, folder);
+             return std::nullopt;
+         },
+         [](const StudySpec& study) { return study.scene; }},
+        {"samples", "2 to 1000000", "Number of members; with sampling = grid, and with until, the most.",
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
+             const auto count = integer_from_text(text);
+             if (!count) return Refusal{"is not a whole number", ""};
+             if (*count < 2 || *count > k_most_samples) return Refusal{"is out of range", ""};
+             study.samples = *count;
+             return std::nullopt;
+         },
+         [](const StudySpec& study) -> std::optional<std::string> {
+             if (study.sampling == Sampling::table) return std::nullopt;
+             return std::to_string(study.samples);
+         }},
+        {"sampling", "sobol, latin-hypercube, random, grid, saltelli, table:FILE.csv",
+         "How the values of the members are drawn.", read_sampling,
+         [](const StudySpec& study) -> std::optional<std::string> {
+             return study.sampling == Sampling::table ? k_table_word + study.table : name_of(study.sampling);
+         }},
+        {"seed", "0 to 2147483647", "The same seed gives the same members.",
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
+             const auto seed = integer_from_text(text);
+             if (!seed) return Refusal{"is not a whole number", ""};
+             if (*seed < 0 || *seed > 2147483647) return Refusal{"is out of range", ""};
+             study.seed = *seed;
+             return std::nullopt;
+         },
+         [](const StudySpec& study) { return std::to_string(study.seed); }},
+        {"until", "greater than 0, less than 0.5",
+         "Standard error of the probabilities, anywhere on the map, below which no more members are run.",
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
+             const auto error = number_from_text(text);
+             if (!error) return Refusal{"is not a number", ""};
+             if (!(*error > 0 && *error < 0.5)) return Refusal{"is out of range", ""};
+             study.until = *error;
+             return std::nullopt;
+         },
+         [](const StudySpec& study) -> std::optional<std::string> {
+             if (!study.until) return std::nullopt;
+             return shortest_text(*study.until);
+         }},
+        {"keep", "none, failed, all", "Members whose scene and maps are written to members/.",
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
+             if (text != "none" && text != "failed" && text != "all") return Refusal{"is not one of the choices", ""};
+             study.keep = text == "none" ? Keep::none : text == "all" ? Keep::all : Keep::failed;
+             return std::nullopt;
+         },
+         [](const StudySpec& study) -> std::optional<std::string> {
+             return study.keep == Keep::none ? "none" : study.keep == Keep::all ? "all" : "failed";
+         }}};
+    return k_keys;
+}
+
+std::string quoted_if_needed(const std::string& value) {
+    return value.find_first_of(",:\"") == std::string::npos ? value : '"' + value + '"';
+}
+
+std::string text_of(const Distribution& distribution) {
+    if (distribution.law != Law::choice) return distribution.text;
+    std::string text;
+    for (std::size_t i = 0; i < distribution.values.size(); ++i)
+        text += (i == 0 ? "choice(" : ", ") + quoted_if_needed(distribution.values[i]) + ": " +
+                shortest_text(distribution.weights[i]);
+    return text + ")";
+}
+
+/// Reads the entries of one study file.
+class Reader {
+  public:
+    Reader(StudyReading& reading, std::string folder)
+        : reading_(reading), folder_(std::move(folder)), parameters_(scene_parameters()) {}
+
+    void add(const IniEntry& entry);
+    void check() const;
+
+  private:
+    void add_study_key(const std::string& key, const IniEntry& entry);
+    void add_setting(const std::string& key, const IniEntry& entry);
+    void add_variation(const std::string& key, const IniEntry& entry);
+    [[nodiscard]] const Parameter* known_key(const std::string& name, const IniEntry& entry);
+    void add_correlation(const std::string& keys, const IniEntry& entry);
+    [[nodiscard]] std::string with_absolute_paths(const Parameter& parameter, const std::string& value) const;
+    void check_sampling() const;
+    [[nodiscard]] const Variation* variation_of(const std::string& key) const;
+    void refuse(const std::string& what, const IniEntry& entry, const std::string& limit, const std::string& remedy) {
+        reading_.problems.add({what, reading_.where(entry.name), entry.value, limit, remedy});
+    }
+
+    StudyReading& reading_;
+    std::string folder_;
+    std::vector<Parameter> parameters_;
+    std::set<std::string> seen_;
+};
+
+void Reader::add(const IniEntry& entry) {
+    if (!seen_.insert(entry.name).second) {
+        refuse("is given more than once", entry, "", "Keep one of the lines");
+        return;
+    }
+    if (entry.value.empty()) {
+        refuse("has no value", entry, "", "Give one or remove the key");
+        return;
+    }
+    const auto dot = entry.name.find('.');
+    const std::string section = entry.name.substr(0, dot),
+                      rest = dot == std::string::npos ? "" : entry.name.substr(dot + 1);
+    if (section == "study" && !rest.empty()) return add_study_key(rest, entry);
+    if (section == "set" && !rest.empty()) return add_setting(rest, entry);
+    if (section == "vary" && !rest.empty()) return add_variation(rest, entry);
+    if (section == "correlate" && !rest.empty()) return add_correlation(rest, entry);
+    refuse("unknown key", entry, "", "A study has the sections [study], [set], [vary] and [correlate]");
+}
+
+void Reader::add_study_key(const std::string& key, const IniEntry& entry) {
+    std::vector<std::string> names;
+    for (const StudyKey& one : study_keys()) {
+        names.push_back(std::string("study.") + one.name);
+        if (key != one.name) continue;
+        if (const auto refusal = one.read(reading_.study, entry.value, folder_))
+            refuse(refusal->what, entry, one.limits, refusal->remedy);
+        return;
+    }
+    const std::string nearest = nearest_name(entry.name, names);
+    refuse("unknown key", entry, "",
+           nearest.empty() ? "Known are " + joined(names, ", ") : "Did you mean " + nearest + "?");
+}
+
+/// Of a value that the key does not accept, the value itself: it is refused elsewhere.
+std::string Reader::with_absolute_paths(const Parameter& parameter, const std::string& value) const {
+    SceneSpec scene;
+    if (!parameter.map_files || parameter.read(scene, value)) return value;
+    parameter.map_files(scene, [&](const std::string& path) { return absolute_path(path, folder_); });
+    return parameter.write(scene).value_or(value);
+}
+
+const Parameter* Reader::known_key(const std::string& name, const IniEntry& entry) {
+    const Parameter* const parameter = find_parameter(parameters_, name);
+    if (parameter != nullptr) return parameter;
+    const std::string nearest = nearest_name(name, names_of(parameters_));
+    refuse("unknown key of the scene", entry, "",
+           nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?");
+    return nullptr;
+}
+
+void Reader::add_setting(const std::string& key, const IniEntry& entry) {
+    const std::string name = present_name(key);
+    const Parameter* const parameter = known_key(name, entry);
+    if (parameter == nullptr) return;
+    SceneSpec scene;
+    if (const auto refusal = parameter->read(scene, entry.value))
+        refuse(refusal->what, entry, parameter->limits, refusal->remedy);
+    else
+        reading_.study.set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value));
+}
+
+void Reader::add_variation(const std::string& key, const IniEntry& entry) {
+    const std::string name = present_name(key);
+    const Parameter* const parameter = known_key(name, entry);
+    if (parameter == nullptr) return;
+    if (const auto refusal = refusal_to_vary(*parameter)) {
+        refuse(refusal->what, entry, "", refusal->remedy);
+        return;
+    }
+    auto read = distribution_from_text(entry.value);
+    if (const auto* refusal = std::get_if<Refusal>(&read)) {
+        refuse(refusal->what, entry, k_distributions, refusal->remedy);
+        return;
+    }
+    auto& distribution = std::get<Distribution>(read);
+    if (const auto refusal = refusal_of(*parameter, distribution)) {
+        refuse(refusal->what, entry, parameter->limits, refusal->remedy);
+        return;
+    }
+    for (std::string& value : distribution.values) value = with_absolute_paths(*parameter, value);
+    reading_.study.vary.push_back({name, std::move(distribution)});
+}
+
+void Reader::add_correlation(const std::string& keys, const IniEntry& entry) {
+    const std::vector<std::string> words = words_of(keys);
+    const auto rho = number_from_text(entry.value);
+    if (words.size() != 2 || words[0] == words[1]) {
+        refuse("is not a pair of varied keys", entry, "", "Write material.turbulence release.volume = 0.3");
+    } else if (!rho || !(*rho > -1 && *rho < 1)) {
+        refuse("is not a rank correlation", entry, "greater than -1, less than 1", "");
+    } else {
+        reading_.study.correlate.push_back({present_name(words[0]), present_name(words[1]), *rho});
+    }
+}
+
+const Variation* Reader::variation_of(const std::string& key) const {
+    const auto& all = reading_.study.vary;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Variation& one) { return one.key == key; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+void Reader::check() const {
+    const StudySpec& study = reading_.study;
+    Problems& problems = reading_.problems;
+    if (study.scene.empty())
+        problems.add(
+            {"is missing", reading_.where("study.scene"), "", "a scene file", "Name the scene whose keys vary"});
+    for (const Variation& one : study.vary)
+        if (seen_.count("set." + one.key) > 0)
+            problems.add({"is also set for all members", reading_.where("vary." + one.key), "", "",
+                          "Keep it in one of [set] and [vary]"});
+    const bool by_table = study.sampling == Sampling::table;
+    const bool has_vary =
+        std::any_of(seen_.begin(), seen_.end(), [](const std::string& name) { return name.starts_with("vary."); });
+    if (by_table && (has_vary || !study.correlate.empty()))
+        problems.add({"gives all values: [vary] and [correlate] have no effect", reading_.where("study.sampling"), "",
+                      "", "Remove the sections, or choose another sampling"});
+    if (!by_table && !has_vary)
+        problems.add({"has no key", reading_.where("vary"), "", "", "Give at least one key a distribution"});
+    if (variation_of("material.friction-angle") != nullptr && variation_of("material.friction-coefficient") != nullptr)
+        problems.add({"contradicts vary.material.friction-coefficient: both give the bed friction",
+                      reading_.where("vary.material.friction-angle"), "", "", "Keep one of the two"});
+    for (const Correlation& one : study.correlate) {
+        for (const std::string& key : {one.first, one.second}) {
+            const Variation* const varied = variation_of(key);
+            const std::string where = reading_.where("correlate." + one.first + " " + one.second);
+            const bool tried = seen_.count("vary." + key) > 0;  // its problem is told already
+            if (varied == nullptr && !tried) problems.add({key + " does not vary", where, "", "", "Add it to [vary]"});
+            if (varied != nullptr && varied->distribution.is_nominal())
+                problems.add({key + " has values without an order, which cannot be correlated", where, "", "",
+                              "Remove the line"});
+        }
+    }
+    check_sampling();
+}
+
+void Reader::check_sampling() const {
+    const StudySpec& study = reading_.study;
+    Problems& problems = reading_.problems;
+    const std::string where = reading_.where("study.sampling"), name = name_of(study.sampling);
+    const bool even = study.sampling == Sampling::grid || study.sampling == Sampling::saltelli;
+    if (even && !study.correlate.empty())
+        problems.add({"needs independent keys", where, name, "", "Remove [correlate], or choose another sampling"});
+    if (study.until && (even || study.sampling == Sampling::table))
+        problems.add({"cannot be stopped before its last member by study.until", where, name, "",
+                      "Remove study.until, or choose sobol, latin-hypercube or random"});
+    if (study.sampling == Sampling::saltelli && !study.vary.empty()) {
+        const auto group = static_cast<std::int64_t>(study.vary.size()) + 2;
+        if (study.samples % group != 0 || study.samples / group < 2)
+            problems.add({"is not a multiple of the keys plus 2, which sampling = saltelli needs",
+                          reading_.where("study.samples"), std::to_string(study.samples), "",
+                          "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
+    }
+    if (study.sampling == Sampling::grid && seen_.count("vary.terrain.error") > 0)
+        problems.add({"cannot draw fields of error", where, name, "", "Choose another sampling"});
+}
+
+}  // namespace
+
+std::string name_of(Sampling sampling) {
+    for (const NamedSampling& one : k_samplings)
+        if (one.sampling == sampling) return one.name;
+    return "table";
+}
+
+bool is_study(const std::string& path) {
+    const std::vector<IniEntry> entries = read_ini(path);
+    return std::any_of(entries.begin(), entries.end(),
+                       [](const IniEntry& entry) { return entry.name.starts_with("study."); });
+}
+
+StudyReading read_study(const std::string& path) {
+    StudyReading reading;
+    reading.label = path;
+    const fs::path absolute = fs::absolute(path).lexically_normal();
+    reading.study.file = absolute.string();
+    Reader reader(reading, absolute.parent_path().string());
+    for (const IniEntry& entry : read_ini(path)) reader.add(entry);
+    reader.check();
+    return reading;
+}
+
+std::string study_text(const StudySpec& study) {
+    std::string text = "# A study as used; `frana ensemble` on this file repeats it.\n\n[study]\n";
+    for (const StudyKey& key : study_keys()) {
+        const auto value = key.write(study);
+        text += std::string("# ") + key.meaning + " Values: " + key.limits + ".\n";
+        text += value ? std::string(key.name) + " = " + *value + "\n" : std::string("# ") + key.name + " =\n";
+    }
+    if (!study.set.empty()) text += "\n[set]\n";
+    for (const std::string& one : study.set)
+        text += one.substr(0, one.find('=')) + " = " + one.substr(one.find('=') + 1) + "\n";
+    if (!study.vary.empty()) text += "\n[vary]\n";
+    for (const Variation& one : study.vary) text += one.key + " = " + text_of(one.distribution) + "\n";
+    if (!study.correlate.empty()) text += "\n[correlate]\n";
+    for (const Correlation& one : study.correlate)
+        text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";
+    return text;
+}
+
+}  // namespace frana::study

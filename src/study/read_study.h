@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "study/study_spec.h"
+
+namespace frana::study {
+
+/// A study as far as its file could be read, and all its problems.
+struct StudyReading {
+    StudySpec study;
+    Problems problems;
+    std::string label;  ///< the study file as the user named it
+
+    /// Returns where a key is given, for messages: "study.ini: vary.material.turbulence".
+    [[nodiscard]] std::string where(const std::string& name) const { return label + ": " + name; }
+};
+
+/// Whether a file is a study: an INI with a section [study]. Throws Error(input) as read_ini.
+bool is_study(const std::string& path);
+
+/// Reads a study file; relative paths become absolute, in its folder. Every problem of the file is collected: unknown
+/// keys, values, distributions, keys that cannot vary, values outside a key's range. Throws Error(input) only if the
+/// file is no INI.
+StudyReading read_study(const std::string& path);
+
+/// Returns the study file with every key, its meaning and the distributions as used; reading it back gives the same.
+std::string study_text(const StudySpec& study);
+
+/// Returns "sobol", "latin-hypercube", ...
+std::string name_of(Sampling sampling);
+
+}  // namespace frana::study

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/study_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace frana::study {
+namespace {
+
+/// Values of the members that came to a cell, and their weights with a sum of 1.
+struct Arrived {
+    std::vector<float> values;
+    std::vector<double> weights;
+};
+
+Arrived arrived_of(std::span<const float> values, const std::vector<double>& weights) {
+    Arrived arrived;
+    double sum = 0;
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        if (!std::isfinite(values[m])) continue;
+        arrived.values.push_back(values[m]);
+        arrived.weights.push_back(weights[m]);
+        sum += weights[m];
+    }
+    for (double& weight : arrived.weights) weight /= sum;
+    return arrived;
+}
+
+void add_moments(std::span<const float> values, const std::vector<double>& weights, std::size_t cell,
+                 QuantityMaps& maps) {
+    double mean = 0, squares = 0, hits = 0;
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        mean += weights[m] * static_cast<double>(values[m]);
+        hits += values[m] > 0 ? 1 : 0;
+    }
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        const double difference = static_cast<double>(values[m]) - mean;
+        squares += weights[m] * difference * difference;
+    }
+    maps.mean.values[cell] = mean;
+    maps.deviation.values[cell] = std::sqrt(squares);
+    maps.hits.values[cell] = hits;
+}
+
+/// Cells that wait until so many can be given to the estimator at once.
+constexpr std::size_t k_cells_at_once = 256;
+
+}  // namespace
+
+QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::vector<double>& thresholds) {
+    QuantityMaps maps;
+    const bool arrival = quantity == Quantity::arrival;
+    if (!arrival) {
+        maps.probability.assign(thresholds.size(), Raster(grid));
+        maps.error.assign(thresholds.size(), Raster(grid));
+        maps.mean = maps.deviation = maps.hits = Raster(grid, k_no_data);
+    }
+    maps.quantile.assign(std::size(k_map_quantiles), Raster(grid, k_no_data));
+    if (members.size() == 0) return maps;
+    const ProbabilityError error(members);
+    std::vector<std::size_t> order;
+    for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        if (arrival) {
+            const Arrived arrived = arrived_of(values, members.weights);
+            for (std::size_t q = 0; q < std::size(k_map_quantiles) && !arrived.values.empty(); ++q)
+                maps.quantile[q].values[cell] =
+                    weighted_quantile(arrived.values, arrived.weights, k_map_quantiles[q], order);
+            return;
+        }
+        for (std::size_t t = 0; t < thresholds.size(); ++t) {
+            const double probability = exceedance(values, members.weights, thresholds[t]);
+            maps.probability[t].values[cell] = probability;
+            maps.error[t].values[cell] = error.of(probability, values, thresholds[t]);
+        }
+        for (std::size_t q = 0; q < std::size(k_map_quantiles); ++q) {
+            const double value = weighted_quantile(values, members.weights, k_map_quantiles[q], order);
+            if (value > 0) maps.quantile[q].values[cell] = value;
+        }
+        add_moments(values, members.weights, cell, maps);
+    });
+    return maps;
+}
+
+MapError map_error(const std::vector<Raster>& errors) {
+    MapError all;
+    double sum = 0, count = 0;
+    for (const Raster& raster : errors) {
+        raster.values.for_each_stored([&](std::size_t, double error) {
+            if (!(error > 0)) return;
+            all.largest = std::max(all.largest, error);
+            sum += error;
+            count += 1;
+        });
+    }
+    all.mean = count > 0 ? sum / count : 0;
+    return all;
+}
+
+MapError error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
+                        const std::vector<double>& thresholds) {
+    FinishedMembers first = members;
+    first.records.resize(count);
+    first.weights.resize(count);
+    if (!first.groups.empty()) first.groups.resize(count);
+    double sum = 0;
+    for (const double weight : first.weights) sum += weight;
+    for (double& weight : first.weights) weight /= sum;
+    const ProbabilityError error(first);
+    MapError all;
+    double errors = 0, cells = 0;
+    for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
+        for (const double threshold : thresholds) {
+            const double one = error.of(exceedance(values, first.weights, threshold), values, threshold);
+            if (!(one > 0)) continue;
+            all.largest = std::max(all.largest, one);
+            errors += one;
+            cells += 1;
+        }
+    });
+    all.mean = cells > 0 ? errors / cells : 0;
+    return all;
+}
+
+std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, std::size_t groups,
+                                     const GridSpec& grid, double threshold) {
+    const std::size_t keys = points.nominal.size();
+    std::vector<Raster> maps(keys, Raster(grid, k_no_data));
+    const RankCorrelations correlations(points);
+    std::vector<std::size_t> cells;
+    std::vector<std::vector<double>> outputs;
+    const auto flush = [&] {
+        if (outputs.empty()) return;
+        const auto indices = sobol_indices(points, outputs, groups);
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            for (std::size_t k = 0; k < keys; ++k)
+                if (const auto& first = indices[i][k].first_order)
+                    maps[k].values[cells[i]] = std::clamp(first->value, 0.0, 1.0);
+        cells.clear();
+        outputs.clear();
+    };
+    for_each_reached_cell(members, Quantity::depth, grid, [&](std::size_t cell, std::span<const float> values) {
+        std::vector<char> happened(values.size());
+        std::transform(values.begin(), values.end(), happened.begin(),
+                       [&](float value) { return static_cast<char>(static_cast<double>(value) > threshold); });
+        const auto count = static_cast<std::size_t>(std::count(happened.begin(), happened.end(), 1));
+        if (count == 0 || count == happened.size()) return;
+        if (groups > 0) {
+            cells.push_back(cell);
+            outputs.emplace_back(happened.begin(), happened.end());
+            if (cells.size() == k_cells_at_once) flush();
+            return;
+        }
+        for (std::size_t k = 0; k < keys; ++k) {
+            const double rho = correlations.with_event(k, happened);
+            maps[k].values[cell] = rho * rho;
+        }
+    });
+    flush();
+    return maps;
+}
+
+}  // namespace frana::study

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/raster.h"
+#include "study/cell_statistics.h"
+#include "study/sensitivity.h"
+
+namespace frana::study {
+
+inline constexpr double k_map_quantiles[] = {0.05, 0.5, 0.95};
+
+/// What the members together say of one quantity, cell by cell. Rasters are NaN where no member came, except the
+/// probabilities and their errors, which are 0 there.
+struct QuantityMaps {
+    std::vector<Raster> probability;  ///< of exceeding each threshold
+    std::vector<Raster> error;        ///< its standard error
+    std::vector<Raster> quantile;     ///< for each of k_map_quantiles; NaN where it is 0
+    Raster mean, deviation;           ///< with 0 where a member did not come
+    Raster hits;                      ///< number of members that came
+};
+
+/// Of depth and velocity. For arrival only the quantiles are made, among the members that came.
+QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::vector<double>& thresholds);
+
+/// Greatest and mean of the standard errors of probabilities over the cells where they are not 0.
+struct MapError {
+    double largest = 0, mean = 0;
+};
+MapError map_error(const std::vector<Raster>& errors);
+
+/// The same for the first members alone, of one quantity and all thresholds, without keeping maps.
+MapError error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
+                        const std::vector<double>& thresholds);
+
+/// Returns for each key the fraction of the variance of the event "deeper than the threshold" that it explains alone:
+/// first-order Sobol' indices with Saltelli's design (a group that has lost a member must not be among them), otherwise
+/// squared rank correlations. NaN where all or none of the members exceed it, and below 0 by estimate set to 0.
+/// @param groups rows of matrix A; 0: independent members
+std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, std::size_t groups,
+                                     const GridSpec& grid, double threshold);
+
+}  // namespace frana::study

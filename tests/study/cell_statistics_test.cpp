@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/cell_statistics.h"
+
+#include <cmath>
+
+#include "records.h"
+#include "study/study_maps.h"
+
+namespace frana::study::test {
+namespace {
+
+class Cells : public Records {};
+
+TEST_F(Cells, ProbabilityIsTheFractionOfMembersAboveTheThreshold) {
+    add(record(0, {0.2F, 0.6F}));
+    add(record(1, {0.7F}));
+    add(record(0, {0.5F}));
+    add(record(1, {0.4F}));
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.1, 0.5});
+    EXPECT_EQ(maps.probability[0].at(0, 0), 0.5);
+    EXPECT_EQ(maps.probability[1].at(0, 0), 0);  // 0.5 is not more than 0.5
+    EXPECT_EQ(maps.probability[1].at(0, 1), 0.5);
+    EXPECT_EQ(maps.error[1].at(0, 1), 0.25);  // sqrt(0.5 * 0.5 / 4)
+    // Where nobody came the probability is known: 0, and no gap.
+    EXPECT_EQ(maps.probability[0].at(2, 3), 0);
+    EXPECT_EQ(maps.error[0].at(2, 3), 0);
+    EXPECT_TRUE(std::isnan(maps.mean.at(2, 3)));
+    EXPECT_EQ(maps.hits.at(0, 1), 3);
+    EXPECT_NEAR(maps.mean.at(0, 1), (0.6 + 0.7 + 0.4) / 4, 1e-7);  // Float32
+    const QuantityMaps arrival = quantity_maps(members_, Quantity::arrival, grid_, {});
+    EXPECT_FLOAT_EQ(static_cast<float>(arrival.quantile[1].at(0, 0)), 1.2F);  // of the two that came
+}
+
+TEST_F(Cells, WeightsCountAsCopiesOfMembers) {
+    add(record(0, {1}));
+    add(record(0, {2}));
+    members_.weights = {0.75, 0.25};
+    const QuantityMaps weighted = quantity_maps(members_, Quantity::depth, grid_, {1.5});
+    add(record(0, {1}));
+    add(record(0, {1}));
+    const QuantityMaps copies = quantity_maps(members_, Quantity::depth, grid_, {1.5});
+    EXPECT_DOUBLE_EQ(weighted.probability[0].at(0, 0), copies.probability[0].at(0, 0));
+    EXPECT_DOUBLE_EQ(weighted.mean.at(0, 0), copies.mean.at(0, 0));
+    for (std::size_t q = 0; q < 3; ++q) EXPECT_EQ(weighted.quantile[q].at(0, 0), copies.quantile[q].at(0, 0)) << q;
+    EXPECT_DOUBLE_EQ((FinishedMembers{{"a", "b"}, {0.75, 0.25}, {}}.effective_size()), 1.6);  // 1 / (9/16 + 1/16)
+}
+
+TEST(WeightedQuantile, IsTheLeastValueWithEnoughWeightBelow) {
+    const std::vector<float> values{5, 1, 3, 2, 4};
+    const std::vector<double> weights(5, 0.2);
+    std::vector<std::size_t> order;
+    EXPECT_EQ(weighted_quantile(values, weights, 0.5, order), 3);
+    EXPECT_EQ(weighted_quantile(values, weights, 0.2, order), 1);
+    EXPECT_EQ(weighted_quantile(values, weights, 0.21, order), 2);
+    EXPECT_EQ(weighted_quantile(values, weights, 1, order), 5);
+}
+
+// The members of a group depend on each other: the error is that of the groups' means.
+TEST_F(Cells, GroupsThatAgreeCountOnce) {
+    for (int i = 0; i < 8; ++i) {
+        add(record(0, {i % 2 == 0 ? 1.0F : 0.0F}));
+        members_.groups.push_back(static_cast<std::size_t>(i % 4));
+    }
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    EXPECT_EQ(maps.probability[0].at(0, 0), 0.5);
+    EXPECT_DOUBLE_EQ(maps.error[0].at(0, 0), 0.5 / std::sqrt(3.0));  // sd of 1, 0, 1, 0 over sqrt(4)
+}
+
+}  // namespace
+}  // namespace frana::study::test
