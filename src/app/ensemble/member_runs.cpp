@@ -52,7 +52,10 @@ void MemberRunner::run_member(std::size_t member) {
         {
             const std::lock_guard lock(reading_);
             RunLog silent(true);
-            prepared = prepare(input_.member(member), silent);
+            SceneReading reading = input_.member(member);
+            reading.scene.scar = {};  // read once, for the maps: transforming it takes as long as all else
+            reading.scene.output.profiles.reset();
+            prepared = prepare(reading, silent);
         }
         prepared.scene.time.frame_interval = 0;
         RunOptions options;
