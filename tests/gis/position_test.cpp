@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "files.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/rasterize.h"
 #include "gis/vector/vector_in.h"
+#include "support/files.h"
 
 namespace frana::gis {
 namespace {

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <string>
 
-#include "files.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
 #include "sample_data/bindo_landslide.h"
 #include "sample_data/bindo_sample.h"
 #include "sample_data/structured_samples.h"
+#include "support/files.h"
 
 namespace frana::gis {
 namespace {

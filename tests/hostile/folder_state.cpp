@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "../cli/lasting_bytes.h"
+#include "support/lasting_bytes.h"
 
 namespace frana::test {
 namespace {

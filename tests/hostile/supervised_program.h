@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../cli/program.h"
+#include "support/program.h"
 #include "watched_calls.h"
 
 namespace frana::test {

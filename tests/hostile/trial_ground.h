@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "../cli/tiny_scene.h"
 #include "folder_state.h"
 #include "random_numbers.h"
 #include "supervised_program.h"
+#include "support/tiny_scene.h"
 
 namespace frana::test {
 

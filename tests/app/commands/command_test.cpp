@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using Command = TinyScene;
+
+TEST_F(Command, HelpAndVersion) {
+    EXPECT_EQ(frana({"--version"}).out.rfind("frana ", 0), 0U);
+    for (const std::string command : {"run", "check", "render", "compare", "params", "materials"}) {
+        const Outcome outcome = frana({command, "--help"});
+        EXPECT_EQ(outcome.exit_code, 0) << command;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_EQ(outcome.out.rfind("Usage: frana " + command, 0), 0U) << outcome.out;
+        EXPECT_NE(frana({"--help"}).out.find("  " + command), std::string::npos);
+    }
+}
+
+TEST_F(Command, ErrorsOnTheCommandLine) {
+    EXPECT_EQ(frana({}).exit_code, 2);
+    EXPECT_NE(frana({"chek"}).err.find("Did you mean check?"), std::string::npos);
+    EXPECT_EQ(frana({"chek"}).exit_code, 2);
+    EXPECT_EQ(frana({"run"}).exit_code, 2);
+    EXPECT_EQ(frana({"run", "scene.ini", "--overwrit"}).exit_code, 2);  // abbreviations are not guessed
+    EXPECT_EQ(frana({"run", "scene.ini", "--threads", "0"}).exit_code, 2);
+    EXPECT_EQ(frana({"run", "scene.ini", "other.ini"}).exit_code, 2);
+    EXPECT_EQ(frana({"bench", "acuracy"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "nowhere"}).exit_code, 2);
+    EXPECT_EQ(frana({"compare", "dtm.asc"}).exit_code, 2);
+    EXPECT_EQ(frana({"params", "--json", "--ini"}).exit_code, 2);
+    for (const char* command : {"run", "check", "render", "compare", "converge", "bench"}) {
+        for (const std::string& word : {std::string(), std::string(5000, 'a'), std::string("--threads")}) {
+            const Outcome outcome = frana({command, word});
+            EXPECT_EQ(outcome.exit_code, 2) << command << " '" << word.substr(0, 20) << "'\n" << outcome.err;
+            EXPECT_LT(outcome.err.size(), 6000U);
+        }
+    }
+    for (const std::string threshold : {"1e-320", "0", "-1", "nan", "1e308"}) {
+        const Outcome outcome = frana({"compare", "dtm.asc", "--scar", "perimeter.geojson", "--threshold", threshold});
+        EXPECT_EQ(outcome.exit_code, 2) << threshold;
+        EXPECT_NE(outcome.err.find("1e-06 to 100 m"), std::string::npos) << outcome.err;
+    }
+    const Outcome empty = frana({"run", "scene.ini", "--out", ""});
+    EXPECT_EQ(empty.exit_code, 2);
+    EXPECT_NE(empty.err.find("--out: is empty"), std::string::npos) << empty.err;
+    EXPECT_EQ(files().size(), 4U);  // dtm.asc, dtm.prj, perimeter.geojson, scene.ini
+}
+
+TEST_F(Command, ParamsAndMaterials) {
+    EXPECT_NE(frana({"params"}).out.find("# friction-angle = "), std::string::npos);
+    const Json keys = parse_json(frana({"params", "--json"}).out);
+    EXPECT_TRUE(std::any_of(keys.begin(), keys.end(),
+                            [](const Json& key) { return key["name"] == "material.friction-angle"; }));
+    EXPECT_NE(frana({"params", "--markdown"}).out.find("| `friction-angle` |"), std::string::npos);
+    const Outcome version = frana({"--version"});
+    EXPECT_EQ(version.exit_code, 0);
+    for (const std::string library : {"frana ", "\nGDAL ", "\nGEOS ", "\nPROJ ", "\nVTK ", "\nFFmpeg ", "\nBoost "})
+        EXPECT_NE(version.out.find(library), std::string::npos) << library;
+    const Outcome materials = frana({"materials"});
+    EXPECT_EQ(materials.exit_code, 0);
+    EXPECT_NE(materials.out.find("bindo\n"), std::string::npos);
+    EXPECT_NE(materials.out.find("material.density = 1291"), std::string::npos);
+    for (const std::string preset :
+         {"bindo", "debris-flow", "earthflow", "lahar", "mudflow", "rock-avalanche", "snow-avalanche", "snow-slab"})
+        EXPECT_NE(materials.out.find(preset + "\n  A starting point"), std::string::npos) << preset;
+}
+
+TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
+    const std::vector<std::string> before = files();
+    const Outcome outcome = frana({"check", "scene.ini", "--threads", "1"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string words : {"ready to run", "EPSG:32632", "527000.00 5094000.00", "60 x 30", "4 000 m3",
+                                    "2 000 m2", "-9999", "particles", "memory", "terms", "estimated time"})
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "output.maps=off", "--set",
+                     "output.animation=off"})
+                  .exit_code,
+              0);
+    // All commands that print to stdout; the shell is needed for the redirection only.
+    for (const std::string words :
+         {"params", "params --json", "materials", "--help", "--version", "run --help", "check scene.ini",
+          "render result --map max_depth --size 800x600", "render result --charts --size 800x600",
+          "compare result --scar perimeter.geojson --size 800x600", "bench stability --case single-cell --threads 1"}) {
+        const int status = std::system(
+            ("cd " + folder_.string() + " && " FRANA_PROGRAM " " + words + " > /dev/full 2> stderr").c_str());
+        EXPECT_EQ(WEXITSTATUS(status), 4) << words << "\n" << read_text(path("stderr"));
+        EXPECT_NE(read_text(path("stderr")).find("stdout"), std::string::npos) << words;
+    }
+}
+
+}  // namespace
+}  // namespace frana::test

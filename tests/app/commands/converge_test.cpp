@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <fstream>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ConvergeCommand = TinyScene;
+
+TEST_F(ConvergeCommand, ReportsLevelsAndLaterRunsReportThem) {
+    write_scene("[output]\nmaps = off\nanimation = off\n");
+    const Outcome study = frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"});
+    ASSERT_EQ(study.exit_code, 0) << study.err;
+    EXPECT_NE(study.out.find("covered area"), std::string::npos) << study.out;
+    for (const char* name : {"convergence.csv", "convergence.json", "convergence.png", "uncertainty.tif"}) {
+        EXPECT_TRUE(fs::exists(path("result-convergence/" + std::string(name)))) << name;
+    }
+    const std::string csv = read_text(path("result-convergence/convergence.csv"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);  // a header and three levels
+    for (const char* statistic : {"max_depth_m,max_depth_p999_m,", "max_velocity_ms,max_velocity_p999_ms,"})
+        EXPECT_NE(csv.find(statistic), std::string::npos) << statistic;
+
+    const Outcome same = frana({"run", "scene.ini", "--out", "result"});
+    EXPECT_NE(same.err.find("estimated error"), std::string::npos) << same.err;
+    // Another material: the estimate belongs to another scene.
+    const Outcome other =
+        frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "material.density=1900"});
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_EQ(other.err.find("estimated error"), std::string::npos) << other.err;
+}
+
+TEST_F(ConvergeCommand, RefusesTwoLevelsAndAnExistingStudy) {
+    write_scene("");
+    EXPECT_EQ(frana({"converge", "scene.ini", "--levels", "2"}).exit_code, 2);
+    fs::create_directory(path("study"));
+    std::ofstream(path("study/convergence.json")) << "{}\n";
+    const Outcome again = frana({"converge", "scene.ini", "--out", "study"});
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_NE(again.err.find("--overwrite"), std::string::npos) << again.err;
+}
+
+}  // namespace
+}  // namespace frana::test

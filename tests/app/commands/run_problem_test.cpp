@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run with a problem reports where and when, on the terminal and in the files, and keeps its state.
+#include <nlohmann/json.hpp>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using FailingRun = TinyScene;
+
+TEST_F(FailingRun, NamesPlaceStepAndTimeEverywhere) {
+    write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
+    write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nframes = on\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    const std::string summary = read_text(path("result/summary.json")), log = read_text(path("result/log.txt"));
+    // Column 16 begins 80 m east of the DTM's corner; the flow comes from the west.
+    for (const std::string& text : {outcome.err, summary, log}) {
+        EXPECT_NE(text.find("the flow reached ground without elevation"), std::string::npos) << text;
+        EXPECT_NE(text.find(", at (52708"), std::string::npos) << text;
+        EXPECT_NE(text.find("step "), std::string::npos) << text;
+    }
+    EXPECT_EQ(json_text(summary, "stop_reason"), "reached-no-data");
+    EXPECT_EQ(json_value(summary, "problems").size(), 1U);
+    EXPECT_TRUE(fs::exists(path("result/frames/depth_0001.tif"))) << "the last frame";
+    EXPECT_FALSE(fs::is_empty(path("result/checkpoint"))) << "the state at that step";
+}
+
+// An exit code other than 0 is explained, also with --quiet.
+TEST_F(FailingRun, ReportsItsProblemAlsoWithQuiet) {
+    write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
+    write_scene(k_numbers_only);
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.err.find("the flow reached ground without elevation"), std::string::npos) << outcome.err;
+    write_dtm();
+    const Outcome good = frana({"run", "scene.ini", "--out", "good", "--quiet"});
+    EXPECT_EQ(good.exit_code, 0);
+    EXPECT_EQ(good.err, "");
+}
+
+TEST_F(FailingRun, AGoodRunHasNone) {
+    write_scene(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_EQ(json_value(summary, "problems"), Json::array());
+    for (const char* count : {"non_finite", "entered_no_data", "impossible_speed", "volume_drift", "depth_clamped"})
+        EXPECT_EQ(json_value(summary, count), 0) << count;
+}
+
+using MemoryLimit = TinyScene;
+
+TEST_F(MemoryLimit, RefusesBeforeTheStartInRunAndCheck) {
+    write_scene(k_numbers_only);
+    const auto before = files();
+    for (const char* command : {"run", "check"}) {
+        const Outcome outcome = frana({command, "scene.ini", "--memory-limit", "1MB"});
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("1 MB"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("of memory"), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(frana({"check", "scene.ini", "--memory-limit", "4GB"}).exit_code, 0);
+    for (const char* wrong : {"", "much", "-1GB", "0", "nan", "4 parsecs"}) {
+        const Outcome outcome = frana({"check", "scene.ini", "--memory-limit", wrong});
+        EXPECT_EQ(outcome.exit_code, 2) << wrong;
+    }
+}
+
+// Cells of a micrometre over a few metres are billions, particles more.
+TEST_F(MemoryLimit, TinyCellsAreAnEstimateAndARefusal) {
+    write_scene(k_numbers_only);
+    for (const char* size : {"1e-6", "1e-3", "1e-300", "5e-324"}) {
+        const Outcome outcome = frana({"check", "scene.ini", "--set", std::string("terrain.cell-size=") + size});
+        EXPECT_EQ(outcome.exit_code, 2) << size << outcome.err;
+        EXPECT_NE(outcome.err.find("terrain.cell-size"), std::string::npos) << outcome.err;
+    }
+    const Outcome many = frana({"check", "scene.ini", "--memory-limit", "20MB", "--set", "terrain.cell-size=1", "--set",
+                                "numerics.particles-per-cell=16"});
+    EXPECT_EQ(many.exit_code, 2);
+    EXPECT_NE(many.err.find("--memory-limit"), std::string::npos) << many.err;
+}
+
+// Paths with spaces and other characters.
+using OddPaths = TinyScene;
+
+TEST_F(OddPaths, SpacesAccentsLengthAndLinks) {
+    write_scene(k_numbers_only);
+    // SQLite, which GeoPackages are, opens paths of up to 512 characters.
+    std::string deep = "Frana è qui — 山";
+    for (int i = 0; i < 8; ++i) deep += "/a folder with a long name, number " + std::to_string(i);
+    fs::create_directories(path(deep));
+    for (const char* name : {"scene.ini", "dtm.asc", "dtm.prj", "perimeter.geojson"})
+        fs::copy(path(name), path(deep + "/" + name));
+    const Outcome far = frana({"run", deep + "/scene.ini", "--out", deep + "/résultat 1", "--quiet"});
+    EXPECT_EQ(far.exit_code, 0) << far.err;
+    EXPECT_TRUE(fs::exists(path(deep + "/résultat 1/summary.json")));
+    // The scene through a link to its folder.
+    fs::create_directories(path("links"));
+    fs::create_directory_symlink(path(deep), path("links/way"));
+    const Outcome linked = frana({"run", "links/way/scene.ini", "--out", "linked", "--quiet"});
+    EXPECT_EQ(linked.exit_code, 0) << linked.err;
+    EXPECT_EQ(read_text(path("linked/timeseries.csv")), read_text(path(deep + "/résultat 1/timeseries.csv")));
+    const Outcome too_long = frana({"run", "scene.ini", "--out", std::string(300, 'x'), "--quiet"});
+    EXPECT_EQ(too_long.exit_code, 2) << too_long.err;  // wrong input, found before anything is computed
+    EXPECT_NE(too_long.err.find("--out"), std::string::npos) << too_long.err;
+}
+
+// Files named by a scene are read, never written; results are written to the output directory alone.
+TEST_F(OddPaths, PathsInASceneAreNeverWritten) {
+    write_scene(k_numbers_only + "directory = out\n");
+    const auto before = files();
+    for (const char* set : {"output.maps=../../escape", "output.maps=/tmp/escape", "output.formats=../x"}) {
+        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", set});
+        EXPECT_EQ(outcome.exit_code, 2) << set << outcome.err;
+    }
+    EXPECT_EQ(files(), before);
+    EXPECT_FALSE(fs::exists(folder_.parent_path() / "escape"));
+}
+
+}  // namespace
+}  // namespace frana::test

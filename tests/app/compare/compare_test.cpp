@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_text.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using Compare = TinyScene;
+
+TEST_F(Compare, AForeignRasterAgainstAnOutline) {
+    // Depth 1 m in columns 4 to 13 of rows 10 to 19: 50 m x 50 m from (20, 50) to (70, 100).
+    write_dtm([](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
+              true, "depth.asc");
+    write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});  // half of it, and as much outside
+    const Outcome outcome = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--threshold", "0.5", "--out",
+                                   "scores", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, read_text(path("scores/comparison.json")));
+    EXPECT_EQ(json_number(outcome.out, "hit_m2"), 1250);
+    EXPECT_EQ(json_number(outcome.out, "false_alarm_m2"), 1250);
+    EXPECT_EQ(json_number(outcome.out, "miss_m2"), 1250);
+    EXPECT_EQ(json_number(outcome.out, "area_difference_percent"), 0);
+    EXPECT_EQ(json_number(outcome.out, "threshold_m"), 0.5);
+    EXPECT_NEAR(json_number(outcome.out, "jaccard"), 1.0 / 3, 1e-15);  // one rounding
+    EXPECT_TRUE(json_value(outcome.out, "runout_difference_m").is_null());
+    EXPECT_TRUE(std::filesystem::exists(path("scores/comparison.tif")));
+    EXPECT_TRUE(std::filesystem::exists(path("scores/comparison.png")));
+}
+
+TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
+    write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
+    write_polygon("scar", {{200, 0}, {400, 0}, {400, 150}, {200, 150}});  // 100 m on the grid, 100 m beyond
+    const Outcome outcome =
+        frana({"compare", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json_number(outcome.out, "observed_area_m2"), 200 * 150);
+    EXPECT_EQ(json_number(outcome.out, "miss_m2"), 100 * 150);
+    EXPECT_NE(outcome.err.find("beyond the computed ground"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
+    write_scene(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    // Around the release, in degrees: a few hundredths of a square kilometre, any overlap shows that the transformation
+    // works.
+    write("scar.geojson",
+          R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
+          R"([9.3485, 45.9995], [9.3525, 45.9995], [9.3525, 46.0025], [9.3485, 46.0025], [9.3485, 45.9995]]]}})");
+    const Outcome outcome = frana({"compare", "result", "--scar", "scar.geojson", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_GT(json_number(outcome.out, "hit_m2"), 0);
+    EXPECT_EQ(json_number(outcome.out, "threshold_m"), 0.1);  // the result's own trace threshold
+    EXPECT_TRUE(std::filesystem::exists(path("result/comparison.json")));
+}
+
+TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
+    write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
+    write_polygon("scar", {{200, 0}, {280, 0}, {280, 150}, {200, 150}});
+    ASSERT_EQ(
+        frana({"compare", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"}).exit_code, 0);
+    const std::vector<gis::NamedClass> classes = gis::read_raster_text(path("scores/comparison.tif")).classes;
+    ASSERT_EQ(classes.size(), 3U);
+    std::vector<double> tones;  // Rec. 601 luma, of 255
+    for (const gis::NamedClass& one : classes)
+        tones.push_back(0.299 * one.colour.r + 0.587 * one.colour.g + 0.114 * one.colour.b);
+    std::sort(tones.begin(), tones.end());
+    // As different as neighbours in a scale of six classes.
+    EXPECT_GT(tones[1] - tones[0], 40);
+    EXPECT_GT(tones[2] - tones[1], 40);
+}
+
+TEST_F(Compare, MissingScarFile) {
+    write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
+    const Outcome outcome = frana({"compare", "depth.asc", "--scar", "none.shp", "--out", "scores"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("none.shp"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("scores")));
+}
+
+/// Depth 1 m on a square of 50 m, from (20, 50) to (70, 100), in depth.asc.
+class CompareSquare : public TinyScene {
+  protected:
+    CompareSquare() {
+        write_dtm(
+            [](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
+            true, "depth.asc");
+    }
+    void write_lines(const std::string& name, const std::string& type, const std::string& coordinates) const {
+        write(
+            name,
+            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {"name": "f"}, "geometry": {"type": ")" +
+                type + R"(", "coordinates": )" + coordinates + "}}]}");
+    }
+    [[nodiscard]] static std::string place(double x, double y) {
+        return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
+    }
+    [[nodiscard]] Outcome compare(std::vector<std::string> more) const {
+        std::vector<std::string> arguments{"compare", "depth.asc", "--out", "scores", "--size", "800x600"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return frana(arguments);
+    }
+};
+
+TEST_F(CompareSquare, OutlineDistancesOfASquareShiftedByHalf) {
+    write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});
+    const Outcome outcome = compare({"--scar", "scar.geojson"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    // Squares of 50 m, 25 m apart. For each outline: the far side is 25 m away (50 m of it); of the two sides along the
+    // shift, the half covered by the other square is 0 m away, the other half 0 to 25, at 2.5, 7.5 ... 22.5 m (samples
+    // of 5 m); the near side is inside the other square, 25 m from its edge except near the corners: min(25, distance
+    // to the sides) = 2.5, 7.5, 12.5, 17.5, 22.5 and back.
+    const double along = 2 * (2.5 + 7.5 + 12.5 + 17.5 + 22.5);  // two sides; the covered halves add nothing
+    const double near = 2 * (2.5 + 7.5 + 12.5 + 17.5 + 22.5);
+    EXPECT_NEAR(json_number(outcome.out, "mean_m"), (10 * 25 + along + near) / 40, 1e-9);
+    EXPECT_NEAR(json_number(outcome.out, "hausdorff_m"), 25, 1e-9);
+    EXPECT_NEAR(json_number(outcome.out, "percentile_95_m"), 25, 1e-9);
+    // The curve: one row for 0 and for 0.01 to 0.7; every one the same, as all depths are 1 m.
+    const std::string curve = read_text(path("scores/comparison_curve.csv"));
+    EXPECT_EQ(std::count(curve.begin(), curve.end(), '\n'), 1 + 1 + 12);
+    EXPECT_EQ(curve.rfind("threshold_m,observed_area_m2", 0), 0U);
+}
+
+TEST_F(CompareSquare, AFrontAndATip) {
+    // A front 15 m beyond the eastern edge, and a point 10 m inside it.
+    write_lines("front.geojson", "LineString", "[" + place(85, 60) + "," + place(85, 90) + "]");
+    const Outcome front = compare({"--scar", "front.geojson"});
+    ASSERT_EQ(front.exit_code, 0) << front.err;
+    EXPECT_NEAR(json_number(front.out, "mean_signed_m"), -15, 1e-9);
+    EXPECT_NEAR(json_number(front.out, "hausdorff_m"), 15, 1e-9);
+    EXPECT_EQ(json_number(front.out, "reached_percent"), 0);
+    EXPECT_TRUE(json_value(front.out, "jaccard").is_null());
+    EXPECT_FALSE(std::filesystem::exists(path("scores/comparison.tif")));
+    write_lines("tip.geojson", "Point", place(60, 75));
+    const Outcome tip = compare({"--scar", "tip.geojson"});
+    ASSERT_EQ(tip.exit_code, 0) << tip.err;
+    EXPECT_NEAR(json_number(tip.out, "distance_m"), 10, 1e-9);
+}
+
+TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
+    write_lines("front.geojson", "LineString", "[" + place(50, 75) + "," + place(90, 75) + "]");
+    const Outcome outcome = compare({"--scar", "front.geojson"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NEAR(json_number(outcome.out, "reached_percent"), 50, 1e-9);
+    EXPECT_NEAR(json_number(outcome.out, "mean_signed_m"), 0, 1e-9);
+    // Samples every 5 m: 2.5, 7.5, 12.5 and 17.5 m on either side.
+    EXPECT_NEAR(json_number(outcome.out, "mean_m"), 10, 1e-9);
+}
+
+TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
+    write_dtm([](int row, int column) { return row >= 10 && row < 20 && column >= 9 && column < 19 ? 1.0 : -9999.0; },
+              true, "better.asc");
+    write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});   // better.asc itself
+    write_polygon("other", {{20, 50}, {70, 50}, {70, 100}, {20, 100}});  // depth.asc itself
+    const Outcome outcome =
+        frana({"compare", "depth.asc", "better.asc", "--scar", "scar.geojson", "--out", "rank", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, read_text(path("rank/ranking.csv")));
+    const std::size_t first = outcome.out.find("\n1,better_scar,better.asc,scar.geojson,1,1,0,"),
+                      second = outcome.out.find("\n2,depth_scar,depth.asc,scar.geojson,0.3333333333333333,0.5,0,");
+    EXPECT_NE(first, std::string::npos) << outcome.out;
+    EXPECT_NE(second, std::string::npos) << outcome.out;
+    EXPECT_TRUE(std::filesystem::exists(path("rank/better_scar/comparison.json")));
+    EXPECT_TRUE(std::filesystem::exists(path("rank/depth_scar/comparison.png")));
+    const Outcome both = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--scar", "other.geojson", "--out",
+                                "rank", "--size", "800x600"});
+    ASSERT_EQ(both.exit_code, 0) << both.err;
+    EXPECT_NE(both.out.find("\n1,depth_other,"), std::string::npos) << both.out;
+}
+
+TEST_F(Compare, ADepositAgainstAnElevationDifference) {
+    write_scene(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    // The survey is the result's own deposit, half as deep: depths are twice the survey's, and at this low threshold
+    // both cover the same cells.
+    const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
+    write_dtm([&](int row, int column) { return depth.has_data(row, column) ? depth.at(row, column) / 2 : 0.0; }, true,
+              "change.asc");
+    const Outcome outcome =
+        frana({"compare", "result", "--deposit", "change.asc", "--threshold", "0.004", "--out", "d"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json_number(outcome.out, "deposit.jaccard"), 1);
+    const auto depth_error = [&](const std::string& key) {
+        return json_number(outcome.out, "deposit.depth_error." + key);
+    };
+    EXPECT_NEAR(depth_error("simulated_volume_m3"), 2 * depth_error("observed_volume_m3"), 0.1);
+    EXPECT_NEAR(depth_error("correlation"), 1, 1e-6);
+    EXPECT_NEAR(depth_error("bias_m"), depth_error("mean_absolute_error_m"), 1e-6);
+}
+
+TEST_F(Compare, AResultAgainstItsOwnTraceIsPerfectAlongThePathToo) {
+    write_scene(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const Outcome outcome =
+        frana({"compare", "result", "--scar", "result/extent.gpkg|layer=trace", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json_number(outcome.out, "jaccard"), 1);
+    EXPECT_EQ(json_number(outcome.out, "runout_difference_m"), 0);
+    EXPECT_EQ(json_number(outcome.out, "difference_m"), 0);
+    EXPECT_NEAR(json_number(outcome.out, "hausdorff_m"), 0, 1e-8);  // coordinates of 5e6 m in double
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies of many runs, as a user sees them.
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <map>
+#include <sstream>
+
+#include "core/error.h"
+#include "gis/access/table_in.h"
+#include "gis/raster/raster_in.h"
+#include "started_program.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// members.csv by row and column.
+using Rows = std::vector<std::map<std::string, std::string>>;
+
+class Ensemble : public TinyScene {
+  protected:
+    Ensemble() { write_scene("stop-when-still = off\n" + k_numbers_only); }
+
+    void write_study(const std::string& head, const std::string& rest) const {
+        write("study.ini", "[study]\nscene = scene.ini\n" + head + rest);
+    }
+    [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"ensemble", "study.ini", "--out", "out", "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return frana(arguments);
+    }
+    [[nodiscard]] std::vector<std::string> records() const {
+        std::vector<std::string> names;
+        for (const std::string& name : files())
+            if (name.find("/records/record_") != std::string::npos && name.find("partial-") != std::string::npos)
+                names.push_back(name);
+        return names;
+    }
+    /// Starts the study and sends a signal as soon as so many members have their record.
+    [[nodiscard]] Outcome stop_after(std::size_t members, int signal_number) const {
+        StartedProgram program(folder_.string(), {"ensemble", "study.ini", "--out", "out", "--threads", "2"});
+        EXPECT_TRUE(program.wait_until([&] { return records().size() >= members; }));
+        program.send(signal_number);
+        return program.wait();
+    }
+    [[nodiscard]] Rows members(const std::string& result = "out") const {
+        const gis::Table table = gis::read_table(path(result + "/members.csv"), "members");
+        Rows rows;
+        for (const auto& cells : table.rows) {
+            auto& row = rows.emplace_back();
+            for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
+        }
+        return rows;
+    }
+    [[nodiscard]] double probability(const std::string& name, int row, int column) const {
+        return gis::read_result_raster(path("out/" + name + ".tif")).at(row, column);
+    }
+    /// Everything that must not differ: rasters with their styles, tables without wall times.
+    [[nodiscard]] std::map<std::string, std::string> lasting(const std::string& result) const {
+        std::map<std::string, std::string> files;
+        for (const std::string& name : TinyScene::files()) {
+            if (!name.starts_with(result + "/")) continue;
+            const std::string rest = name.substr(result.size() + 1);
+            if (rest.ends_with(".tif") || rest.ends_with(".qml") || rest == "sensitivity.csv" || rest == "study.ini")
+                files[rest] = read_text(path(name));
+        }
+        std::string rows;
+        for (auto row : members(result)) {
+            row.erase("engine_seconds");
+            for (const auto& [key, value] : row) rows += key + "=" + value + ";";
+        }
+        files["members"] = rows;
+        return files;
+    }
+    void expect_same(const std::string& a, const std::string& b) const {
+        const auto first = lasting(a), second = lasting(b);
+        EXPECT_GT(first.size(), 20U);
+        EXPECT_EQ(first.size(), second.size());
+        for (const auto& [name, content] : first)
+            EXPECT_TRUE(second.count(name) > 0 && second.at(name) == content) << name;
+    }
+};
+
+const std::string k_two_keys =
+    "[vary]\nmaterial.friction-angle = uniform(10, 20)\nmaterial.turbulence = log-uniform(300, 3000)\n";
+
+// A thin slab slides on a flat bed and stops after v^2 / (2 mu g): with mu even in [0.2, 0.4] its front passes x with
+// probability P(mu < v^2 / (2 g d)), d the distance of x from the front at the start. The slab is so thin that pressure
+// moves its front by less than a metre: sqrt(g h) t = 0.4 m. Three standard errors of 1000 members, and the probability
+// of half a cell, within which the front is known.
+TEST_F(Ensemble, ProbabilityOfTheSlidingBlockIsThatOfTheClosedForm) {
+    constexpr double v = 20, g = 9.81, low = 0.2, high = 0.4, front = 40, cell = 1;
+    constexpr int columns = 170, members = 1000;
+    std::string dtm = "ncols 170\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
+    for (int i = 0; i < columns * 4; ++i) dtm += (i + 1) % columns == 0 ? "0\n" : "0 ";
+    write("flat.asc", dtm);
+    write(
+        "block.geojson",
+        R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon",)"
+        R"( "coordinates": [[[10, 0], [40, 0], [40, 4], [10, 4], [10, 0]]]}}]})");
+    write("scene.ini",
+          "[terrain]\ndtm = flat.asc\ncrs = local\n[release]\nperimeter = block.geojson\nthickness = 2e-4\n"
+          "velocity = 20\ndirection = 90\n[material]\nfriction-coefficient = 0.3\n[numerics]\nboundary = wall\n"
+          "minimum-depth = 1e-5\n[time]\nend = 12\n[output]\nmaps = off\ndepth-thresholds = 1e-4\n"
+          "velocity-thresholds = 1\ntrace-threshold = 1e-4\nreport = off\n");
+    write_study("samples = 1000\nsampling = random\nseed = 3\n",
+                "[vary]\nmaterial.friction-coefficient = uniform(0.2, 0.4)\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Raster reached = gis::read_result_raster(path("out/probability_depth_1e-04.tif"));
+    int compared = 0;
+    for (int column = 0; column < columns; ++column) {
+        const double d = (column + 0.5) * cell - front;
+        const auto exact_at = [&](double distance) {
+            return std::clamp((v * v / (2 * g * distance) - low) / (high - low), 0.0, 1.0);
+        };
+        if (d < 40 || d > 115) continue;
+        const double exact = exact_at(d), half_cell = exact_at(d - cell / 2) - exact_at(d + cell / 2);
+        const double error = std::sqrt(exact * (1 - exact) / members);
+        EXPECT_NEAR(reached.at(2, column), exact, 3 * error + half_cell) << "x = " << (column + 0.5) * cell;
+        ++compared;
+    }
+    EXPECT_GT(compared, 70);
+}
+
+TEST_F(Ensemble, SameBitsForAnyNumberOfThreads) {
+    write_study("samples = 12\nkeep = all\n", k_two_keys);
+    for (const std::string threads : {"1", "2", "7"}) {
+        const Outcome outcome =
+            frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    expect_same("out1", "out2");
+    expect_same("out1", "out7");
+}
+
+TEST_F(Ensemble, ResumesAfterAKillAndEndsInTheSameBits) {
+    write_study("samples = 40\n", k_two_keys);
+    ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "whole", "--quiet"}).exit_code, 0);
+    ASSERT_EQ(stop_after(3, SIGKILL).exit_code, -SIGKILL);
+    EXPECT_FALSE(fs::exists(path("out")));
+    // Neither a run nor another study takes its members away.
+    EXPECT_EQ(run().exit_code, 2);
+    EXPECT_NE(run().err.find("--resume continues it"), std::string::npos);
+    const Outcome other = frana({"run", "scene.ini", "--out", "out", "--quiet"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("an interrupted study"), std::string::npos) << other.err;
+    // A damaged record and a missing one are computed again.
+    const std::vector<std::string> kept = records();
+    ASSERT_GE(kept.size(), 3U);
+    write(kept[0], read_text(path(kept[0])).substr(0, 100));
+    fs::remove(path(kept[1]));
+    const Outcome resumed = run({"--resume", "--threads", "1"});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_same("whole", "out");
+    EXPECT_FALSE(fs::exists(path("out/records")));
+    const Outcome again = run({"--resume"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST_F(Ensemble, ResumeRefusesMembersOfAnotherStudy) {
+    write_study("samples = 60\n", k_two_keys);
+    const Outcome stopped = stop_after(2, SIGTERM);
+    ASSERT_EQ(stopped.exit_code, 128 + SIGTERM) << stopped.err;
+    EXPECT_NE(stopped.err.find("--resume runs the others"), std::string::npos) << stopped.err;
+    write_study("samples = 60\nseed = 2\n", k_two_keys);
+    const Outcome resumed = run({"--resume"});
+    EXPECT_EQ(resumed.exit_code, 2);
+    EXPECT_NE(resumed.err.find("are of another study"), std::string::npos) << resumed.err;
+}
+
+// Any member can be run again alone.
+TEST_F(Ensemble, AMembersFiguresAreThoseOfARunWithItsValues) {
+    write_study("samples = 4\n",
+                k_two_keys + "terrain.error = gaussian-field(0.3, 40)\nrelease.volume = uniform(3000, 5000)\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 4U);
+    for (const auto& row : rows) {
+        ASSERT_EQ(row.at("status"), "finished");
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet"};
+        for (const auto& [key, value] : row)
+            if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
+        const Outcome alone = frana(arguments);
+        ASSERT_EQ(alone.exit_code, 0) << alone.err;
+        const std::string summary = read_text(path("alone/summary.json"));
+        const std::map<std::string, std::string> names{
+            {"runout_m", "runout.horizontal_m"},    {"covered_area_m2", "covered_area_m2"},
+            {"max_depth_m", "max_depth_m"},         {"max_depth_p999_m", "max_depth_p999_m"},
+            {"max_velocity_ms", "max_velocity_ms"}, {"volume_m3", "volume.entered_m3"}};
+        for (const auto& [figure, name] : names)
+            EXPECT_EQ(std::stod(row.at(figure)), json_number(summary, name))
+                << figure << ", member " << row.at("member");
+    }
+    EXPECT_NE(rows[0].at("terrain.error"), rows[1].at("terrain.error"));
+}
+
+TEST_F(Ensemble, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
+    write("scene.ini", read_text(path("scene.ini")) + "formats = png\n[numerics]\naccuracy = 5 %\ncfll = 1\n");
+    write_study("samples = 0\nlevels = 3\n",
+                "[vary]\nmaterial.friction-angle = uniform(10, 90)\nterrain.bounds = choice(a)\n"
+                "release.perimeter = choice(perimeter.geojson)\n");
+    const auto before = files();
+    for (const std::string command : {"ensemble", "check"}) {
+        const Outcome outcome = frana({command, "study.ini"});
+        EXPECT_EQ(outcome.exit_code, 2);
+        for (const std::string words :
+             {"study.samples", "study.levels: unknown key", "vary.material.friction-angle", "vary.terrain.bounds",
+              "output.formats", "numerics.accuracy", "numerics.cfll: unknown key"})
+            EXPECT_NE(outcome.err.find(words), std::string::npos) << command << ": " << words << "\n" << outcome.err;
+    }
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Ensemble, ASceneThatIsMissingIsReportedWithTheOtherProblems) {
+    write("study.ini", "[study]\nscene = nowhere.ini\nsamples = 0\n" + k_two_keys);
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("nowhere.ini: cannot be opened"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("study.samples"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Ensemble, AFileOfAChoiceThatCannotBeReadIsRefusedBefore) {
+    write_study("samples = 4\n", "[vary]\nrelease.perimeter = choice(perimeter.geojson, nowhere.geojson)\n");
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("nowhere.geojson"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+// Where the bed is slippery the flow reaches cells without terrain: such members have failed.
+TEST_F(Ensemble, FailedMembersAreCountedWithTheirReason) {
+    write_dtm(
+        [](int, int column) { return column > 50 ? -9999 : 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); });
+    write_study("samples = 8\nsampling = grid\nkeep = failed\n",
+                "[set]\ntime.end = 40\n[vary]\nmaterial.friction-angle = uniform(1, 40)\n");
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    const std::string summary = read_text(path("out/summary.json"));
+    const int failed = static_cast<int>(json_number(summary, "failed"));
+    EXPECT_GT(failed, 0);
+    EXPECT_LT(failed, 8);
+    EXPECT_EQ(json_number(summary, "finished") + failed, 8);
+    for (const auto& row : members()) {
+        EXPECT_EQ(row.at("status") == "failed", !row.at("reason").empty());
+        if (row.at("status") == "failed") {
+            EXPECT_NE(row.at("reason").find("without terrain"), std::string::npos) << row.at("reason");
+            EXPECT_TRUE(fs::exists(path("out/members/member_000000" + row.at("member") + "/max_depth.tif")));
+        }
+    }
+    EXPECT_NE(outcome.err.find("members failed"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Ensemble, AResultIsReplacedOnlyWhenAsked) {
+    write_study("samples = 2\n", k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    const std::string first = read_text(path("out/members.csv"));
+    const Outcome refused = run();
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("contains a result already"), std::string::npos) << refused.err;
+    write("out/notes.txt", "mine");
+    write_study("samples = 3\n", k_two_keys);
+    EXPECT_EQ(run({"--resume"}).exit_code, 2);  // it is complete, and of another study
+    EXPECT_EQ(read_text(path("out/members.csv")), first);
+    ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
+    EXPECT_EQ(members().size(), 3U);
+    EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
+}
+
+TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {
+    write_study("samples = 6\nsampling = latin-hypercube\n", k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    fs::rename(path("out"), path("drawn"));
+    write_study("sampling = table:drawn/members.csv\n", "");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Raster a = gis::read_result_raster(path("drawn/mean_max_depth.tif")),
+                 b = gis::read_result_raster(path("out/mean_max_depth.tif"));
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        if (!std::isnan(a.values[i])) {
+            ASSERT_EQ(a.values[i], b.values[i]);
+        }
+    }
+}
+
+TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {
+    write_study("samples = 400\nuntil = 0.07\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(members().size(), 64U);  // 0.5 / sqrt(64) = 0.0625 at most
+    EXPECT_LE(json_number(read_text(path("out/summary.json")), "largest_standard_error"), 0.0625);
+}
+
+TEST_F(Ensemble, SensitivitiesTellWhichKeyDecides) {
+    write_study("samples = 160\nsampling = saltelli\n",
+                "[vary]\nmaterial.friction-angle = uniform(10, 24)\nnumerics.cfl = uniform(0.4, 0.5)\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const gis::Table table = gis::read_table(path("out/sensitivity.csv"), "table");
+    bool found = false;
+    for (const auto& row : table.rows) {
+        if (row[0] != "covered_area_m2") continue;
+        found = true;
+        EXPECT_EQ(row[11], "Martinez");
+        const double total = std::stod(row[3]);
+        const bool decides = row[1] == "material.friction-angle";
+        EXPECT_EQ(total > 0.5, decides) << row[1] << ": " << total;
+        EXPECT_EQ(total < 0.3, !decides) << row[1] << ": " << total;
+    }
+    EXPECT_TRUE(found);
+    EXPECT_TRUE(fs::exists(path("out/sensitivity_material.friction-angle.tif")));
+}
+
+TEST_F(Ensemble, MapsChartsAndReportAreDrawnAndRenderDrawsTheRest) {
+    write_scene("stop-when-still = off\n[output]\nanimation = off\nframes = off\nmap-size = 800x600\n");
+    write_study("samples = 8\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string name :
+         {"maps/probability_depth_0.1.png", "maps/probability_velocity_5.png", "maps/quantile_max_depth_95.png",
+          "maps/sensitivity_material.turbulence.png", "charts/exceedance.png", "charts/sensitivity.png",
+          "charts/convergence.png", "report.html", "members.gpkg", "study.ini", "scene.ini", "dtm.tif"})
+        EXPECT_TRUE(fs::exists(path("out/" + name))) << name;
+    const Outcome drawn = frana({"render", "out", "--map", "quantile_arrival_time_05", "--map", "hit_count"});
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_TRUE(fs::exists(path("out/maps/quantile_arrival_time_05.png")));
+}
+
+TEST_F(Ensemble, CheckTellsMembersTimeMemoryAndDisk) {
+    write_study("samples = 30\n", k_two_keys);
+    const auto before = files();
+    const Outcome outcome = frana({"check", "study.ini"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string words : {"is ready to run", "material.turbulence log-uniform(300, 3000)",
+                                    "30, sampling sobol, seed 1", "estimated time", "memory", "disk", "-ensemble"})
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+    EXPECT_EQ(files(), before);
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Unusual names of files, folders, gauges and lines by users and their programs, through the whole program.
+#include <chrono>
+
+#include "core/utf8.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_utf8(const std::string& text) {
+    return valid_utf8(text) == text;
+}
+
+class HostileNames : public TinyScene {
+  protected:
+    /// Points or lines by name, along the slope.
+    void write_named(const std::string& file, const std::string& type, const std::vector<std::string>& names) const {
+        std::string json =
+            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto at = [&](double x) {
+                return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + 75 + static_cast<double>(i)) +
+                       "]";
+            };
+            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" + names[i] +
+                    R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" +
+                    (type == "Point" ? at(80) : "[" + at(30) + "," + at(150) + "]") + "}}";
+        }
+        write(file, json + "]}");
+    }
+    [[nodiscard]] Outcome run(const std::string& scene = "scene.ini", const std::string& out = "result") const {
+        return frana({"run", scene, "--out", out, "--quiet"});
+    }
+};
+
+TEST_F(HostileNames, ChartsOfAllProfilesAndNoFormulaInATable) {
+    const std::string longest(240, 'n');
+    write_named("profiles.geojson", "LineString",
+                {"a b", "a_b", "a/b", "=HYPERLINK(1)", longest, "<script>alert(1)</script>"});
+    write_named("gauges.geojson", "Point", {"@SUM(1)", "-2+3", "plain"});
+    write_scene(
+        "[output]\nmaps = max_depth\nmap-size = 800x600\nanimation = off\nframes = off\nprofiles = profiles.geojson\n"
+        "gauges = gauges.geojson\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("could not be drawn"), std::string::npos) << outcome.err;
+    std::vector<std::string> charts;
+    for (const auto& entry : fs::directory_iterator(path("result/charts"))) charts.push_back(entry.path().filename());
+    EXPECT_EQ(charts.size(), 9U) << ::testing::PrintToString(charts);  // flow path, six lines, series, gauges
+    EXPECT_NE(std::find(charts.begin(), charts.end(), "profile_a_b.png"), charts.end());
+    EXPECT_NE(std::find(charts.begin(), charts.end(), "timeseries.png"), charts.end());
+    const std::string table = read_text(path("result/profiles.csv")), gauges = read_text(path("result/gauges.csv"));
+    EXPECT_NE(table.find("\n'=HYPERLINK(1),"), std::string::npos);
+    EXPECT_EQ(table.find("\n=HYPERLINK"), std::string::npos);
+    EXPECT_NE(gauges.find(",'@SUM(1),"), std::string::npos);
+    EXPECT_NE(gauges.find(",'-2+3,"), std::string::npos);
+    EXPECT_NE(gauges.find(",plain,"), std::string::npos);
+    // Drawn again they have the same names.
+    const Outcome again = frana({"render", "result", "--charts", "--size", "800x600", "--out", "again"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    for (const std::string& chart : charts) EXPECT_TRUE(fs::exists(path("again/" + chart))) << chart;
+    EXPECT_EQ(read_text(path("result/report.html")).find("<script"), std::string::npos);
+}
+
+TEST_F(HostileNames, BytesThatAreNotUtf8) {
+    const std::string folder = "caf\xE9 <i>&amp;\"";
+    fs::create_directory(path(folder));
+    for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
+        fs::copy(path(file), path(folder + "/" + file));
+    write(folder + "/scene.ini", read_text(path("scene.ini")) +
+                                     "frame-interval = 2\n[output]\nmaps = max_depth\nmap-size = 800x600\n"
+                                     "map-formats = png, pdf, tif\nanimation = off\nformats = netcdf, zarr\n"
+                                     "[scar]\nperimeter = perimeter.geojson\n");
+    const Outcome outcome = run(folder + "/scene.ini");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(json_text(read_text(path("result/summary.json")), "scene").find("caf\\xe9"), std::string::npos);
+    for (const std::string& file : files()) {
+        const std::string name = fs::path(file).filename();
+        const bool text = name.ends_with(".json") || name.ends_with(".html") || name.ends_with(".csv") ||
+                          name == "log.txt" || name.starts_with(".z") || name.ends_with(".qml") ||
+                          name.ends_with(".sld");
+        if (!file.starts_with("result/") || !text) continue;
+        EXPECT_TRUE(is_utf8(read_text(path(file)))) << file;
+    }
+    const std::string report = read_text(path("result/report.html"));
+    EXPECT_EQ(report.find("<i>"), std::string::npos);
+    EXPECT_NE(report.find("caf\\xe9 &lt;i&gt;&amp;amp;&quot;"), std::string::npos);
+    const Outcome info = frana({"check", "result/scene.ini"});
+    EXPECT_EQ(info.exit_code, 0) << info.err;
+    // The scene is preserved byte for byte: it can be run.
+    const Outcome again = run("result/scene.ini", "again");
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const auto values = [&](const std::string& result) {
+        const std::string text = read_text(path(result + "/scene.ini"));
+        return text.substr(text.find("\n[scene]"));
+    };
+    EXPECT_NE(values("again").find("title = caf\xE9 <i>"), std::string::npos);
+    for (const std::string key : {"max_depth_m", "max_velocity_ms", "covered_area_m2", "steps"})
+        EXPECT_EQ(json_number(read_text(path("again/summary.json")), key),
+                  json_number(read_text(path("result/summary.json")), key))
+            << key;
+}
+
+TEST_F(HostileNames, TitlesOfFoldersSurviveTheEcho) {
+    for (const std::string folder : {" Val #3 ", "#", " "}) {
+        fs::create_directory(path(folder));
+        std::string scene = read_text(path("scene.ini")) + k_numbers_only;
+        for (const std::string file : {"dtm.asc", "perimeter.geojson"})
+            scene.replace(scene.find("= " + file), 2, "= " + folder_.string() + "/");
+        write(folder + "/scene.ini", scene);
+        const Outcome first = run(folder + "/scene.ini", "first");
+        ASSERT_EQ(first.exit_code, 0) << folder << first.err;
+        const Outcome second = run("first/scene.ini", "second");
+        ASSERT_EQ(second.exit_code, 0) << folder << second.err;
+        const auto title = [&](const std::string& result) {
+            const std::string text = read_text(path(result + "/scene.ini"));
+            const auto at = text.find("\ntitle = ");
+            return at == std::string::npos ? "none" : text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+        };
+        EXPECT_NE(title("first"), "none") << folder;
+        EXPECT_EQ(title("first"), title("second")) << folder;
+        fs::remove_all(path("first"));
+        fs::remove_all(path("second"));
+    }
+}
+
+TEST_F(HostileNames, LineEndsAreRefusedBeforeTheRun) {
+    const Outcome title = frana({"run", "scene.ini", "--out", "result", "--set", "output.title=a\n[time]\nend = 1"});
+    EXPECT_EQ(title.exit_code, 2);
+    EXPECT_NE(title.err.find("output.title: contains a line break"), std::string::npos) << title.err;
+    fs::create_directory(path("a\nb"));
+    for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
+        fs::copy(path(file), path(std::string("a\nb/") + file));
+    const Outcome folder = run("a\nb/scene.ini");
+    EXPECT_EQ(folder.exit_code, 2);
+    EXPECT_NE(folder.err.find("contains a line break"), std::string::npos) << folder.err;
+    EXPECT_FALSE(fs::exists(path("result")));
+}
+
+// Three thousand letters took half a minute.
+TEST_F(HostileNames, LongTitlesAreCutAndFast) {
+    write_scene("[output]\nmaps = max_depth\nanimation = off\nframes = off\n");
+    ASSERT_EQ(run().exit_code, 0);
+    const auto seconds = [&](const std::string& title) {
+        const auto start = std::chrono::steady_clock::now();
+        const Outcome outcome = frana({"render", "result", "--map", "max_depth", "--view", "2d", "--size", "640x480",
+                                       "--title", title, "--attribution", title, "--out", "drawn"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const double usual = seconds("Slope");
+    std::string words;
+    while (words.size() < 3000) words += "slope ";
+    for (const std::string& title : {std::string(3000, 'w'), words})
+        EXPECT_LT(seconds(title), 5 * usual + 2) << title.substr(0, 10);
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+// Interpretation of inputs, and the messages about it.
+#include <cpl_vsi.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "gis/access/gdal_session.h"
+#include "gis/raster/raster_in.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using Input = TinyScene;
+
+/// A slope that falls east by `drop` per column, as an ASCII grid without a .prj.
+std::string slope_grid(const std::string& corner_and_cell, int columns, int rows, double drop) {
+    std::string text = "ncols " + std::to_string(columns) + "\nnrows " + std::to_string(rows) + "\n" + corner_and_cell +
+                       "\nNODATA_value -9999\n";
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            text += std::to_string(300 - drop * column) + (column + 1 < columns ? ' ' : '\n');
+    return text;
+}
+
+std::string polygon_geojson(const std::string& rings) {
+    return R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {}, "geometry": )"
+           R"({"type": "MultiPolygon", "coordinates": [)" +
+           rings + "]}}]}";
+}
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+        EXPECT_NE(text.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << text;
+}
+
+TEST_F(Input, CheckPrintsThemAsOneTable) {
+    // The release's outline in Gauss-Boaga, by gdaltransform -s_srs EPSG:32632 -t_srs EPSG:3003 to the metre.
+    write("scar.geojson",
+          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
+          R"("urn:ogc:def:crs:EPSG::3003"}}, "features": [{"type": "Feature", "properties": {}, "geometry": )"
+          R"({"type": "Polygon", "coordinates": [[[1527048, 5094076], [1527098, 5094076], [1527098, 5094116], )"
+          R"([1527048, 5094076]]]}}]})");
+    const Outcome outcome = frana({"check", "scene.ini", "--set", "scar.perimeter=scar.geojson"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_words(outcome.out, {"Input",
+                               "CRS",
+                               "Extent (west south, east north)",
+                               "Resolution",
+                               "No data",
+                               "Operation to the",
+                               "Accuracy",
+                               "DTM",
+                               "dtm.asc",
+                               "527000.00 5094000.00",
+                               "527300.00 5094150.00",
+                               "60 x 30",
+                               "5 x 5",
+                               "-9999",
+                               "exact copy",
+                               "perimeter.geojson",
+                               "2 000 m2",
+                               "scar.geojson",
+                               "EPSG:3003",
+                               "Monte",
+                               "4 m",
+                               "Working grid",
+                               "memory of a run: about"});
+    // Half a cell is 2.5 m; the register states 4 m for Monte Mario.
+    expect_words(outcome.err, {"scar: its position is accurate to 4 m only", "half a cell is 2.5 m"});
+    std::size_t tables = 0;
+    for (std::size_t at = 0; (at = outcome.out.find("Extent (west", at)) != std::string::npos; ++at) ++tables;
+    EXPECT_EQ(tables, 1U);
+}
+
+TEST_F(Input, TheLogStatesOperationsAndResampling) {
+    write_scene(k_numbers_only);
+    const Outcome outcome = frana(
+        {"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set", "terrain.cell-size=2"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_words(read_text(path("result/log.txt")), {"resampling bilinear"});
+    const Outcome averaged = frana({"run", "scene.ini", "--out", "coarse", "--quiet", "--set", "time.end=0.1", "--set",
+                                    "terrain.crs=EPSG:3003", "--set", "terrain.cell-size=10"});
+    ASSERT_EQ(averaged.exit_code, 0) << averaged.err;
+    expect_words(read_text(path("coarse/log.txt")), {"resampling average", "DTM transformed by:", "Monte Mario",
+                                                     "accuracy 4 m", "perimeter transformed by:"});
+    // Austria's system in Italy: no survey connects them there, and PROJ leaves the datum unchanged.
+    expect_words(frana({"check", "scene.ini", "--set", "terrain.crs=EPSG:31287"}).err,
+                 {"DTM: the accuracy of its transformation is unknown", "Ballpark", "hundreds of metres"});
+    EXPECT_EQ(gis::read_result_raster(path("coarse/dtm.tif")).grid.cell_size, 10) << "the DTM really used is kept";
+}
+
+TEST_F(Input, AMapThatIsNotTrueToScaleIsNotComputedOn) {
+    // Web Mercator over the scene: gdaltransform puts 527000, 5094000 at 1040690.9, 5780195.5; at 46 N its
+    // metre is 0.69 m on the ground.
+    write("mercator.asc", slope_grid("xllcorner 1040640\nyllcorner 5780150\ncellsize 7", 80, 50, 2));
+    const std::vector<std::string> scene{
+        "check", "scene.ini", "--set", "terrain.dtm=mercator.asc", "--set", "terrain.dtm-crs=EPSG:3857"};
+    const Outcome outcome = frana(scene);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_words(outcome.err, {"EPSG:3857", "not lengths on the ground", "UTM"});
+    expect_words(outcome.out, {"EPSG:32632", "2 000 m2"});
+    std::vector<std::string> asked = scene;
+    asked.insert(asked.end(), {"--set", "terrain.crs=EPSG:3857"});
+    const Outcome refused = frana(asked);
+    EXPECT_EQ(refused.exit_code, 2);
+    expect_words(refused.err, {"terrain.crs", "EPSG:3857 with a scale of 1.43", "within 1 %"});
+}
+
+TEST_F(Input, FeetAreNeverGuessed) {
+    // Washington State Plane North: 80 x 60 cells of 20 survey feet, elevations without a unit.
+    write("feet.asc", slope_grid("xllcorner 1300000\nyllcorner 200000\ncellsize 20", 80, 60, 10));
+    write("feet.geojson", polygon_geojson("[[[1300200, 200400], [1300400, 200400], [1300400, 200600], "
+                                          "[1300200, 200600], [1300200, 200400]]]"));
+    const std::vector<std::string> scene{"check", "scene.ini",
+                                         "--set", "terrain.dtm=feet.asc",
+                                         "--set", "terrain.dtm-crs=EPSG:2285",
+                                         "--set", "release.perimeter=feet.geojson",
+                                         "--set", "release.perimeter-crs=EPSG:2285"};
+    const Outcome refused = frana(scene);
+    EXPECT_EQ(refused.exit_code, 2);
+    expect_words(refused.err, {"terrain.dtm", "unit", "0.3048006", "terrain.vertical-unit"});
+    std::vector<std::string> with_unit = scene;
+    with_unit.insert(with_unit.end(), {"--set", "terrain.vertical-unit=us-survey-foot"});
+    const Outcome outcome = frana(with_unit);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    // The area between the corners that gdaltransform gives for EPSG:32610.
+    expect_words(outcome.out, {"EPSG:32610", "3 714 m2"});
+    // A CRS with a vertical unit decides it.
+    std::vector<std::string> compound = scene;
+    compound[5] = "terrain.dtm-crs=EPSG:2285+6360";
+    EXPECT_EQ(frana(compound).exit_code, 0);
+}
+
+TEST_F(Input, AFrameOfZerosIsReportedAndDeclared) {
+    write_dtm([](int row, int column) { return row < 3 ? 0.0 : 300 - 2.5 * column; });
+    const Outcome outcome = frana({"check", "scene.ini"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_words(outcome.err, {"180 cells are 0", "set terrain.nodata-value = 0"});
+    const Outcome declared = frana({"check", "scene.ini", "--set", "terrain.nodata-value=0"});
+    EXPECT_EQ(declared.exit_code, 0) << declared.err;
+    EXPECT_EQ(declared.err, "");
+    expect_words(declared.out, {"180"});
+}
+
+TEST_F(Input, LavangsdalenIsFramedByZeros) {
+    const std::string data = FRANA_SHARED_DIR "/data/lavangsdalen";
+    if (!std::filesystem::exists(data)) GTEST_SKIP() << "the event's data are not at " << data;
+    const std::vector<std::string> scene{"check", "scene.ini",
+                                         "--set", "terrain.dtm=" + data + "/dem_5m.tif",
+                                         "--set", "release.perimeter=" + data + "/release.shp"};
+    const Outcome outcome = frana(scene);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    // Counted with gdal_translate -of AAIGrid and a line of awk: 32 300 of 168 873 cells are 0.
+    expect_words(outcome.err, {"32 300 cells are 0", "terrain.nodata-value = 0"});
+    std::vector<std::string> declared = scene;
+    declared.insert(declared.end(), {"--set", "terrain.nodata-value=0"});
+    const Outcome quiet = frana(declared);
+    EXPECT_EQ(quiet.err, "");
+    expect_words(quiet.out, {"32 300", "EPSG:25833"});
+}
+
+TEST_F(Input, ArchivesCountFromTheScene) {
+    {
+        const gis::GdalSession session;
+        const std::string grid = read_text(path("dtm.asc"));
+        VSILFILE* file = VSIFOpenL(("/vsizip/" + path("tiles.zip") + "/dtm.asc").c_str(), "wb");
+        ASSERT_TRUE(file);
+        VSIFWriteL(grid.data(), 1, grid.size(), file);
+        VSIFCloseL(file);
+    }
+    std::filesystem::remove(path("dtm.asc"));
+    const Outcome outcome =
+        run_program("/", {"check", path("scene.ini"), "--set", "terrain.dtm=/vsizip/tiles.zip/dtm.asc", "--set",
+                          "terrain.dtm-crs=EPSG:32632"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST_F(Input, AFilterChoosesFeatures) {
+    write("two.geojson",
+          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
+          R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)"
+          R"({"type": "Feature", "properties": {"kind": "release"}, "geometry": {"type": "Polygon", "coordinates": )"
+          R"([[[527020, 5094055], [527070, 5094055], [527070, 5094095], [527020, 5094055]]]}},)"
+          R"({"type": "Feature", "properties": {"kind": "deposit"}, "geometry": {"type": "Polygon", "coordinates": )"
+          R"([[[527220, 5094055], [527270, 5094055], [527270, 5094095], [527220, 5094055]]]}}]})");
+    const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=two.geojson", "--set",
+                                   "release.perimeter-filter=kind = 'release'"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_words(outcome.out, {"1 polygon", "1 000 m2"});
+    const Outcome wrong = frana({"check", "scene.ini", "--set", "release.perimeter=two.geojson", "--set",
+                                 "release.perimeter-filter=sort = 'release'"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    expect_words(wrong.err, {"release.perimeter", "sort = 'release'", "kind"});
+}
+
+struct Seam {
+    const char* name;
+    const char* grid;
+    const char* rings;
+    const char* zone;
+    double area_m2;
+};
+void PrintTo(const Seam& seam, std::ostream* out) {
+    *out << seam.name;
+}
+
+class AcrossASeam : public TinyScene, public ::testing::WithParamInterface<Seam> {};
+
+TEST_P(AcrossASeam, ASceneIsOnePiece) {
+    const Seam& seam = GetParam();
+    // 0.00005 degree cells, 80 x 60.
+    write("degrees.asc", slope_grid(seam.grid, 80, 60, 2));
+    write("seam.geojson", polygon_geojson(seam.rings));
+    write_scene(k_numbers_only);
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set",
+                                   "terrain.dtm=degrees.asc", "--set", "terrain.dtm-crs=EPSG:4326", "--set",
+                                   "release.perimeter=seam.geojson"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_NE(json_text(summary, "crs").find(seam.zone), std::string::npos) << summary;
+    // 2 m thick; areas below are to a part in a thousand, UTM's scale included.
+    EXPECT_NEAR(json_number(summary, "initial_m3") / (2 * seam.area_m2), 1, 1e-3);
+    EXPECT_NE(read_text(path("result/log.txt")).find("resampling"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Seams, AcrossASeam,
+    ::testing::Values(
+        // 0.001 by 0.0005 degrees. On the ellipsoid 77.463 m by 55.576 m at 46 N, times the square of UTM's
+        // scale 3 degrees off the central meridian, 0.9996 (1 + (0.05236 cos 46)^2 / 2) = 1.00026.
+        Seam{"zones_32_and_33", "xllcorner 11.998\nyllcorner 45.9985\ncellsize 0.00005",
+             "[[[11.9995, 46], [12.0005, 46], [12.0005, 46.0005], [11.9995, 46.0005], [11.9995, 46]]]", "UTM zone 3",
+             77.463 * 55.576 * 1.00026 * 1.00026},
+        // Split at the antimeridian as GeoJSON requires; at 16.5 S 106.764 m by 55.332 m, scale 1.00087.
+        Seam{"antimeridian", "xllcorner 179.998\nyllcorner -16.5015\ncellsize 0.00005",
+             "[[[179.9995, -16.5], [180, -16.5], [180, -16.4995], [179.9995, -16.4995], [179.9995, -16.5]]], "
+             "[[[-180, -16.5], [-179.9995, -16.5], [-179.9995, -16.4995], [-180, -16.4995], [-180, -16.5]]]",
+             "UTM zone", 106.764 * 55.332 * 1.00087 * 1.00087}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST_F(Input, OfAHugeDtmOnlyTheNeededPartIsRead) {
+    // 20 000 x 20 000 cells of 2 m, 1.6 GB if it were read; the ground is in the south-eastern corner, the rest was
+    // never written and is no data.
+    constexpr int n = 20000;
+    {
+        const gis::GdalSession session;
+        const char* options[] = {"SPARSE_OK=TRUE", "TILED=YES", "COMPRESS=DEFLATE", nullptr};
+        const GDALDatasetUniquePtr file(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+            path("huge.tif").c_str(), n, n, 1, GDT_Float32, const_cast<char**>(options)));
+        ASSERT_TRUE(file);
+        double geo[6] = {k_west + 2000 - 2.0 * n, 2, 0, k_south - 1000 + 2.0 * n, 0, -2};
+        file->SetGeoTransform(geo);
+        OGRSpatialReference utm;
+        utm.importFromEPSG(32632);
+        file->SetSpatialRef(&utm);
+        file->GetRasterBand(1)->SetNoDataValue(-9999);
+        constexpr int corner = 2000;
+        std::vector<float> row(corner);
+        for (int column = 0; column < corner; ++column)
+            row[static_cast<std::size_t>(column)] = 1500 - 0.6F * static_cast<float>(column);
+        for (int k = 0; k < corner; ++k) {
+            ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, n - corner, n - corner + k, corner, 1, row.data(),
+                                                       corner, 1, GDT_Float32, 0, 0),
+                      CE_None);
+        }
+    }
+    for (const std::string bounds : {"", "526500 5093500 528500 5095000"}) {
+        std::vector<std::string> scene{
+            "check", "scene.ini", "--set", "terrain.dtm=huge.tif", "--set", "material.friction-angle=20"};
+        if (!bounds.empty()) scene.insert(scene.end(), {"--set", "terrain.bounds=" + bounds});
+        const Outcome outcome = frana(scene);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        // The limit of 500 MB, for everything up to the engine; it includes the engine's trial by check.
+        if (!k_sanitized) {
+            EXPECT_LT(outcome.peak_memory_bytes, 500e6) << bounds;
+        }
+        expect_words(outcome.out, {"20 000 x 20 000"});
+    }
+    // The window contains the release and all ground below the energy line of tan(20) * 0.8 = 0.291 through the
+    // release's top (1500 - 0.6 * 510 + 2 m): on a slope of 0.3 that is everything down to the corner's end. Up the
+    // slope it ends where the ground rises above the line, at once.
+    write_scene(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set",
+                     "terrain.dtm=huge.tif", "--set", "material.friction-angle=20"})
+                  .exit_code,
+              0);
+    const GridSpec grid = gis::read_result_raster(path("result/dtm.tif")).grid;
+    EXPECT_EQ(grid.east(), k_west + 2000);
+    EXPECT_LT(grid.west, k_west + 20);
+    EXPECT_GT(grid.west, k_west - 150);
+    expect_words(read_text(path("result/log.txt")), {"the DTM is large", "terrain.bounds overrides"});
+    // At 40 m/s the line is 81.6 m higher: up the slope, against 0.3 + 0.291, it ends 138 m further away.
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "fast", "--quiet", "--set", "time.end=0.1", "--set",
+                     "terrain.dtm=huge.tif", "--set", "material.friction-angle=20", "--set", "release.velocity=40"})
+                  .exit_code,
+              0);
+    const double farther = grid.west - gis::read_result_raster(path("fast/dtm.tif")).grid.west;
+    EXPECT_NEAR(farther, 40 * 40 / (2 * 9.81) / (0.3 + 0.8 * std::tan(20 * std::numbers::pi / 180)), 15);
+    // Inflow up the slope, 100 m from the release, needs its own ground.
+    write("line.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[)" +
+              std::to_string(k_west - 300) + "," + std::to_string(k_south + 60) + "],[" + std::to_string(k_west - 300) +
+              "," + std::to_string(k_south + 90) + "]]}}]}");
+    write("flood.csv", "time,discharge,velocity\n0,10,2\n5,10,2\n");
+    write_scene(k_numbers_only + "[inflow]\nline = line.geojson\nhydrograph = flood.csv\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "inflow", "--quiet", "--set", "time.end=0.1", "--set",
+                     "terrain.dtm=huge.tif", "--set", "material.friction-angle=20"})
+                  .exit_code,
+              0);
+    EXPECT_LT(gis::read_result_raster(path("inflow/dtm.tif")).grid.west, k_west - 300);
+}
+
+}  // namespace
+}  // namespace frana::test

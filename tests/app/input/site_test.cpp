@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Data surveyed on site, from files to results: zones, obstacles, walls, slip surfaces, late areas, inflow.
+#include <cmath>
+#include <numbers>
+
+#include "gis/raster/raster_in.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using Corners = std::vector<std::pair<double, double>>;
+
+class Site : public TinyScene {
+  protected:
+    /// NAME.geojson in EPSG:32632: a polygon each (offsets from the DTM's corner) with its properties.
+    void write_features(const std::string& name, const std::vector<std::pair<Corners, std::string>>& features,
+                        const std::string& type = "Polygon") const {
+        std::string text =
+            R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+            R"("features":[)";
+        for (std::size_t i = 0; i < features.size(); ++i) {
+            const bool polygon = type == "Polygon";
+            Corners corners = features[i].first;
+            if (polygon) corners.push_back(corners.front());
+            text += i > 0 ? "," : "";
+            text += R"({"type":"Feature","properties":{)" + features[i].second + R"(},"geometry":{"type":")" + type +
+                    R"(","coordinates":)" + (polygon ? "[[" : "[");
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                text += (k > 0 ? ",[" : "[") + std::to_string(k_west + corners[k].first) + "," +
+                        std::to_string(k_south + corners[k].second) + "]";
+            text += polygon ? "]]}}" : "]}}";
+        }
+        write(name + ".geojson", text + "]}");
+    }
+    static Corners box(double west, double south, double east, double north) {
+        return {{west, south}, {east, south}, {east, north}, {west, north}};
+    }
+    /// Runs the scene with these lines appended and returns its messages; fails unless the run succeeds. Keys that the
+    /// tiny scene already has are given in `sets`.
+    std::string run_with(const std::string& lines, const std::string& out = "out",
+                         const std::vector<std::string>& sets = {}) {
+        write_scene(lines + k_numbers_only);
+        // Eight seconds: the mass then reaches 130 m.
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", out, "--overwrite", "--set", "time.end=8"};
+        for (const std::string& text : sets) {
+            arguments.emplace_back("--set");
+            arguments.push_back(text);
+        }
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err;
+    }
+    [[nodiscard]] Raster result(const std::string& name, const std::string& out = "out") const {
+        return gis::read_result_raster(path(out + "/" + name + ".tif"));
+    }
+    [[nodiscard]] double summary(const std::string& key, const std::string& out = "out") const {
+        return json_number(read_text(path(out + "/summary.json")), key);
+    }
+};
+
+TEST_F(Site, ZonesHoldTheFlowWhereTheyAreRough) {
+    run_with("");
+    const double reach = summary("horizontal_m");
+    // From 75 m on, five metres below the release, the bed is rougher (50 degrees) than the slope is steep (27).
+    write_features("zones", {{box(75, 0, 300, 150), R"("phi": 50)"}});
+    const std::string reported = run_with("[terrain]\nfriction-zones = zones.geojson\n");
+    EXPECT_EQ(reported.find("overlap"), std::string::npos) << reported;
+    EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
+    const std::string log = read_text(path("out/log.txt"));
+    EXPECT_NE(log.find("column phi taken for zones.friction-angle"), std::string::npos) << log;
+    EXPECT_NE(log.find("outside all zones"), std::string::npos) << log;
+    // The same by name, as a coefficient.
+    const std::string tangent = std::to_string(std::tan(50 * std::numbers::pi / 180));
+    write_features("zones", {{box(75, 0, 300, 150), R"("rough": )" + tangent}});
+    run_with("[terrain]\nfriction-zones = zones.geojson\n[zones]\nfriction-coefficient = attribute:rough\n", "named");
+    EXPECT_NEAR(summary("horizontal_m", "named"), summary("horizontal_m"), 1e-9);
+}
+
+TEST_F(Site, OverlapsAndGapsOfZonesAreReported) {
+    write_features("zones", {{box(0, 0, 100, 150), R"("mu": 0.2)"},
+                             {box(90, 0, 300, 50), R"("mu": 0.3)"},
+                             {box(90, 60, 300, 150), R"("mu": 0.3)"},
+                             {box(250, 50, 300, 60), R"("mu": 0.3)"}});
+    const std::string reported = run_with("[terrain]\nfriction-zones = zones.geojson\n");
+    // 10 m x 140 m are in two zones; a strip of 10 m x 150 m is in none and enclosed.
+    EXPECT_NE(reported.find("zones overlap on 1 400 m2"), std::string::npos) << reported;
+    EXPECT_NE(reported.find("gaps between the zones on 1 500 m2"), std::string::npos) << reported;
+}
+
+TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
+    // 50 degrees from 75 m on, no value above.
+    write_dtm([](int, int column) { return column >= 15 ? 50.0 : -9999.0; }, true, "phi.asc");
+    run_with("");
+    const double reach = summary("horizontal_m");
+    const std::string reported = run_with("[zones]\nfriction-angle = raster:phi.asc\n");
+    EXPECT_NE(reported.find("zones.friction-angle has no value on"), std::string::npos) << reported;
+    EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
+}
+
+TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleDepth) {
+    run_with("");
+    const double fastest = summary("max_velocity_ms");
+    // Very high drag below the release: v^2 = xi h (sin - mu cos) stays below 1 m2/s2 for 4 m of depth.
+    write_features("zones", {{box(70, 0, 300, 150), R"("xi": 0.5)"}});
+    run_with("[terrain]\nfriction-zones = zones.geojson\n", "drag");
+    EXPECT_LT(summary("max_velocity_ms", "drag"), 0.9 * fastest);
+    // Cohesion holds 2 m of 2000 kg/m3 where it exceeds its weight along the slope, about 20 kPa.
+    write_features("zones", {{box(0, 0, 300, 150), R"("cohesion": 60000)"}});
+    run_with(
+        "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = voellmy, cohesion\n"
+        "cohesion = 0\n",
+        "held");
+    EXPECT_EQ(summary("max_velocity_ms", "held"), 0);
+    // The erodible depth comes from a raster: none up to 100 m, 0.5 m beyond.
+    write_dtm([](int, int column) { return column >= 20 ? 0.5 : 0.0; }, true, "layer.asc");
+    run_with("[entrainment]\nerosion = growth\ngrowth-rate = 0.05\n[zones]\nerodible-depth = raster:layer.asc\n",
+             "eroded");
+    EXPECT_GT(summary("eroded_m3", "eroded"), 1);
+    EXPECT_LT(summary("relative_error", "eroded"), 1e-12);
+    const Raster eroded = result("eroded_depth", "eroded");
+    for (std::int64_t r = 0; r < eroded.grid.rows; ++r)
+        for (std::int64_t c = 0; c < eroded.grid.columns; ++c) {
+            // A node is at a cell's corner: half a cell of the erodible layer's edge is on the other side.
+            const double depth = eroded.at(r, c);
+            EXPECT_FALSE(depth > (c < 19 ? 0 : 0.5 + 1e-6)) << r << ", " << c;
+        }
+}
+
+// RAMMS's yield term resists with (1 - mu) N_0: less where mu is greater.
+TEST_F(Site, ZonesOfFrictionForRammsYield) {
+    const std::string lines =
+        "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = ramms-yield\n"
+        "ramms-yield-stress = 20000\n";
+    const std::vector<std::string> no_voellmy{"material.turbulence=off", "material.friction-angle=6"};
+    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 0.1051042352656764)"}});
+    run_with(lines, "same", no_voellmy);
+    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 0.9)"}});
+    run_with(lines, "weak", no_voellmy);
+    EXPECT_GT(summary("max_velocity_ms", "weak"), 1.5 * summary("max_velocity_ms", "same"));
+    // As friction-angle = 6 everywhere.
+    write_scene(lines.substr(lines.find("[material]")) + k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "uniform", "--set", "time.end=8", "--set", no_voellmy[0], "--set",
+                     no_voellmy[1]})
+                  .exit_code,
+              0);
+    EXPECT_NEAR(summary("max_velocity_ms", "uniform"), summary("max_velocity_ms", "same"), 1e-9);
+    // The term would be negative.
+    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 1.2)"}});
+    write_scene(lines + k_numbers_only);
+    const Outcome outcome = frana({"check", "scene.ini", "--set", no_voellmy[0], "--set", no_voellmy[1]});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("too large for the law ramms-yield"), std::string::npos) << outcome.err;
+    // Friction read only by the stress in the plane.
+    write_scene(
+        "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = chezy\nchezy = 20\n"
+        "in-plane-stress = earth-pressure\ninternal-friction-angle = 30\n" +
+        k_numbers_only);
+    const Outcome unread = frana({"check", "scene.ini", "--set", no_voellmy[0]});
+    EXPECT_EQ(unread.exit_code, 2);
+    EXPECT_NE(unread.err.find(
+                  "Set material.bed-friction = coulomb or ramms-yield or pouliquen-forterre, or remove the zones"),
+              std::string::npos)
+        << unread.err;
+}
+
+TEST_F(Site, EveryFileIsInTheTableOfTheCheckAndInTheReport) {
+    write_features("zones", {{box(75, 0, 300, 150), R"("phi": 30)"}});
+    write_features("dam", {{box(200, 0, 215, 150), R"("h": 5)"}});
+    write_features("house", {{box(240, 40, 255, 60), ""}});
+    write_features("line", {{{{30, 100}, {30, 130}}, ""}}, "LineString");
+    write("flood.csv", "time_s,discharge_m3s,velocity_ms\n0,10,2\n3,10,2\n");
+    write_features("tongue", {{box(80, 40, 150, 110), ""}});
+    const std::string lines =
+        "[terrain]\nfriction-zones = zones.geojson\nobstacles = dam.geojson\nobstacle-height = attribute:h\n"
+        "walls = house.geojson\n[inflow]\nline = line.geojson\nhydrograph = flood.csv\n"
+        "[scar]\ndeposit = tongue.geojson\n";
+    write_scene(lines + k_numbers_only);
+    const Outcome check = frana({"check", "scene.ini"});
+    ASSERT_EQ(check.exit_code, 0) << check.err;
+    ASSERT_EQ(
+        frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", "time.end=0.5", "--set", "output.report=on"})
+            .exit_code,
+        0);
+    const std::string report = read_text(path("out/report.html"));
+    for (const std::string words :
+         {"DTM", "dtm.asc", "Release perimeter", "Zones", "zones.geojson", "Obstacles", "dam.geojson", "Walls",
+          "house.geojson", "Inflow line", "line.geojson", "Hydrograph", "flood.csv", "Surveyed deposit",
+          "tongue.geojson", "WGS 84 / UTM zone 32N", "1 polygon", "1 line"}) {
+        EXPECT_NE(check.out.find(words), std::string::npos) << words << " in " << check.out;
+        EXPECT_NE(report.find(words), std::string::npos) << words;
+    }
+}
+
+TEST_F(Site, ObstaclesRaiseTheBedAndHoldTheFlow) {
+    run_with("");
+    const double reach = summary("horizontal_m");
+    // A dam one metre thick is thinner than a cell, and still has no gap.
+    write_features("dam", {{box(101, 0, 102, 150), R"("h": 25)"}});
+    const std::string reported = run_with("[terrain]\nobstacles = dam.geojson\nobstacle-height = attribute:h\n", "dam");
+    EXPECT_NE(reported.find("narrower than the cells"), std::string::npos) << reported;
+    EXPECT_LT(summary("horizontal_m", "dam"), reach);
+    const Raster before = result("dtm"), after = result("dtm", "dam");
+    for (std::int64_t r = 0; r < after.grid.rows; ++r) EXPECT_NEAR(after.at(r, 20) - before.at(r, 20), 25, 1e-4) << r;
+    EXPECT_NEAR(after.at(3, 19), before.at(3, 19), 1e-9);
+}
+
+TEST_F(Site, WallsAreNotPassed) {
+    write_features("houses", {{box(110, 0, 125, 150), ""}});
+    run_with("[terrain]\nwalls = houses.geojson\n");
+    const Raster depth = result("max_depth");
+    EXPECT_GT(depth.at(14, 21), 0.5);  // it reached the wall
+    for (std::int64_t r = 0; r < depth.grid.rows; ++r)
+        for (std::int64_t c = 22; c < depth.grid.columns; ++c) EXPECT_TRUE(std::isnan(depth.at(r, c)));
+    EXPECT_EQ(summary("entered_no_data"), 0);
+    EXPECT_LT(summary("relative_error"), 1e-12);
+}
+
+TEST_F(Site, LateAreasHaveTheirOwnStartVelocityAndVolume) {
+    write_features("areas", {{box(20, 20, 60, 60), R"("d": 2, "t": 0, "v": 0, "m3": 4000)"},
+                             {box(20, 90, 60, 130), R"("d": 2, "t": 1.5, "v": 8, "m3": 2500)"}});
+    run_with("[release]\nstart = attribute:t\nvelocity = attribute:v\nvolume = attribute:m3\n", "out",
+             {"release.perimeter=areas.geojson", "release.thickness=attribute:d"});
+    EXPECT_NEAR(summary("initial_m3"), 4000, 1e-8);
+    EXPECT_NEAR(summary("entered_m3"), 6500, 1e-8);
+    EXPECT_LT(summary("relative_error"), 1e-12);
+    const Raster arrival = result("arrival_time");
+    EXPECT_NEAR(arrival.at(8, 8), 1.5, 0.2);
+    const std::string log = read_text(path("out/log.txt"));
+    EXPECT_NE(log.find("release area 2: 2 500 m3 from 1 600 m2, at 1.5 s"), std::string::npos) << log;
+}
+
+TEST_F(Site, SlipSurfaceIsFittedAndRemovedFromTheGround) {
+    run_with("[release]\nslip-depth = 6\ndtm-contains-release = on\n", "out", {"release.thickness=slip-surface"});
+    const Raster dtm = result("dtm"), bed = result("bed");
+    double deepest = 0;
+    for (std::size_t i = 0; i < bed.values.size(); ++i) deepest = std::max(deepest, dtm.values[i] - bed.values[i]);
+    // The deepest cell's centre is 3.5 m from the centroid of an outline 20 m wide: 6 sqrt(1 - r^2) > 5.7.
+    EXPECT_GT(deepest, 5.5);
+    EXPECT_LT(deepest, 6.0 + 1e-4);
+    EXPECT_NE(read_text(path("out/log.txt")).find("ellipsoid, 6 m deep"), std::string::npos);
+    run_with("[release]\nvolume = 7000\ndtm-contains-release = on\nslip-shape = base-level\n", "out",
+             {"release.thickness=slip-surface"});
+    EXPECT_NEAR(summary("initial_m3"), 7000, 1e-8);
+}
+
+TEST_F(Site, SlipSurfaceFromARaster) {
+    // 3 m under the slope everywhere.
+    write_dtm([](int, int column) { return 297 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); }, true, "slip.asc");
+    run_with("[release]\ndtm-contains-release = on\n", "out", {"release.thickness=slip-surface:slip.asc"});
+    EXPECT_NEAR(summary("initial_m3"), 3 * 50 * 40, 1e-6);
+}
+
+TEST_F(Site, HydrographFlowsInCompletely) {
+    write_features("line", {{{{30, 60}, {30, 90}}, ""}}, "LineString");
+    write("flood.csv", "time_s,discharge_m3s,velocity_ms\n0,0,0\n1,120,6\n3,0,0\n");
+    const std::string scene =
+        "[terrain]\ndtm = dtm.asc\n[inflow]\nline = line.geojson\nhydrograph = flood.csv\n[material]\n"
+        "friction-angle = 5\n[time]\nend = 4\n";
+    write("flood.ini", scene + k_numbers_only);
+    const Outcome outcome = frana({"run", "flood.ini", "--out", "flood"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(summary("initial_m3", "flood"), 0);
+    EXPECT_NEAR(summary("inflow_m3", "flood"), 180, 180e-12);
+    EXPECT_LT(summary("relative_error", "flood"), 1e-12);
+    // The same volumes, given as a volume; at the critical speed.
+    write("flood.csv", "time;volume\n0;0\n1;60\n3;180\n");
+    const Outcome again = frana({"run", "flood.ini", "--out", "again"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_NEAR(summary("inflow_m3", "again"), 180, 180e-12);
+    const Outcome check = frana({"check", "flood.ini"});
+    EXPECT_NE(check.out.find("180 m3 until the end"), std::string::npos) << check.out;
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Properties of the structured model's release that vary from place to place, and later additions.
+#include <cmath>
+#include <sstream>
+
+#include "particle_points.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+class StructuredPlaces : public TinyScene {
+  protected:
+    StructuredPlaces() {
+        // Two halves of the release, 2000 m3 each, and ground around the western one.
+        write_zones("zones.geojson", {{0, 45, R"("c": 0, "alpha": 0.4)"}, {45, 90, R"("c": 1e6, "alpha": 0.6)"}});
+        write("scene.ini",
+              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+              "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 1e6\n"
+              "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n"
+              "[numerics]\nparticles-per-cell = 9\n[time]\nend = 0.2\nframe-interval = 0.2\n"
+              "[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
+    }
+    struct Strip {
+        double west, east;  // offsets [m]
+        std::string properties;
+    };
+    void write_zones(const std::string& name, const std::vector<Strip>& strips) const {
+        std::ostringstream text;
+        text.precision(12);
+        text
+            << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
+            << R"( "features": [)";
+        for (std::size_t i = 0; i < strips.size(); ++i) {
+            const auto corner = [&](double x, double y) { text << '[' << k_west + x << ',' << k_south + y << ']'; };
+            text << (i > 0 ? "," : "") << R"({"type": "Feature", "properties": {)" << strips[i].properties
+                 << R"(}, "geometry": {"type": "Polygon", "coordinates": [[)";
+            corner(strips[i].west, 5);
+            text << ',';
+            corner(strips[i].east, 5);
+            text << ',';
+            corner(strips[i].east, 145);
+            text << ',';
+            corner(strips[i].west, 145);
+            text << ',';
+            corner(strips[i].west, 5);
+            text << "]]}}";
+        }
+        text << "]}\n";
+        write(name, text.str());
+    }
+    [[nodiscard]] Outcome run(const std::vector<std::string>& set) const {
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", "result", "--quiet"};
+        for (const std::string& one : set) {
+            arguments.emplace_back("--set");
+            arguments.push_back(one);
+        }
+        return frana(arguments);
+    }
+    [[nodiscard]] double number(const std::string& key) const {
+        return json_number(read_text(path("result/summary.json")), key);
+    }
+    [[nodiscard]] Points start() const { return read_points(path("result/frames/particles_0000.gpkg")); }
+};
+
+// Loose solids in the west, whose fluid is free from the start; intact material in the east, which confines its fluid.
+TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidFraction) {
+    const Outcome outcome = run({"structured.zones=zones.geojson", "structured.cohesion=attribute:c",
+                                 "structured.solid-fraction=attribute:alpha"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Points points = start();
+    double west = 0, east = 0, held = 0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const double volume = points.columns.at("volume_m3")[p], confined = points.columns.at("confined_fluid_m3")[p];
+        if (points.columns.at("x")[p] < k_west + 45) {
+            west += volume;
+            EXPECT_EQ(confined, 0);
+            EXPECT_EQ(points.columns.at("cohesion_ratio")[p], 0);
+        } else {
+            east += volume;
+            held += confined;
+            EXPECT_EQ(points.columns.at("cohesion_ratio")[p], 1);
+        }
+    }
+    EXPECT_NEAR(west, 0.4 * 2000, 1e-6);
+    EXPECT_NEAR(east, 2000, 1e-6);
+    EXPECT_NEAR(held, 0.4 * 2000, 1e-6);
+    EXPECT_NEAR(number("initial_m3"), 4000, 1e-6);
+    EXPECT_LT(number("relative_error"), 1e-12);
+}
+
+// Depths of solids and of fluid as rasters: their sum is released, their ratio is the solids' fraction.
+TEST_F(StructuredPlaces, RastersGiveTheDepthsOfBothPhases) {
+    write_dtm([](int, int) { return 1.5; }, true, "solids.asc");
+    write_dtm([](int, int column) { return column < 9 ? 0.5 : 1.0; }, true,
+              "fluid.asc");  // 45 m from the west
+    const Outcome outcome = run({"release.thickness=phases:solids.asc,fluid.asc"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Points points = start();
+    EXPECT_NEAR(points.sum("volume_m3") - points.sum("confined_fluid_m3"), 1.5 * 2000, 0.005 * 3000);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const double x = points.columns.at("x")[p] - k_west;
+        if (std::abs(x - 45) < k_cell) continue;  // depths are interpolated between cells' centres
+        EXPECT_NEAR(points.columns.at("depth_m")[p], x < 45 ? 2 : 2.5, 1e-9);
+        EXPECT_NEAR(points.columns.at("confined_fluid_m3")[p] / points.columns.at("volume_m3")[p], x < 45 ? 0.25 : 0.4,
+                    1e-9);
+    }
+}
+
+// Water on the flat ground at the foot, 200 m to 290 m, besides the release.
+TEST_F(StructuredPlaces, FluidIsOnTheGroundAtTheStart) {
+    write_dtm([](int row, int column) { return column >= 42 && column < 58 && row >= 5 && row < 25 ? 1.5 : -9999; },
+              true, "water.asc");
+    const Outcome outcome = run({"structured.initial-fluid-depth=raster:water.asc"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NEAR(number("initial_m3"), 4000 + 1.5 * 16 * 20 * 25, 1e-6);
+    EXPECT_NEAR(start().sum("volume_m3"), 4000, 1e-6);
+    EXPECT_LT(number("relative_error"), 1e-12);
+}
+
+// Solids that fail later, and a flood through a line: nothing is lost, and the flood has no particles.
+TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
+    write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n0.5,40,2\n1,40,2\n1.5,0,2\n");
+    write("line.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
+          R"([[527100,5094060],[527100,5094090]]}}]})");
+    const Outcome outcome = run({"inflow.line=line.geojson", "inflow.hydrograph=hydrograph.csv", "release.start=1",
+                                 "time.end=2", "structured.solid-fraction=1"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(start().size(), 0U);
+    EXPECT_NEAR(number("inflow_m3"), 40, 1e-9);
+    EXPECT_NEAR(number("entered_m3"), 4040, 1e-6);
+    EXPECT_LT(number("relative_error"), 1e-12);
+    // The last frame: steps may be longer than the interval.
+    std::string last;
+    for (const auto& file : std::filesystem::directory_iterator(path("result/frames")))
+        if (file.path().extension() == ".gpkg") last = std::max(last, file.path().string());
+    const Points end = read_points(last);
+    EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
+    // A second of sliding on 26.6 degrees with 12 degrees of friction, decelerated or accelerated by the surrounding
+    // flow.
+    const double angle = std::atan(0.5), gain = 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(12 * M_PI / 180));
+    EXPECT_NEAR(end.sum("speed_ms") / static_cast<double>(end.size()), gain, 0.1 * gain);
+}
+
+// All particles have the same volume, their number in a cell follows from its depth.
+TEST_F(StructuredPlaces, TheR2SequenceSpreadsTheSameVolume) {
+    const Outcome outcome = run({"structured.placement=r2"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Points points = start();
+    EXPECT_NEAR(points.sum("volume_m3"), 4000, 1e-6);
+    EXPECT_EQ(points.size(), 80U * 9);  // 80 cells, all of one depth
+    const auto fraction = [](double place) { return place - std::floor(place); };
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        EXPECT_NEAR(points.columns.at("volume_m3")[p], 4000.0 / 720, 1e-9);
+        // Equation 88, again in every cell.
+        double nearest = 1;
+        for (int n = 0; n < 9; ++n)
+            nearest = std::min(nearest, std::hypot(fraction((points.columns.at("x")[p] - k_west) / k_cell) -
+                                                       fraction(0.5 + n * 0.7548776662466927),
+                                                   fraction((points.columns.at("y")[p] - k_south) / k_cell) -
+                                                       fraction(0.5 + n * 0.5698402909980532)));
+        EXPECT_LT(nearest, 1e-6);
+    }
+}
+
+struct Refused {
+    std::string name;
+    std::vector<std::string> set;
+    std::vector<std::string> words;
+};
+
+class StructuredPlacesRefuse : public StructuredPlaces, public ::testing::WithParamInterface<Refused> {};
+
+TEST_P(StructuredPlacesRefuse, ByName) {
+    write_zones("west.geojson", {{0, 45, R"("c": 1e4)"}});
+    write_dtm([](int, int) { return 1.0; }, true, "ones.asc");
+    write_dtm([](int, int) { return -1.0; }, true, "negative.asc");
+    const Outcome outcome = run(GetParam().set);
+    EXPECT_EQ(outcome.exit_code, 2);
+    for (const std::string& words : GetParam().words)
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("result")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    What, StructuredPlacesRefuse,
+    ::testing::Values(Refused{"release_not_covered",
+                              {"structured.zones=west.geojson", "structured.cohesion=attribute:c"},
+                              {"structured.cohesion", "has no value on part of the release", "32 cells"}},
+                      Refused{"no_such_column",
+                              {"structured.zones=zones.geojson", "structured.cohesion=attribute:strength"},
+                              {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
+                      Refused{"zones_that_nothing_reads",
+                              {"structured.zones=zones.geojson"},
+                              {"structured.zones: names a file that nothing of the scene reads"}},
+                      Refused{"raster_out_of_range",
+                              {"structured.cohesion=raster:negative.asc"},
+                              {"structured.cohesion", "least value", "-1 Pa"}},
+                      Refused{"negative_phase",
+                              {"release.thickness=phases:ones.asc,negative.asc"},
+                              {"release.thickness", "a depth is negative", "negative.asc"}},
+                      Refused{"solids_share_told_twice",
+                              {"release.thickness=phases:ones.asc,ones.asc", "structured.solid-fraction=0.5"},
+                              {"structured.solid-fraction", "is given twice"}},
+                      Refused{"phases_of_fluid_alone",
+                              {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
+                              {"release.thickness", "gives solids and fluid separately"}},
+                      Refused{"a_perimeter_without_the_column",
+                              {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
+                              {"structured.cohesion", "no number in the attribute c"}}),
+    [](const auto& tested) { return tested.param.name; });
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <regex>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Width and height from a PNG's header.
+std::pair<int, int> png_size(const std::string& path) {
+    const std::string bytes = read_text(path);
+    if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return {0, 0};
+    const auto number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = 0; i < 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[at + i]);
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+class Render : public TinyScene {
+  protected:
+    void SetUp() override {
+        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
+        ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    }
+};
+
+TEST_F(Render, MapsOfAnExistingResult) {
+    const Outcome outcome =
+        frana({"render", "result", "--map", "max_depth", "--map", "max_velocity", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "result/maps/max_depth.png\nresult/maps/max_velocity.png\n");
+    EXPECT_EQ(png_size(path("result/maps/max_depth.png")), (std::pair{800, 600}));
+    EXPECT_FALSE(fs::exists(path("result/maps/final_depth.png")));
+}
+
+TEST_F(Render, ViewAndAnimation) {
+    EXPECT_EQ(frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "800x600"}).exit_code, 0);
+    EXPECT_EQ(png_size(path("result/maps/max_depth_3d.png")), (std::pair{800, 600}));
+    EXPECT_EQ(frana({"render", "result", "--animation", "film.gif", "--size", "640x480"}).exit_code, 0);
+    EXPECT_EQ(read_text(path("film.gif")).substr(0, 3), "GIF");
+}
+
+TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
+    const Outcome outcome = frana({"render", "result", "--map", "release", "--map", "depth@2.1", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    // The first state at or after 2 s, with its true time.
+    EXPECT_TRUE(std::regex_match(outcome.out,
+                                 std::regex("result/maps/release\\.png\nresult/maps/depth_t2(\\.[0-9]+)?\\.png\n")))
+        << outcome.out;
+    const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
+    ASSERT_EQ(all.exit_code, 0) << all.err;
+    for (const std::string name :
+         {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure", "release"})
+        EXPECT_TRUE(fs::exists(path("all/" + name + ".png"))) << name;
+    EXPECT_FALSE(fs::exists(path("all/dtm.png")));
+}
+
+TEST_F(Render, WithoutAMapDrawsTheRunsRastersAndNoUsersOnes) {
+    for (const char* name : {"mine.tif", "max_depth.kept-1.tif"})
+        fs::copy_file(path("result/max_depth.tif"), path(std::string("result/") + name));
+    write("result/photo.tif", "no raster at all");
+    const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
+    ASSERT_EQ(all.exit_code, 0) << all.err;
+    EXPECT_TRUE(fs::exists(path("all/max_depth.png")));
+    for (const char* name : {"mine.png", "max_depth.kept-1.png", "photo.png"})
+        EXPECT_FALSE(fs::exists(path(std::string("all/") + name))) << name;
+    // Requested by its name it is drawn.
+    EXPECT_EQ(frana({"render", "result", "--map", "mine", "--size", "640x480", "--out", "all"}).exit_code, 0);
+    EXPECT_TRUE(fs::exists(path("all/mine.png")));
+}
+
+TEST_F(Render, PagesAndFormats) {
+    const Outcome outcome = frana({"render", "result", "--map", "max_depth", "--size", "A4", "--format", "png",
+                                   "--format", "pdf", "--format", "tif", "--legend", "continuous", "--attribution",
+                                   "Terrain: survey of 2019", "--out", "page"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(png_size(path("page/max_depth.png")), (std::pair{1754, 1240}));
+    EXPECT_EQ(read_text(path("page/max_depth.pdf")).substr(0, 5), "%PDF-");
+    EXPECT_EQ(read_text(path("page/max_depth.tif")).substr(0, 2), "II");
+}
+
+TEST_F(Render, ChartsAndPlates) {
+    const Outcome charts = frana({"render", "result", "--charts", "--size", "800x600"});
+    ASSERT_EQ(charts.exit_code, 0) << charts.err;
+    EXPECT_NE(charts.out.find("result/charts/profile_flow_path.png"), std::string::npos) << charts.out;
+    EXPECT_NE(charts.out.find("result/charts/timeseries.png"), std::string::npos);
+    const Outcome plates = frana({"render", "result", "--plates", "--size", "1600x1200"});
+    ASSERT_EQ(plates.exit_code, 0) << plates.err;
+    for (const std::string name : {"initial_state", "snapshots", "stresses"})
+        EXPECT_EQ(png_size(path("result/plates/" + name + ".png")), (std::pair{1600, 1200})) << name;
+}
+
+TEST_F(Render, AnimationsBesideEachOtherInFlightAndAsPictures) {
+    const Outcome beside =
+        frana({"render", "result", "--animation", "two.mp4", "--beside", "result", "--size", "1280x480"});
+    ASSERT_EQ(beside.exit_code, 0) << beside.err;
+    EXPECT_EQ(read_text(path("two.mp4")).substr(4, 4), "ftyp");
+    const Outcome flight = frana({"render", "result", "--animation", "flight/", "--view", "3d", "--fly", "--map",
+                                  "velocity", "--size", "640x480"});
+    ASSERT_EQ(flight.exit_code, 0) << flight.err;
+    EXPECT_EQ(png_size(path("flight/frame_0000.png")), (std::pair{640, 480}));
+    EXPECT_NE(read_text(path("flight/frame_0000.png")), read_text(path("flight/frame_0004.png")));
+}
+
+TEST_F(Render, RastersOfOtherProgramsOverATerrain) {
+    const Outcome outcome =
+        frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "800x600", "--out", "foreign"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "foreign/max_velocity.png\n");
+    EXPECT_EQ(frana({"render", "result/max_velocity.tif", "--view", "3d"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result/max_velocity.tif", "--map", "max_depth"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "scene.ini"}).exit_code, 2);
+}
+
+TEST_F(Render, ErrorsAreRefused) {
+    const Outcome unknown = frana({"render", "result", "--map", "depth_max"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("max_depth, max_velocity"), std::string::npos) << unknown.err;
+    EXPECT_EQ(frana({"render", "result", "--view", "4d"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result", "--size", "12"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result", "--animation", "film.avi"}).exit_code, 2);
+    EXPECT_FALSE(fs::exists(path("film.avi")));
+    // All at once.
+    const Outcome several = frana({"render", "result", "--size", "12", "--legend", "fine", "--format", "bmp",
+                                   "--camera", "up", "--exaggeration", "99", "--background", "none.tif"});
+    EXPECT_EQ(several.exit_code, 2);
+    for (const std::string option : {"--size", "--legend", "--format", "--camera", "--exaggeration", "--background"})
+        EXPECT_NE(several.err.find(option), std::string::npos) << option << "\n" << several.err;
+    EXPECT_EQ(frana({"render", "result", "--fly"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result", "--charts", "--map", "max_depth"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result", "--map", "depth@soon"}).exit_code, 2);
+    const Outcome particles = frana({"render", "result", "--map", "particles@1"});
+    EXPECT_EQ(particles.exit_code, 2);
+    EXPECT_NE(particles.err.find("particles-gpkg"), std::string::npos) << particles.err;
+}
+
+TEST_F(Render, ResultsInDifferentCrsAreNotDrawnBesideEachOther) {
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "other", "--quiet", "--set", "terrain.crs=EPSG:32633"}).exit_code, 0);
+    const Outcome beside =
+        frana({"render", "result", "--animation", "two.mp4", "--beside", "other", "--size", "1280x480"});
+    EXPECT_EQ(beside.exit_code, 2);
+    EXPECT_NE(beside.err.find("EPSG:32633"), std::string::npos) << beside.err;
+    EXPECT_FALSE(fs::exists(path("two.mp4")));
+}
+
+TEST_F(Render, MapsOfOneResultShareTheirWindow) {
+    // A map drawn alone or in a series is the same, byte for byte.
+    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "max_depth", "--map", "max_velocity", "--map",
+                     "depth@1", "--out", "series"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "max_velocity", "--out", "alone"}).exit_code, 0);
+    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "depth@1", "--out", "alone"}).exit_code, 0);
+    EXPECT_EQ(read_text(path("series/max_velocity.png")), read_text(path("alone/max_velocity.png")));
+    EXPECT_EQ(read_text(path("series/depth_t1.png")), read_text(path("alone/depth_t1.png")));
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flight over an edge, in a run's files.
+#include <algorithm>
+#include <cmath>
+
+#include "gis/raster/raster_in.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+// 10 m/s on level ground, over an edge of 40 m across the middle of the DTM: a parabola of 28.6 m.
+class FlightFiles : public TinyScene {
+  protected:
+    FlightFiles() {
+        write_dtm([](int, int column) { return column < k_columns / 2 ? 140.0 : 100.0; });
+        write_scene("[numerics]\ncurvature = on\n" + k_numbers_only);
+    }
+    [[nodiscard]] Outcome run(const std::string& flight) const {
+        return frana({"run",
+                      "scene.ini",
+                      "--out",
+                      "result",
+                      "--overwrite",
+                      "--set",
+                      "numerics.flight=" + flight,
+                      "--set",
+                      "release.perimeter=near.geojson",
+                      "--set",
+                      "release.velocity=10",
+                      "--set",
+                      "release.direction=90",
+                      "--set",
+                      "material.friction-angle=0",
+                      "--set",
+                      "material.turbulence=1e9",
+                      "--set",
+                      "release.thickness=0.2",
+                      "--set",
+                      "time.end=8"});
+    }
+};
+
+TEST_F(FlightFiles, AgreeWithTheParabola) {
+    write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
+    const Outcome outcome = run("on");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("material flew over edges"), std::string::npos) << outcome.err;
+    const std::string summary = read_text(path("result/summary.json"));
+    const double length = 10 * std::sqrt(2 * 40 / 9.81);
+    // Its tips are faster and slower by 2 sqrt(g h) = 2.8 m/s, its middle is not; tips of 1 cm depth fly as well.
+    EXPECT_NEAR(json_number(summary, "mean_length_m"), length, 0.03 * length);
+    // The edge is two cells wide: at its foot the parabola has fallen by g/2 (10 m / 10 m/s)^2.
+    EXPECT_NEAR(json_number(summary, "highest_m"), 40, 4.9);
+    EXPECT_GT(json_number(summary, "volume_m3"), 0);
+
+    const Raster jumps = gis::read_result_raster(path("result/jump_height.tif"));
+    const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+    ASSERT_EQ(jumps.values.size(), depth.values.size());
+    double highest = 0;
+    std::size_t only_flown_over = 0;
+    for (std::int64_t row = 0; row < jumps.grid.rows; ++row) {
+        for (std::int64_t column = 0; column < jumps.grid.columns; ++column) {
+            const double height = jumps.at(row, column);
+            if (std::isnan(height)) continue;
+            highest = std::max(highest, height);
+            EXPECT_GE(column, k_columns / 2 - 1);  // nothing flies before the edge
+            only_flown_over += std::isnan(depth.at(row, column)) ? 1 : 0;
+        }
+    }
+    EXPECT_NEAR(highest, json_number(summary, "highest_m"), 1e-3);
+    EXPECT_GT(only_flown_over, 0U);
+    for (const char* style : {"jump_height.qml", "jump_height.sld"})
+        EXPECT_TRUE(std::filesystem::exists(path(std::string("result/") + style))) << style;
+}
+
+TEST_F(FlightFiles, DoNotExistWithoutFlight) {
+    write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
+    ASSERT_EQ(run("on").exit_code, 0);
+    ASSERT_EQ(run("off").exit_code, 0);
+    EXPECT_FALSE(std::filesystem::exists(path("result/jump_height.tif")));
+    EXPECT_FALSE(json_has(read_text(path("result/summary.json")), "jumps"));
+}
+
+TEST_F(FlightFiles, FlightWithoutCurvatureIsRefused) {
+    write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
+    const Outcome outcome =
+        frana({"check", "scene.ini", "--set", "numerics.curvature=off", "--set", "numerics.flight=on"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("numerics.flight"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: Apache-2.0
+// The outputs of a run, file by file.
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
+
+#include "app/text/number_text.h"
+#include "app/text/text_hash.h"
+#include "gis/access/gdal_session.h"
+#include "gis/raster/raster_in.h"
+#include "support/cog_check.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Output : public TinyScene {
+  protected:
+    /// Runs the scene with these lines appended, into result/.
+    void run(const std::string& more) {
+        write_scene(more);
+        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+        if (outcome.exit_code != 0) throw std::runtime_error(outcome.err);
+    }
+    [[nodiscard]] Raster raster(const std::string& name) const {
+        return gis::read_result_raster(path("result/" + name));
+    }
+    [[nodiscard]] std::string text(const std::string& name) const { return read_text(path("result/" + name)); }
+    /// Points or lines in the DTM's CRS, offsets from its south-western corner.
+    void write_marks(const std::string& name, const std::string& type,
+                     const std::vector<std::pair<std::string, std::string>>& features) const {
+        std::string json =
+            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
+        for (std::size_t i = 0; i < features.size(); ++i) {
+            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" + features[i].first +
+                    R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" + features[i].second + "}}";
+        }
+        write(name, json + "]}");
+    }
+};
+
+std::string at(double x, double y) {
+    return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
+}
+
+std::vector<std::string> rows_of(const std::string& csv) {
+    std::vector<std::string> rows;
+    std::size_t begin = 0;
+    for (std::size_t end = csv.find('\n'); end != std::string::npos; begin = end + 1, end = csv.find('\n', begin))
+        rows.push_back(csv.substr(begin, end - begin));
+    return rows;
+}
+
+std::vector<std::string> cells_of(const std::string& row) {
+    std::vector<std::string> cells{""};
+    for (const char c : row) {
+        if (c == ',')
+            cells.emplace_back();
+        else
+            cells.back() += c;
+    }
+    return cells;
+}
+
+const std::string k_quiet = "[output]\nmaps = off\nanimation = off\nframes = off\n";
+
+TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
+    write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\nnames = avaframe\n[hazard]\nscheme = "
+        "swiss-flood\n"
+        "[scar]\nperimeter = scar.geojson\n");
+    const std::string hash = app::text_hash(text("scene.ini"));
+    EXPECT_EQ(hash.size(), 36U);
+    int rasters = 0;
+    const gis::GdalSession session;
+    for (const auto& entry : fs::recursive_directory_iterator(path("result"))) {
+        if (entry.path().extension() != ".tif") continue;
+        ++rasters;
+        const std::string file = entry.path().string();
+        EXPECT_EQ(gis::test::cog_problems(file), std::vector<std::string>{}) << file;
+        const GDALDatasetUniquePtr tif(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));
+        ASSERT_TRUE(tif) << file;
+        EXPECT_STREQ(tif->GetMetadataItem("SCENE_HASH"), hash.c_str()) << file;
+        EXPECT_STREQ(tif->GetMetadataItem("PROGRAM"), "frana") << file;
+        EXPECT_STREQ(tif->GetMetadataItem("VERSION"), FRANA_VERSION) << file;
+        EXPECT_STREQ(tif->GetMetadataItem("TIFFTAG_SOFTWARE"), "frana " FRANA_VERSION) << file;
+        GDALRasterBand& band = *tif->GetRasterBand(1);
+        EXPECT_NE(std::string(band.GetDescription()), "") << file;
+        int has_nodata = 0;
+        const double nodata = band.GetNoDataValue(&has_nodata);
+        EXPECT_TRUE(has_nodata) << file;
+        EXPECT_STREQ(tif->GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE"), "DEFLATE") << file;
+        if (band.GetRasterDataType() != GDT_Float32) continue;
+        EXPECT_EQ(nodata, -9999) << file;
+        EXPECT_NE(std::string(band.GetUnitType()), "") << file;
+        EXPECT_STREQ(tif->GetMetadataItem("PREDICTOR", "IMAGE_STRUCTURE"), "3") << file;
+        EXPECT_TRUE(band.GetMetadataItem("STATISTICS_MAXIMUM")) << file;
+    }
+    // Five results, release, dtm, bed, flux, head, hazard, comparison, three peak files, three frames of two.
+    EXPECT_EQ(rasters, 5 + 3 + 2 + 1 + 1 + 3 + 6);
+}
+
+TEST_F(Output, GdalsOwnValidatorAgrees) {
+    const std::string validator = "/usr/bin/python3 -m osgeo_utils.samples.validate_cloud_optimized_geotiff ";
+    if (std::system("/usr/bin/python3 -c 'import osgeo_utils.samples.validate_cloud_optimized_geotiff' 2> "
+                    "/dev/null") != 0)
+        GTEST_SKIP() << "GDAL's validator (Debian: python3-gdal) is not installed";
+    run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
+    for (const std::string name : {"max_depth", "dtm", "hazard"}) {
+        const std::string report = path("report_" + name);
+        const int status = std::system(
+            (validator + "--full-check=yes '" + path("result/" + name + ".tif") + "' > '" + report + "' 2>&1").c_str());
+        EXPECT_EQ(status, 0) << read_text(report);
+        EXPECT_NE(read_text(report).find("is a valid cloud optimized GeoTIFF"), std::string::npos) << read_text(report);
+    }
+}
+
+TEST_F(Output, TheHashFollowsTheScene) {
+    EXPECT_EQ(app::text_hash("a"), app::text_hash("a"));
+    EXPECT_NE(app::text_hash("a"), app::text_hash("b"));
+    // RFC 4122's method for "http://www.example.com/" in the URL namespace, from another implementation
+    // (Python's uuid5).
+    EXPECT_EQ(app::text_hash("http://www.example.com/"), "fcde3c85-2270-590f-9e7c-ee003d65e0e2");
+}
+
+TEST_F(Output, OutlinesHaveTheirValues) {
+    run(k_quiet);
+    const gis::GdalSession session;
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/extent.gpkg").c_str(), GDAL_OF_VECTOR));
+    ASSERT_TRUE(file);
+    const std::string summary = text("summary.json");
+    for (const std::string name : {"trace", "deposit"}) {
+        OGRLayer* layer = file->GetLayerByName(name.c_str());
+        ASSERT_TRUE(layer) << name;
+        const OGRFeatureUniquePtr feature(layer->GetNextFeature());
+        ASSERT_TRUE(feature) << name;
+        const auto value = [&](const char* field) { return feature->GetFieldAsDouble(field); };
+        EXPECT_GT(value("area_m2"), 0);
+        EXPECT_GT(value("volume_m3"), 0);
+        EXPECT_GT(value("runout_m"), 0);
+        EXPECT_NEAR(value("reach_angle_deg"), std::atan2(value("drop_m"), value("runout_m")) * 180 / M_PI, 1e-9);
+        if (name == "deposit") {
+            // Volume deeper than the threshold; the rest is a thin film.
+            EXPECT_LE(value("volume_m3"), 4000 * (1 + 1e-9));
+            EXPECT_GT(value("volume_m3"), 0.9 * 4000);
+            continue;
+        }
+        EXPECT_EQ(value("area_m2"), json_number(summary, "covered_area_m2"));
+        EXPECT_NEAR(value("volume_m3"), 4000, 1e-6);
+        EXPECT_EQ(value("max_depth_m"), json_number(summary, "max_depth_m"));
+        EXPECT_EQ(value("max_velocity_ms"), json_number(summary, "max_velocity_ms"));
+        EXPECT_EQ(value("max_depth_p999_m"), json_number(summary, "max_depth_p999_m"));
+        EXPECT_EQ(value("max_velocity_p999_ms"), json_number(summary, "max_velocity_p999_ms"));
+        EXPECT_EQ(value("runout_m"), json_number(summary, "horizontal_m"));
+    }
+}
+
+TEST_F(Output, HighValuesAreThoseOfTheRasters) {
+    run(k_quiet + "trace-threshold = 0.3\n");
+    const std::string summary = text("summary.json"), report = text("report.html");
+    const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+    const std::array<std::array<std::string, 2>, 3> statistics{
+        {{"max_depth", "m"}, {"max_velocity", "ms"}, {"max_pressure", "kpa"}}};
+    for (const auto& [name, unit] : statistics) {
+        const Raster raster = gis::read_result_raster(path("result/" + name + ".tif"));
+        std::vector<double> inside;
+        for (std::size_t i = 0; i < raster.values.size(); ++i)
+            if (depth.values[i] > 0.3) inside.push_back(raster.values[i]);
+        std::sort(inside.begin(), inside.end());
+        ASSERT_GT(inside.size(), 100U);
+        for (const int thousandths : {999, 990}) {
+            // As numpy.percentile(inside, 99.9) and 99; files have 4 bytes per value, 6e-8 of it.
+            const std::size_t last = inside.size() - 1, place = last * thousandths / 1000;
+            const double beyond = static_cast<double>(last * thousandths % 1000) / 1000;
+            const double expected = inside[place] + beyond * (inside[place + 1] - inside[place]);
+            const std::string key = name + (thousandths == 999 ? "_p999_" : "_p99_") + unit;
+            EXPECT_NEAR(json_number(summary, key), expected, 1e-6 * expected) << key;
+            EXPECT_NE(report.find(">" + app::number_text(json_number(summary, key), 4) + "<"), std::string::npos)
+                << key;
+        }
+        EXPECT_NEAR(json_number(summary, name + "_" + unit), inside.back(), 1e-6 * inside.back()) << name;
+        EXPECT_LE(json_number(summary, name + "_p99_" + unit), json_number(summary, name + "_p999_" + unit));
+        EXPECT_LE(json_number(summary, name + "_p999_" + unit), json_number(summary, name + "_" + unit));
+    }
+    EXPECT_NE(report.find("99.9 % of the area do not exceed: depth, vertical"), std::string::npos);
+}
+
+TEST_F(Output, HighValuesOfNoAreaAreNone) {
+    run(k_quiet + "trace-threshold = 50\n");
+    const std::string summary = text("summary.json");
+    EXPECT_EQ(json_number(summary, "covered_area_m2"), 0);
+    EXPECT_GT(json_number(summary, "max_depth_m"), 1);
+    EXPECT_TRUE(json_value(summary, "max_depth_p999_m").is_null());
+}
+
+TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
+    write_marks("axis.geojson", "LineString", {{"axis", "[" + at(10, 75) + "," + at(210, 75) + "]"}});
+    run(k_quiet + "profiles = axis.geojson\n");
+    const std::vector<std::string> rows = rows_of(text("profiles.csv"));
+    ASSERT_GT(rows.size(), 42U);
+    EXPECT_EQ(rows[0],
+              "line,distance_m,x,y,bed_m,release_m,max_depth,max_velocity,final_depth,arrival_time,max_pressure");
+    const Raster depth = raster("max_depth.tif"), bed = raster("bed.tif");
+    int on_axis = 0;
+    double path_length = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const std::vector<std::string> cells = cells_of(rows[i]);
+        ASSERT_EQ(cells.size(), 11U) << rows[i];
+        const double x = std::stod(cells[2]), y = std::stod(cells[3]);
+        const auto row = static_cast<std::int64_t>((bed.grid.north - y) / k_cell);
+        const auto column = static_cast<std::int64_t>((x - bed.grid.west) / k_cell);
+        EXPECT_NEAR(std::stod(cells[4]), bed.at(row, column), 1e-4) << rows[i];  // the file contains floats
+        if (cells[6].empty())
+            EXPECT_FALSE(depth.has_data(row, column));
+        else
+            EXPECT_NEAR(std::stod(cells[6]), depth.at(row, column), 1e-5);
+        if (cells[0] == "axis") {
+            EXPECT_NEAR(std::stod(cells[1]), 5.0 * on_axis, 1e-9);
+            ++on_axis;
+        } else {
+            EXPECT_EQ(cells[0], "flow path");
+            path_length = std::stod(cells[1]);
+        }
+    }
+    EXPECT_EQ(on_axis, 41);  // 200 m, one station per cell
+    // The flow runs straight down the slope: not shorter than the straight run-out, not longer than with a turn of 45
+    // degrees.
+    const double straight = json_number(text("summary.json"), "horizontal_m");
+    EXPECT_GE(path_length, straight * (1 - 1e-9));
+    EXPECT_LE(path_length, 1.083 * straight + k_cell);
+    const gis::GdalSession session;
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/profiles.gpkg").c_str(), GDAL_OF_VECTOR));
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->GetLayerByName("lines")->GetFeatureCount(), 2);
+    EXPECT_EQ(file->GetLayerByName("stations")->GetFeatureCount(), static_cast<GIntBig>(rows.size() - 1));
+}
+
+TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
+    write_marks("gauges.geojson", "Point", {{"top", at(45, 75)}, {"never", at(290, 5)}});
+    // Across the slope 10 m below the release, drawn from the south to the north: downhill is to the right.
+    write_marks("sections.geojson", "LineString", {{"bridge", "[" + at(80, 0) + "," + at(80, 150) + "]"}});
+    run(k_quiet + "gauges = gauges.geojson\ncross-sections = sections.geojson\nsample-interval = 0.5\n");
+    const std::vector<std::string> gauges = rows_of(text("gauges.csv")), sections = rows_of(text("sections.csv"));
+    EXPECT_EQ(gauges[0], "time_s,gauge,depth_m,speed_ms");
+    EXPECT_EQ(sections[0], "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms");
+    EXPECT_EQ(gauges.size(), 1 + 2 * 8U);                     // 0, 0.5 ... 3.5 s
+    EXPECT_NEAR(std::stod(cells_of(gauges[1])[2]), 2, 0.01);  // the release's thickness at the start
+    EXPECT_EQ(cells_of(gauges[1])[1], "top");
+    EXPECT_EQ(cells_of(gauges.back())[2], "0");
+    const auto last = cells_of(sections.back());
+    EXPECT_GE(std::stod(last[2]), 0);
+    double passed = 0;
+    for (std::size_t i = 1; i < sections.size(); ++i) {
+        EXPECT_GE(std::stod(cells_of(sections[i])[3]), passed - 1e-9) << "all of it flows down";
+        passed = std::stod(cells_of(sections[i])[3]);
+    }
+    EXPECT_GT(passed, 100);
+    EXPECT_LE(passed, 4000);
+    EXPECT_TRUE(fs::exists(path("result/gauges.gpkg")));
+}
+
+TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
+    write_marks("gauges.geojson", "Point", {{"far", at(1000, 75)}});
+    write_marks("points.geojson", "Point", {{"p", at(10, 75)}});
+    write_marks("twice.geojson", "LineString",
+                {{"a", "[" + at(10, 5) + "," + at(20, 5) + "]"}, {"a", "[" + at(10, 9) + "," + at(20, 9) + "]"}});
+    write_scene("[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    for (const std::string words : {"output.gauges: lies outside the working grid (value gauge far at 528000",
+                                    "output.cross-sections: is not a layer of lines",
+                                    "output.profiles: two features have the same name (value a"})
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << " in\n" << outcome.err;
+    EXPECT_FALSE(fs::exists(path("result")));
+}
+
+TEST_F(Output, HazardClassesFollowFromTheRasters) {
+    run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
+    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"), speed = raster("max_velocity.tif");
+    double high = 0;
+    for (std::size_t i = 0; i < classes.values.size(); ++i) {
+        ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(depth.values[i]));
+        if (std::isnan(depth.values[i])) continue;
+        const bool is_high = depth.values[i] > 1 && speed.values[i] > 1;
+        ASSERT_EQ(classes.values[i], is_high ? 3 : 2) << depth.values[i] << ' ' << speed.values[i];
+        high += is_high ? 25 : 0;
+    }
+    EXPECT_GT(high, 0);
+    const gis::GdalSession session;
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
+    ASSERT_TRUE(file);
+    double zones = 0;
+    for (const auto& feature : *file->GetLayer(0))
+        if (feature->GetFieldAsInteger("class") == 3) zones += feature->GetFieldAsDouble("area_m2");
+    EXPECT_NEAR(zones, high, 1e-6 * high);
+    for (const char* name : {"hazard.qml", "hazard.sld", "hazard_zones.qml", "hazard_zones.sld"})
+        EXPECT_TRUE(fs::exists(path(std::string("result/") + name))) << name;
+    EXPECT_FALSE(fs::exists(path("result/max_flux.tif"))) << "not asked for, not computed";
+    const Json named = json_value(text("summary.json"), "hazard");
+    EXPECT_TRUE(std::any_of(named.begin(), named.end(), [](const Json& one) {
+        return one["label"] == "High intensity";
+    })) << named;
+}
+
+TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
+    run(k_quiet + "[hazard]\nscheme = austrian-torrent\n");
+    const Raster classes = raster("hazard.tif"), head = raster("max_head.tif"), deposit = raster("final_depth.tif");
+    for (std::size_t i = 0; i < classes.values.size(); ++i) {
+        if (std::isnan(classes.values[i])) continue;
+        // The file's floats may be on the other side of a limit than the classified doubles.
+        if (std::abs(head.values[i] - 1.5) < 1e-6 || std::abs(deposit.values[i] - 0.7) < 1e-6) continue;
+        ASSERT_EQ(classes.values[i], head.values[i] >= 1.5 || deposit.values[i] >= 0.7 ? 2 : 1);
+    }
+}
+
+TEST_F(Output, HazardKeysThatContradictAreRefused) {
+    write_scene("[hazard]\nscheme = custom\n");
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("scheme custom needs limits"), std::string::npos);
+    write_scene("[hazard]\nscheme = swiss-flood\ndepth-limits = 1 2\n");
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("limits apply only to scheme custom"), std::string::npos);
+    write_scene("[hazard]\nscheme = custom\ndepth-limits = 2 1\n");
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("does not rise from above 0"), std::string::npos);
+}
+
+TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {
+    run("[output]\nmaps = off\nanimation = off\nframes = off\nnames = avaframe\nformats = geotiff, ascii\n");
+    // relName_simHash_defID_simType_modelType_resType, as AvaFrame's cfgUtils.parseSimName takes names apart.
+    const std::regex form(R"([^_]+_[0-9a-f]{10}_C_null_dfa_(ppr|pft|pfv)\.asc)");
+    std::string thickness;
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(path("result/peakFiles"))) {
+        if (entry.path().extension() != ".asc") continue;
+        ++count;
+        const std::string name = entry.path().filename().string();
+        EXPECT_TRUE(std::regex_match(name, form)) << name;
+        if (name.ends_with("_pft.asc")) thickness = "peakFiles/" + name;
+    }
+    EXPECT_EQ(count, 3);
+    ASSERT_FALSE(thickness.empty());
+    const Raster normal = raster(thickness), depth = raster("max_depth.tif");
+    // The slope falls 1 in 2 as far as column 39: cosine 1 / sqrt(1.25). The grid's text has six digits.
+    const double cosine = 1 / std::sqrt(1.25);
+    for (std::int64_t row = 0; row < k_rows; ++row) {
+        for (std::int64_t column = 0; column < 39; ++column) {
+            const double vertical = depth.has_data(row, column) ? depth.at(row, column) : 0;
+            ASSERT_NEAR(normal.at(row, column), vertical * cosine, 2e-5 * (1 + vertical)) << row << ' ' << column;
+        }
+    }
+}
+
+TEST_F(Output, FramesAsNetcdfAndZarr) {
+    run("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, netcdf, zarr\n");
+    const gis::GdalSession session;
+    for (const std::string name : {"frames.nc", "frames.zarr"}) {
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/" + name).c_str(), GDAL_OF_MULTIDIM_RASTER));
+        ASSERT_TRUE(file) << name;
+        const auto depth = file->GetRootGroup()->OpenMDArray("depth");
+        ASSERT_TRUE(depth);
+        EXPECT_EQ(depth->GetDimensions()[0]->GetSize(), 5U);
+        std::vector<float> values(static_cast<std::size_t>(k_rows) * k_columns);
+        const GUInt64 start[3] = {2, 0, 0};
+        const size_t count[3] = {1, k_rows, k_columns};
+        ASSERT_TRUE(
+            depth->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32), values.data()));
+        const Raster frame = raster("frames/depth_0002.tif");
+        for (std::size_t i = 0; i < values.size(); ++i)
+            ASSERT_EQ(values[i], std::isnan(frame.values[i]) ? -9999 : static_cast<float>(frame.values[i])) << name;
+    }
+    write_scene("[output]\nmaps = off\nanimation = off\nframes = off\nformats = geotiff, zarr\n");
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("contain the frames, but the scene writes none"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace frana::test

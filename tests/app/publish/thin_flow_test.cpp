@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flow not shown on maps is refused at the start or reported at the end.
+#include <filesystem>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using ThinFlow = TinyScene;
+
+TEST_F(ThinFlow, ReleasedEverywhereIsRefused) {
+    write_scene(k_numbers_only);
+    for (const std::string command : {"run", "check"}) {
+        const Outcome outcome = frana({command, "scene.ini", "--set", "release.thickness=0.005"});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("release.thickness"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("Set numerics.minimum-depth = 0.0005 or less"), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("results")));
+    EXPECT_EQ(frana({"run", "scene.ini", "--set", "release.thickness=0.005", "--set", "numerics.minimum-depth=0.0005"})
+                  .exit_code,
+              0);
+}
+
+TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
+    write_scene(k_numbers_only);
+    write("two.geojson",
+          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name":)"
+          R"( "urn:ogc:def:crs:EPSG::32632"}}, "features": [)"
+          R"({"type": "Feature", "properties": {"depth": 0.02}, "geometry": {"type": "Polygon",)"
+          R"( "coordinates": [[[527020, 5094055], [527045, 5094055], [527045, 5094095], [527020, 5094095],)"
+          R"( [527020, 5094055]]]}},)"
+          R"({"type": "Feature", "properties": {"depth": 0.008}, "geometry": {"type": "Polygon",)"
+          R"( "coordinates": [[[527045, 5094055], [527070, 5094055], [527070, 5094095], [527045, 5094095],)"
+          R"( [527045, 5094055]]]}}]})");
+    const std::vector<std::string> more{"--set", "release.perimeter=two.geojson", "--set",
+                                        "release.thickness=attribute:depth"};
+    std::vector<std::string> check{"check", "scene.ini"}, run{"run", "scene.ini", "--out", "result"};
+    for (auto* words : {&check, &run}) words->insert(words->end(), more.begin(), more.end());
+    const std::string told =
+        "% of the release is thinner than numerics.minimum-depth = 0.01 m: maps and results do not include it";
+    for (const auto& words : {check, run}) {
+        const Outcome outcome = frana(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find(told), std::string::npos) << words.front() << ": " << outcome.err;
+    }
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_TRUE(json_lists(summary, "warnings", told)) << summary;
+}
+
+TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
+    write_scene(k_numbers_only);
+    const std::string released = "100 % of the release is thinner than output.trace-threshold = 0.1 m",
+                      flowed = "the flow was nowhere deeper than output.trace-threshold = 0.1 m, but 0.0";
+    const auto call = [&](std::vector<std::string> words, const std::string& threshold) {
+        for (const std::string& set :
+             {std::string("release.thickness=0.05"), std::string("numerics.minimum-depth=0.0005"), threshold})
+            words.insert(words.end(), {"--set", set});
+        const Outcome outcome = frana(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err;
+    };
+    const std::string check = call({"check", "scene.ini"}, "output.trace-threshold=0.1");
+    EXPECT_NE(check.find(released), std::string::npos) << check;
+    const std::string run = call({"run", "scene.ini", "--out", "result"}, "output.trace-threshold=0.1");
+    EXPECT_NE(run.find(released), std::string::npos) << run;
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_EQ(json_number(summary, "covered_area_m2"), 0);
+    EXPECT_TRUE(json_lists(summary, "warnings", flowed)) << summary;
+    // Following the remedy.
+    const std::string heeded = call({"run", "scene.ini", "--out", "heeded"}, "output.trace-threshold=0.005");
+    EXPECT_EQ(heeded.find("output.trace-threshold"), std::string::npos) << heeded;
+    EXPECT_GT(json_number(read_text(path("heeded/summary.json")), "covered_area_m2"), 2000);
+}
+
+TEST_F(ThinFlow, DuringTheRunIsAWarning) {
+    write_scene(k_numbers_only);
+    const Outcome outcome =
+        frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set", "time.end=30"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("of the flow was thinner than numerics.minimum-depth = 0.01 m"), std::string::npos)
+        << outcome.err;
+    EXPECT_GT(json_number(read_text(path("result/summary.json")), "greatest_thin_fraction"), 0.1);
+    const Outcome usual = frana({"run", "scene.ini", "--out", "usual"});
+    EXPECT_EQ(usual.err.find("thinner than"), std::string::npos) << usual.err;
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string document(const std::string& name) {
+    return read_text(std::string(FRANA_SOURCE_DIR) + "/" + name);
+}
+
+/// Returns the first block of a document marked as this language.
+std::string first_block(const std::string& text, const std::string& language) {
+    const std::string opening = "```" + language + "\n";
+    const std::size_t begin = text.find(opening), end = text.find("\n```", begin + opening.size());
+    if (begin == std::string::npos || end == std::string::npos) return {};
+    return text.substr(begin + opening.size(), end - begin - opening.size()) + "\n";
+}
+
+using Readme = TinyScene;
+
+TEST_F(Readme, ItsFirstSceneRunsUnchanged) {
+    const std::string scene = first_block(document("README.md"), "ini");
+    ASSERT_FALSE(scene.empty()) << "the README has lost its first scene";
+    fs::create_directory_symlink(FRANA_SOURCE_DIR "/sample_data", folder_ / "sample_data");
+    fs::create_directory(folder_ / "my-slope");
+    write("my-slope/scene.ini", scene);
+    const Outcome checked = frana({"check", "my-slope/scene.ini"});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    // A second of the flow is enough to show that it runs.
+    const Outcome run = frana({"run", "my-slope/scene.ini", "--quiet", "--set", "time.end=1", "--set",
+                               "output.maps=off", "--set", "output.animation=off"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_TRUE(fs::exists(folder_ / "my-slope/results/my-slope/max_depth.tif"));
+}
+
+TEST(Documents, LinkOnlyToExistingFiles) {
+    std::vector<fs::path> pages{fs::path(FRANA_SOURCE_DIR) / "README.md"};
+    for (const fs::directory_entry& entry : fs::directory_iterator(FRANA_SOURCE_DIR "/share/doc"))
+        if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    ASSERT_GT(pages.size(), 5U);
+    const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
+    for (const fs::path& page : pages) {
+        const std::string text = read_text(page.string());
+        for (std::sregex_iterator found(text.begin(), text.end(), link), none; found != none; ++found)
+            EXPECT_TRUE(fs::exists(page.parent_path() / (*found)[1].str()))
+                << page << " links to " << (*found)[1].str();
+    }
+}
+
+}  // namespace
+}  // namespace frana::test

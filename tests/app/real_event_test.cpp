@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sstream>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+/// The worked examples of share/scenes and the sample remain valid: `frana check` accepts them.
+class Example : public TinyScene, public ::testing::WithParamInterface<std::pair<const char*, const char*>> {};
+
+TEST_P(Example, IsReadyToRun) {
+    const auto [scene, data] = GetParam();
+    const std::string needed = std::string(FRANA_SHARED_DIR) + "/data/" + data;
+    if (!std::filesystem::exists(needed)) GTEST_SKIP() << "the event's data are not at " << needed;
+    const Outcome outcome = frana({"check", std::string(FRANA_SOURCE_DIR) + "/share/scenes/" + scene});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("ready to run"), std::string::npos);
+}
+
+TEST_P(Example, LeadsFromTheRawFilesToTheReportInAtMostFifteenLines) {
+    const auto [scene, data] = GetParam();
+    const std::string file = std::string(FRANA_SOURCE_DIR) + "/share/scenes/" + scene;
+    std::istringstream text(read_text(file));
+    int lines = 0;
+    for (std::string line; std::getline(text, line);) lines += !line.empty() && line[0] != '#';
+    EXPECT_LE(lines, 15) << scene;
+    if (!std::filesystem::exists(std::string(FRANA_SHARED_DIR) + "/data/" + data))
+        GTEST_SKIP() << "the event's data are not at " << FRANA_SHARED_DIR << "/data/" << data;
+    // A second of the flow; the whole runs are in share/doc/examples.md.
+    const Outcome outcome =
+        frana({"run", file, "--out", "result", "--quiet", "--set", "time.end=1", "--set", "output.maps=max_depth",
+               "--set", "output.animation=off", "--set", "output.frames=off", "--set", "output.map-size=800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string page = read_text(path("result/report.html"));
+    EXPECT_NE(page.find("</html>"), std::string::npos);
+    EXPECT_NE(page.find("src=\"data:image/png"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Example,
+                         ::testing::Values(std::pair{"wa_s1000.ini", "wa_s1000_2021"},
+                                           std::pair{"realtopo.ini", "iseesnow"},
+                                           std::pair{"colima.ini", "colima_titan2d"}),
+                         [](const auto& tested) {
+                             const std::string name = tested.param.first;
+                             return name.substr(0, name.find('.'));
+                         });
+
+using Sample = TinyScene;
+
+TEST_F(Sample, BindoIsReadyToRun) {
+    const Outcome outcome = frana({"check", FRANA_SOURCE_DIR "/sample_data/bindo/scene.ini"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string words : {"EPSG:32632", "EPSG:4326", "EPSG:3003"})
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+
+inline const std::string k_gauge =
+    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
+       {"type": "Feature", "properties": {"name": "top"}, "geometry": {"type": "Point", "coordinates": [527045, 5094075]}}]})";
+inline const std::string k_section =
+    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
+       {"type": "Feature", "properties": {"name": "bridge"}, "geometry": {"type": "LineString", "coordinates": [[527080, 5094000], [527080, 5094150]]}}]})";
+
+inline const std::string k_every_output =
+    "[output]\nframes = on\nmap-size = 800x600\nmap-formats = png, pdf, tif\nmaps = max_depth, "
+    "max_velocity_3d\n"
+    "formats = geotiff, netcdf, zarr, ascii, particles-gpkg, particles-vtp\nnames = avaframe\n"
+    "gauges = gauge.geojson\ncross-sections = section.geojson\n"
+    "[hazard]\nscheme = austrian-torrent\n[scar]\nperimeter = scar.geojson\n";
+
+/// Runs with many outputs on coarse cells.
+class ResultScenes : public TinyScene {
+  protected:
+    ResultScenes() {
+        write("gauge.geojson", k_gauge);
+        write("section.geojson", k_section);
+        write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    }
+    /// Runs a scene's text on cells of 10 m into a folder.
+    void run(const std::string& text, const std::string& result, const std::vector<std::string>& more = {}) const {
+        write("scene.ini",
+              "[terrain]\ndtm = dtm.asc\ncell-size = 10\n[release]\nperimeter = perimeter.geojson\n"
+              "thickness = 2\n[time]\nend = 2\nframe-interval = 0.5\nstop-when-still = off\n" +
+                  text);
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = frana(arguments);
+        ASSERT_EQ(outcome.exit_code, 0) << result << ": " << outcome.err;
+    }
+    void render(const std::vector<std::string>& words) const {
+        std::vector<std::string> arguments{"render", "old"};
+        arguments.insert(arguments.end(), words.begin(), words.end());
+        const Outcome outcome = frana(arguments);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    /// Everything that can be drawn later.
+    void render_all() const {
+        render({"--plates", "--size", "1600x1200"});
+        render({"--charts"});
+        render({"--animation", "old/film.gif"});
+        render({"--animation", "old/pictures/"});
+        render({"--map", "depth@1", "--map", "dtm", "--format", "tif"});
+        render({"--map", "max_depth", "--out", "old/more"});
+        ASSERT_EQ(frana({"compare", "old", "--scar", "scar.geojson", "--out", "old/compared"}).exit_code, 0);
+    }
+    void copy(const std::string& from, const std::string& to) const {
+        std::filesystem::copy(path(from), path(to),
+                              std::filesystem::copy_options::recursive | std::filesystem::copy_options::copy_symlinks);
+    }
+    [[nodiscard]] bool exists(const std::string& name) const {
+        return std::filesystem::exists(std::filesystem::symlink_status(path(name)));
+    }
+};
+
+inline const std::string k_voellmy = "[material]\nfriction-angle = 15\nturbulence = 500\n";
+inline const std::string k_structured =
+    "[material]\nmodel = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 2e3\n"
+    "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\nmanning "
+    "= 0.05\n"
+    "[numerics]\nparticles-per-cell = 9\n";
+inline const std::string k_entrainment =
+    "[entrainment]\nerosion = growth\ngrowth-rate = 0.005\nerodible-depth = 0.5\ndeposition = on\n"
+    "deposition-rate = 0.01\ndeposition-shear-stress = 2000\n";
+
+}  // namespace frana::test

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// No picture and no table replaces an input or a file of a result, whichever path or name leads to it.
+#include <gdal.h>
+
+#include <fstream>
+
+#include "app/store/manifest.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+int bands(const std::string& path) {
+    GDALAllRegister();
+    GDALDatasetH dataset = GDALOpen(path.c_str(), GA_ReadOnly);
+    const int count = dataset != nullptr ? GDALGetRasterCount(dataset) : 0;
+    if (dataset != nullptr) GDALClose(dataset);
+    return count;
+}
+
+class KeptFilesOf : public TinyScene {
+  protected:
+    void SetUp() override {
+        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
+        ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"}).exit_code, 0);
+    }
+    [[nodiscard]] std::map<std::string, std::string> contents() const {
+        std::map<std::string, std::string> all;
+        for (const std::string& name : files())
+            if (fs::is_regular_file(path(name)) && name.find(".started") == std::string::npos)
+                all[name] = read_text(path(name));
+        return all;
+    }
+    // Exit code 2, these words, and every file unchanged.
+    void expect_refusal(const std::vector<std::string>& arguments, const std::string& words) const {
+        const auto before = contents();
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        EXPECT_TRUE(contents() == before);
+    }
+};
+
+TEST_F(KeptFilesOf, ARasterThatIsDrawn) {
+    expect_refusal({"render", "result/max_depth.tif", "--format", "tif", "--out", "result", "--size", "640x480"},
+                   "--out: would be overwritten: it is an input or belongs to a result (value result/max_depth.tif)");
+    fs::create_directory(path("maps"));
+    fs::create_hard_link(path("result/max_depth.tif"), path("maps/max_depth.tif"));
+    expect_refusal({"render", "result/max_depth.tif", "--format", "tif", "--out", "maps", "--size", "640x480"},
+                   "would be overwritten");
+}
+
+TEST_F(KeptFilesOf, AResult) {
+    expect_refusal({"render", "result", "--out", "result", "--format", "tif", "--size", "640x480"},
+                   "pictures as tif cannot be written there");
+    fs::create_directory_symlink(path("result"), path("alias"));
+    expect_refusal({"render", "result", "--out", "alias", "--format", "tif", "--size", "640x480"},
+                   "pictures as tif cannot be written there");
+    fs::create_symlink(path("result/max_depth.tif"), path("film.mp4"));
+    expect_refusal({"render", "result", "--animation", "film.mp4", "--size", "640x480"}, "would be overwritten");
+    fs::create_directory(path("pictures"));
+    fs::create_symlink(path("dtm.asc"), path("pictures/max_depth.png"));
+    expect_refusal({"render", "result", "--map", "max_depth", "--out", "pictures", "--size", "640x480"},
+                   "would be overwritten");
+    fs::create_directory(path("charts"));
+    fs::create_hard_link(path("result/summary.json"), path("charts/timeseries.png"));
+    expect_refusal({"render", "result", "--charts", "--out", "charts"}, "would be overwritten");
+}
+
+TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
+    fs::create_directory(path("pictures"));
+    fs::copy_file(path("result/dtm.tif"), path("pictures/max_depth.tif"));
+    const std::vector<std::string> draw{"render",   "result",   "--map", "max_depth", "--out",
+                                        "pictures", "--format", "tif",   "--size",    "640x480"};
+    expect_refusal(draw, "exists already and was not drawn by frana");
+    fs::remove(path("pictures/max_depth.tif"));
+    for (int i = 0; i < 2; ++i) {  // its own pictures may be redrawn
+        const Outcome outcome = frana(draw);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(bands(path("pictures/max_depth.tif")), 3);
+    }
+}
+
+TEST_F(KeptFilesOf, TheClassesOfAComparison) {
+    write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    write_scene(
+        "[output]\nmaps = off\nanimation = off\nframes = off\nmap-formats = png, tif\nmap-size = 640x480\n"
+        "[scar]\nperimeter = scar.geojson\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "compared", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(bands(path("compared/comparison.tif")), 1);
+    EXPECT_EQ(bands(path("compared/maps/comparison.tif")), 3);
+    EXPECT_TRUE(fs::exists(path("compared/comparison.png")));
+    const std::string classes = read_text(path("compared/comparison.tif"));
+    const Outcome again = frana({"compare", "compared", "--scar", "scar.geojson", "--out", "again"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(bands(path("again/comparison.tif")), 1);
+    EXPECT_EQ(bands(path("again/maps/comparison.tif")), 3);
+}
+
+TEST_F(KeptFilesOf, AComparisonsInputs) {
+    write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    fs::create_directory(path("foreign"));
+    fs::copy_file(path("result/max_depth.tif"), path("foreign/comparison.tif"));
+    expect_refusal({"compare", "foreign/comparison.tif", "--scar", "scar.geojson", "--out", "foreign"},
+                   "would be overwritten");
+    fs::rename(path("scar.geojson"), path("result/comparison.json"));
+    expect_refusal({"compare", "result", "--scar", "result/comparison.json"}, "would be overwritten");
+}
+
+TEST_F(KeptFilesOf, AConvergenceStudysInputs) {
+    fs::create_directory(path("study"));
+    fs::rename(path("dtm.asc"), path("study/convergence.csv"));
+    fs::rename(path("dtm.prj"), path("study/convergence.prj"));
+    expect_refusal({"converge", "scene.ini", "--set", "terrain.dtm=study/convergence.csv", "--out", "study", "--quiet"},
+                   "would be overwritten");
+}
+
+class OwnFiles : public KeptFilesOf {};
+
+const std::string k_foreign = "exists already and was not written by frana";
+
+TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
+    write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    const std::vector<std::string> compare{
+        "compare", "result/max_depth.tif", "--scar", "scar.geojson", "--out", "compared", "--size", "640x480"};
+    fs::create_directory(path("compared"));
+    write("compared/comparison.png", "the user's");
+    expect_refusal(compare, k_foreign);
+    fs::remove(path("compared/comparison.png"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(compare).exit_code, 0);
+    write("compared/comparison.json", "edited");
+    EXPECT_EQ(frana(compare).exit_code, 0);
+    EXPECT_EQ(read_text(path("compared/comparison.kept-1.json")), "edited");
+    fs::remove_all(path("compared"));
+    fs::create_directory(path("compared"));
+    write("compared/manifest.json", "{\"name\": \"of a web page\"}");
+    expect_refusal(compare, "is not frana's list of files");
+    // In a result they belong to it.
+    for (int i = 0; i < 2; ++i)
+        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--size", "640x480"}).exit_code, 0);
+    EXPECT_TRUE(app::read_manifest(path("result")).value().files.contains("comparison.png"));
+}
+
+TEST_F(OwnFiles, OfAStudyAreReplacedAndNoOthers) {
+    fs::create_directory(path("study"));
+    write("study/uncertainty.tif", "the user's");
+    const std::vector<std::string> study{"converge", "scene.ini", "--out", "study", "--quiet", "--set", "time.end=1"};
+    expect_refusal(study, k_foreign);
+    expect_refusal(study, "a study by an older frana, without a list of its files, must be moved as a whole");
+    fs::remove(path("study/uncertainty.tif"));
+    EXPECT_EQ(frana(study).exit_code, 0);
+    expect_refusal(study, "contains a convergence study already");
+    std::vector<std::string> again = study;
+    again.emplace_back("--overwrite");
+    EXPECT_EQ(frana(again).exit_code, 0);
+    write("study/convergence.csv", "edited");
+    EXPECT_EQ(frana(again).exit_code, 0);
+    EXPECT_EQ(read_text(path("study/convergence.kept-1.csv")), "edited");
+}
+
+TEST_F(OwnFiles, OfABenchAreReplacedAndNoOthers) {
+    const std::vector<std::string> bench{"bench", "accuracy", "--quick", "--case", "lake-z1", "--out", "bench"};
+    fs::create_directory(path("bench"));
+    write("bench/accuracy.csv", "the user's");
+    expect_refusal(bench, k_foreign);
+    fs::remove(path("bench/accuracy.csv"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(bench).exit_code, 0);
+}
+
+// Redrawn pictures belong to the result: a run that replaces it removes them.
+TEST_F(OwnFiles, OfARedrawnResultAreReplacedWithIt) {
+    ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--map", "release", "--size", "640x480"}).exit_code, 0);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
+              0);
+    EXPECT_FALSE(fs::exists(path("result/maps/release.png")));
+}
+
+// Each of two runs keeps its own files, whatever command writes, and however the place is written.
+class AnotherResult : public KeptFilesOf {
+  protected:
+    void SetUp() override {
+        KeptFilesOf::SetUp();
+        fs::copy(path("result"), path("other"), fs::copy_options::recursive);
+        write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    }
+    void expect_both_named(const std::vector<std::string>& arguments, const std::string& reads) const {
+        expect_refusal(arguments, "is in another result, " + fs::canonical(path("other")).string());
+        if (reads.empty()) return;
+        const Outcome outcome = frana(arguments);
+        EXPECT_NE(outcome.err.find("the input is " + reads), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("Choose a place outside it"), std::string::npos) << outcome.err;
+    }
+};
+
+TEST_F(AnotherResult, IsNotComparedInto) {
+    expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other"}, "result");
+    expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other/new/folder"}, "result");
+    expect_both_named({"compare", "result/max_depth.tif", "--scar", "scar.geojson", "--out", "other"},
+                      "result/max_depth.tif");
+    expect_both_named({"compare", "result", "dtm.asc", "--scar", "scar.geojson", "--out", "other"}, "result");
+    // The list of its own files may have been deleted.
+    fs::remove(path("other/manifest.json"));
+    expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other"}, "result");
+    for (const std::string own : {"result", "result/more"})
+        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--out", own, "--size", "640x480"}).exit_code,
+                  0);
+}
+
+TEST_F(AnotherResult, IsNotDrawnInto) {
+    fs::create_directory_symlink(path("other"), path("alias"));
+    expect_both_named({"render", "result", "--map", "max_depth", "--out", "other/maps"}, "result");
+    expect_both_named({"render", "result", "--map", "max_depth", "--out", "alias/maps"}, "result");
+    expect_both_named({"render", "result", "--animation", "other/animation.mp4"}, "result");
+    expect_both_named({"render", "result", "--animation", "other/film/"}, "result");
+    expect_both_named({"render", "result", "--animation", "other/film.mp4", "--beside", "other"}, "result");
+    expect_both_named({"render", "result", "--charts", "--out", "other/charts"}, "result");
+    expect_both_named({"render", "dtm.asc", "--out", "other/maps"}, "dtm.asc");
+    for (const std::string own : {"result/maps", "result/more"})
+        EXPECT_EQ(frana({"render", "result", "--map", "max_depth", "--out", own, "--size", "640x480"}).exit_code, 0);
+}
+
+TEST_F(AnotherResult, RefusesAStudy) {
+    expect_both_named({"bench", "accuracy", "--quick", "--case", "lake-z1", "--out", "other"}, "");
+    expect_both_named({"converge", "scene.ini", "--quiet", "--set", "time.end=1", "--out", "other/study"}, "");
+}
+
+class OwnPictures : public KeptFilesOf {
+  protected:
+    static std::vector<std::string> animation(const std::string& name) {
+        return {"render", "result", "--animation", name, "--size", "640x480"};
+    }
+};
+
+TEST_F(OwnPictures, AreReplacedAndNoOthers) {
+    const std::vector<std::string> draw{"render", "result",   "--map",  "max_depth",
+                                        "--out",  "pictures", "--size", "640x480"};
+    fs::create_directory(path("pictures"));
+    write("pictures/max_depth.png", "the user's");
+    expect_refusal(draw, k_foreign);
+    fs::remove(path("pictures/max_depth.png"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(draw).exit_code, 0);
+    EXPECT_FALSE(fs::exists(path("pictures/max_depth.kept-1.png")));
+    write("pictures/max_depth.png", "edited");
+    EXPECT_EQ(frana(draw).exit_code, 0);
+    EXPECT_EQ(read_text(path("pictures/max_depth.kept-1.png")), "edited");
+    fs::create_directory(path("charts"));
+    write("charts/timeseries.png", "the user's");
+    expect_refusal({"render", "result", "--charts", "--out", "charts"}, k_foreign);
+    write("max_depth.png", "the user's");
+    expect_refusal({"render", "result/max_depth.tif", "--size", "640x480"}, k_foreign);
+}
+
+TEST_F(OwnPictures, OfAnimationsAreReplacedAndNoOthers) {
+    fs::create_directory(path("film"));
+    write("film/frame_0000.png", "the user's");
+    expect_refusal(animation("film/"), k_foreign);
+    write("film.gif", "the user's");
+    expect_refusal(animation("film.gif"), k_foreign);
+    fs::remove(path("film.gif"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(animation("film.gif")).exit_code, 0);
+}
+
+// A shorter animation: no frame of the longer one may remain.
+TEST_F(OwnPictures, OfALongerAnimationAreRemoved) {
+    ASSERT_EQ(frana(animation("film/")).exit_code, 0);
+    const auto frames = [&](const std::string& more) {
+        std::vector<std::string> names;
+        for (const std::string& name : files())
+            if (name.starts_with("film/frame_") && name.find(more) != std::string::npos) names.push_back(name);
+        return names;
+    };
+    const std::size_t longer = frames(".png").size();
+    ASSERT_GE(longer, 3U);
+    write("film/frame_0009.png", "the user's");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
+              0);
+    ASSERT_EQ(frana(animation("film/")).exit_code, 0);
+    const std::vector<std::string> left = frames(".png");
+    EXPECT_LT(left.size(), longer + 1);
+    EXPECT_FALSE(fs::exists(path("film/frame_000" + std::to_string(longer - 1) + ".png")));
+    EXPECT_EQ(read_text(path("film/frame_0009.png")), "the user's");
+    EXPECT_FALSE(
+        app::read_manifest(path("film")).value().files.contains("frame_000" + std::to_string(longer - 1) + ".png"));
+}
+
+}  // namespace
+}  // namespace frana::test

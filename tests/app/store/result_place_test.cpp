@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places of a result: links, mount points and folders of other owners.
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "app/store/manifest.h"
+#include "app/store/replace_result.h"
+#include "app/store/result_place.h"
+#include "same_result.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Place : public TinyScene {
+  protected:
+    Place() { write_scene(k_numbers_only); }
+    [[nodiscard]] Outcome run(const std::string& out, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"run", "scene.ini", "--quiet", "--set", "time.end=0.5", "--out", out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return frana(arguments);
+    }
+    /// `run` and `check` report the same, with the same exit code, and nothing is computed.
+    void expect_refused(const std::string& out, int code, const std::string& words) const {
+        const std::vector<std::string> before = files();
+        for (const Outcome& outcome :
+             {run(out, {"--overwrite"}), frana({"check", "scene.ini", "--set", "output.directory=" + out})}) {
+            EXPECT_EQ(outcome.exit_code, code) << outcome.err;
+            EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        }
+        EXPECT_EQ(files(), before);
+    }
+    [[nodiscard]] bool is_result(const std::string& name) const { return fs::exists(path(name + "/summary.json")); }
+};
+
+/// A mounted file system during its lifetime.
+class Mounted {
+  public:
+    explicit Mounted(std::string place) : place_(std::move(place)) {
+        is_there_ = ::mount("tmpfs", place_.c_str(), "tmpfs", 0, "size=16m") == 0;
+    }
+    ~Mounted() {
+        if (is_there_) ::umount2(place_.c_str(), MNT_DETACH);
+    }
+    Mounted(const Mounted&) = delete;
+    Mounted& operator=(const Mounted&) = delete;
+    [[nodiscard]] bool is_there() const { return is_there_; }
+
+  private:
+    std::string place_;
+    bool is_there_;
+};
+
+TEST_F(Place, ASymbolicLinkIsKeptAndTheResultIsBuiltAtItsTarget) {
+    fs::create_directories(path("disk/empty"));
+    fs::create_directory_symlink("disk/empty", path("to_empty"));
+    fs::create_directory_symlink(path("disk/new"), path("to_nothing_yet"));
+    fs::create_directory_symlink("to_empty", path("to_link"));
+    for (const std::string out : {"to_empty", "to_nothing_yet/"}) {
+        const Outcome outcome = run(out);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    EXPECT_TRUE(is_result("disk/empty"));
+    EXPECT_TRUE(is_result("disk/new"));
+    write("disk/empty/notes.txt", "mine");
+    EXPECT_EQ(run("to_link").exit_code, 2);
+    ASSERT_EQ(run("to_link", {"--overwrite", "--set", "release.thickness=1"}).exit_code, 0);
+    EXPECT_NEAR(json_number(read_text(path("disk/empty/summary.json")), "initial_m3"), 2000, 1e-6);
+    EXPECT_EQ(read_text(path("disk/empty/notes.txt")), "mine");
+    EXPECT_EQ(fs::read_symlink(path("to_link")), "to_empty");
+    EXPECT_EQ(fs::read_symlink(path("to_empty")), "disk/empty");
+    EXPECT_EQ(fs::read_symlink(path("to_nothing_yet")), path("disk/new"));
+    for (const std::string& name : files()) EXPECT_EQ(name.find("partial"), std::string::npos) << name;
+}
+
+TEST_F(Place, BrokenLinksAreRefused) {
+    fs::create_directory_symlink("no_disk/result", path("dangling"));
+    fs::create_directory_symlink("circle", path("circle"));
+    expect_refused("dangling", 2, "is a symbolic link to a place that does not exist");
+    expect_refused("circle", 2, "is a symbolic link to itself");
+}
+
+TEST_F(Place, AMountPointIsRefusedAtTheStartAndAFolderInItAccepted) {
+    fs::create_directories(path("disk"));
+    const Mounted disk(path("disk"));
+    if (!disk.is_there()) GTEST_SKIP() << "nothing may be mounted here";
+    fs::create_directory_symlink("disk", path("to_disk"));
+    fs::create_directory_symlink("disk/deep", path("deep"));
+    for (const std::string out : {"disk", "to_disk"}) {
+        expect_refused(out, 2, "is a mount point");
+        EXPECT_NE(run(out).err.find("--out " + path("disk/result")), std::string::npos);
+    }
+    ASSERT_EQ(run("disk/result").exit_code, 0);
+    ASSERT_EQ(run("deep").exit_code, 0);
+    EXPECT_TRUE(is_result("disk/deep"));
+}
+
+TEST_F(Place, AFolderBoundToAnotherPlaceIsAMountPointToo) {
+    fs::create_directories(path("real"));
+    fs::create_directories(path("bound"));
+    if (::mount(path("real").c_str(), path("bound").c_str(), nullptr, MS_BIND, nullptr) != 0)
+        GTEST_SKIP() << "nothing may be mounted here";
+    expect_refused("bound", 2, "is a mount point");
+    ::umount2(path("bound").c_str(), MNT_DETACH);
+}
+
+/// Runs as a user without permissions during its lifetime.
+class AsNobody {
+  public:
+    AsNobody() { is_ = ::geteuid() == 0 && ::setegid(65534) == 0 && ::seteuid(65534) == 0; }
+    ~AsNobody() {
+        if (is_ && (::seteuid(0) != 0 || ::setegid(0) != 0)) std::abort();
+    }
+    AsNobody(const AsNobody&) = delete;
+    AsNobody& operator=(const AsNobody&) = delete;
+    [[nodiscard]] bool is() const { return is_; }
+
+  private:
+    bool is_;
+};
+
+TEST_F(Place, OfAnotherOwnerOrWithoutPermissionIsRefused) {
+    for (const char* name : {"closed", "sticky", "sticky/result", "open", "open/closed"})
+        fs::create_directories(path(name));
+    ASSERT_EQ(::chmod(path("sticky").c_str(), 01777), 0);
+    ASSERT_EQ(::chmod(path("sticky/result").c_str(), 0777), 0);
+    ASSERT_EQ(::chmod(path("open").c_str(), 0777), 0);
+    ASSERT_EQ(::chmod(path("open/closed").c_str(), 0555), 0);
+    ASSERT_EQ(::chmod(path("").c_str(), 0755), 0);
+    const auto refusal = [&](const std::string& directory) -> std::string {
+        Problems problems;
+        const auto problem = app::check_result_directory(path(directory), true, {}, "--out", problems);
+        EXPECT_TRUE(problems.empty());
+        return problem ? describe(*problem) : "";
+    };
+    const AsNobody nobody;
+    if (!nobody.is()) GTEST_SKIP() << "only root can change the user";
+    // access(2) checks the real user, which is still root: the effective one must be checked.
+    EXPECT_NE(refusal("closed/result").find("cannot be written"), std::string::npos) << refusal("closed/result");
+    EXPECT_NE(refusal("closed").find("cannot be written"), std::string::npos);
+    EXPECT_NE(refusal("open/closed").find("may not be changed"), std::string::npos) << refusal("open/closed");
+    EXPECT_NE(refusal("sticky/result").find("only its owner may rename it"), std::string::npos)
+        << refusal("sticky/result");
+    EXPECT_EQ(refusal("open/result"), "");
+    EXPECT_EQ(refusal("sticky/another"), "");
+}
+
+// A colleague's folder, a disk mounted read-only: all problems at once, with a remedy also by check.
+TEST_F(Place, ThatCannotBeWrittenIsReportedWithTheScenesProblems) {
+    fs::create_directories(path("disk"));
+    const Mounted disk(path("disk"));
+    if (!disk.is_there() || ::mount("tmpfs", path("disk").c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=16m") != 0)
+        GTEST_SKIP() << "nothing may be mounted here";
+    write_scene(k_numbers_only + "directory = disk/result\n");
+    for (const std::string command : {"check", "run"}) {
+        const Outcome alone = frana({command, "scene.ini"});
+        EXPECT_EQ(alone.exit_code, 4) << alone.err;
+        EXPECT_NE(alone.err.find("Choose another result directory with --out"), std::string::npos) << alone.err;
+        const Outcome both = frana({command, "scene.ini", "--set", "terrain.dtm=nosuch.tif"});
+        EXPECT_EQ(both.exit_code, 2) << both.err;
+        EXPECT_NE(both.err.find("nosuch.tif"), std::string::npos) << both.err;
+        EXPECT_NE(both.err.find("cannot be written"), std::string::npos) << both.err;
+    }
+    const Outcome elsewhere = frana({"check", "scene.ini", "--out", "elsewhere"});
+    EXPECT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
+    EXPECT_NE(elsewhere.out.find(path("elsewhere")), std::string::npos) << elsewhere.out;
+    EXPECT_FALSE(fs::exists(path("elsewhere")));
+}
+
+TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
+    for (const std::string command : {"check", "run"}) {
+        const Outcome outcome = frana({command, "scene.ini", "--out", "above/" + std::string(245, 'a')});
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("--out: has a name that is too long"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("Choose a shorter one with --out"), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(fs::exists(path("above")));
+}
+
+// Whatever the name of a file of the replaced result: by a link, by a layer in it, in GDAL's syntax.
+TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
+    ASSERT_EQ(run("result").exit_code, 0);
+    fs::create_symlink(path("result/dtm.tif"), path("linked.tif"));
+    fs::create_directory_symlink(path("result"), path("alias"));
+    const std::vector<std::string> before = files();
+    for (const std::string input :
+         {"terrain.dtm=linked.tif", "terrain.dtm=alias/dtm.tif", "release.perimeter=result/extent.gpkg|layer=release",
+          "release.perimeter=alias/extent.gpkg|layer=release", "release.thickness=raster:linked.tif",
+          "terrain.dtm=GTIFF_RAW:result/dtm.tif"}) {
+        const Outcome outcome = run("result", {"--overwrite", "--set", input});
+        EXPECT_EQ(outcome.exit_code, 2) << input << ": " << outcome.err;
+        EXPECT_NE(outcome.err.find("is an input and would be replaced by the result"), std::string::npos)
+            << input << ": " << outcome.err;
+    }
+    EXPECT_EQ(files(), before);
+}
+
+// A second name of a result's file, and a user's own file in its folder, are read and still exist.
+TEST_F(Place, InputsThatTheResultDoesNotReplaceAreReadAndKept) {
+    ASSERT_EQ(run("result").exit_code, 0);
+    const std::string ground = read_text(path("result/dtm.tif"));
+    fs::create_hard_link(path("result/dtm.tif"), path("second.tif"));
+    fs::copy_file(path("second.tif"), path("result/mine.tif"));
+    for (const std::string dtm : {"second.tif", "result/mine.tif"}) {
+        const Outcome outcome = run("result", {"--overwrite", "--set", "terrain.dtm=" + dtm});
+        EXPECT_EQ(outcome.exit_code, 0) << dtm << ": " << outcome.err;
+        for (const char* name : {"second.tif", "result/mine.tif"})
+            EXPECT_TRUE(read_text(path(name)) == ground) << dtm << ": " << name;
+    }
+}
+
+// What could not be read, moved or removed is reported, and still exists.
+TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
+    for (const char* name : {"older", "older/frames", "older/private", "other", "other/frames", "result"}) {
+        fs::create_directories(path(name));
+        ASSERT_EQ(::chmod(path(name).c_str(), 0777), 0);
+    }
+    ASSERT_EQ(::chmod(path("").c_str(), 0777), 0);
+    app::Manifest manifest;
+    for (const std::string name : {"max_depth.tif", "frames/depth_0000.tif"}) {
+        for (const std::string folder : {"older/", "other/"}) write(folder + name, "raster");
+        manifest.files[name] = app::mark_of(path("older/" + name));
+    }
+    for (const char* folder : {"older", "other"}) app::write_manifest(path(folder), manifest);
+    write("older/private/notes.txt", "mine");
+    ASSERT_EQ(::chmod(path("older/frames").c_str(), 0755), 0);
+    ASSERT_EQ(::chmod(path("older/private").c_str(), 0700), 0);
+    fs::create_directory(path("result/private"));
+    ASSERT_EQ(::chmod(path("other/frames").c_str(), 0755), 0);
+    const std::vector<std::string> before = files_below(path("older"));
+    app::RunLog log(true);
+    std::vector<Problem> unseen, seen;
+    {
+        const AsNobody nobody;
+        if (!nobody.is()) GTEST_SKIP() << "only root can change the user";
+        unseen = app::replace_result(path("older"), path("result"), log);
+        seen = app::replace_result(path("other"), path("result"), log);
+    }
+    ASSERT_EQ(unseen.size(), 1U);
+    EXPECT_NE(describe(unseen[0]).find(path("older/private")), std::string::npos) << describe(unseen[0]);
+    EXPECT_EQ(files_below(path("older")), before);  // nothing is removed if something could not be read
+    EXPECT_TRUE(seen.empty());
+    ASSERT_EQ(log.warnings().size(), 1U);
+    EXPECT_NE(log.warnings()[0].find("what is left of it is in " + path("other")), std::string::npos)
+        << log.warnings()[0];
+    EXPECT_TRUE(fs::exists(path("other/frames/depth_0000.tif")));
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// The structured model through the program: fluid alone.
+#include <set>
+
+#include "gis/raster/raster_in.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StructuredScene : public TinyScene {
+  protected:
+    // The tiny slope with water instead of a Voellmy material.
+    void write_fluid(const std::string& more = "") const {
+        write("scene.ini",
+              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+              "model = structured\n[structured]\nphases = fluid\nmanning = 0.05\n[time]\nend = 20\n" +
+                  more);
+    }
+    [[nodiscard]] double summary_number(const std::string& result, const std::string& key) const {
+        return json_number(read_text(path(result + "/summary.json")), key);
+    }
+};
+
+TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
+    write_fluid("frame-interval = 5\n[output]\nmap-size = 800x600\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    for (const std::string name :
+         {"scene.ini", "summary.json", "extent.gpkg", "timeseries.csv", "log.txt", "dtm.tif", "bed.tif", "release.tif",
+          "animation.mp4", "frames/depth_0000.tif", "frames/velocity_0004.tif", "maps/max_depth.png", "max_depth.tif",
+          "max_velocity.tif", "final_depth.tif", "arrival_time.tif", "max_pressure.tif"})
+        EXPECT_TRUE(fs::exists(path("result/" + name)) && fs::file_size(path("result/" + name)) > 0) << name;
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_EQ(json_text(summary, "model"), "structured");
+    for (const std::string words : {"Manning bed resistance", "finite volumes"})
+        EXPECT_TRUE(json_lists(summary, "terms", words)) << words;
+    EXPECT_FALSE(json_lists(summary, "terms", "Coulomb"));
+    // 50 m x 40 m, 2 m thick; nothing is lost.
+    EXPECT_NEAR(summary_number("result", "initial_m3"), 4000, 1e-6);
+    EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
+    EXPECT_GT(summary_number("result", "max_velocity_ms"), 3);
+
+    // The map's depths give the volume: final depth times cell area is the remaining volume, except for films below 1
+    // cm.
+    const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
+    double volume = 0;
+    for (const double d : depth.values) volume += std::isnan(d) ? 0 : d * k_cell * k_cell;
+    EXPECT_NEAR(volume, summary_number("result", "final_m3"), 0.02 * 4000);
+}
+
+// Blocks of solids with their water, through the same program: both phases in rasters and frames, nothing lost.
+TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
+    write_fluid(
+        "frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n"
+        "formats = geotiff, particles-gpkg\nmap-size = 640x480\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2", "--set",
+                                   "structured.phases=solids-and-fluid", "--set", "structured.cohesion=2e3", "--set",
+                                   "structured.internal-friction-angle=28", "--set", "structured.bed-friction-angle=12",
+                                   "--set", "structured.young-modulus=1e6", "--set", "structured.bulk-modulus=1e6"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string name : {"solid_depth", "solid_velocity", "solid_fraction", "cohesion_ratio", "strain",
+                                   "fluid_depth", "fluid_velocity", "released_water"}) {
+        EXPECT_TRUE(fs::exists(path("result/" + name + ".tif"))) << name;
+        EXPECT_TRUE(fs::exists(path("result/" + name + ".qml"))) << name;
+    }
+    EXPECT_TRUE(fs::exists(path("result/frames/solid_depth_0002.tif")));
+    EXPECT_GT(summary_number("result", "particle_steps"), 0);
+    EXPECT_NEAR(summary_number("result", "initial_m3"), 4000, 1e-6);
+    EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
+    // Half of the mass is solids: the raster contains at most that volume.
+    const Raster solids = gis::read_result_raster(path("result/solid_depth.tif"));
+    double volume = 0;
+    for (const double d : solids.values) volume += std::isnan(d) ? 0 : d * k_cell * k_cell;
+    EXPECT_NEAR(volume, 2000, 0.02 * 2000);
+    const Raster left = gis::read_result_raster(path("result/cohesion_ratio.tif"));
+    for (const double c : left.values) EXPECT_TRUE(std::isnan(c) || (c >= 0 && c <= 1));
+
+    // Frames of what the phases do, and particles by the cohesion left to them, on maps and as an animation.
+    const Outcome drawn =
+        frana({"render", "result", "--map", "cohesion_ratio@1", "--map", "solid_velocity@1", "--map",
+               "fluid_velocity@2", "--map", "particle_cohesion@1", "--map", "particles@1", "--out", "drawn"});
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    // Named by the frame's true time, at or after the one asked for.
+    std::set<std::string> pictures, contents;
+    for (const auto& file : fs::directory_iterator(path("drawn"))) {
+        const std::string name = file.path().filename().string();
+        if (!name.ends_with(".png")) continue;
+        pictures.insert(name.substr(0, name.rfind("_t")));
+        contents.insert(read_text(file.path().string()));
+    }
+    EXPECT_EQ(pictures, (std::set<std::string>{"cohesion_ratio", "fluid_velocity", "particle_cohesion", "particles",
+                                               "solid_velocity"}));
+    EXPECT_EQ(contents.size(), pictures.size());
+    const Outcome moving =
+        frana({"render", "result", "--map", "particle_cohesion", "--animation", "pictures/", "--size", "640x480"});
+    EXPECT_EQ(moving.exit_code, 0) << moving.err;
+}
+
+// What a result's frames do not have is no map of theirs.
+TEST_F(StructuredScene, FluidAloneHasNoCohesionToDraw) {
+    write_fluid("frame-interval = 5\n[output]\nmaps = off\nanimation = off\nmap-size = 640x480\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=5"}).exit_code, 0);
+    EXPECT_EQ(frana({"render", "result", "--map", "velocity@5"}).exit_code, 0);
+    for (const char* map : {"cohesion_ratio@5", "particle_cohesion@5"}) {
+        const Outcome refused = frana({"render", "result", "--map", map});
+        EXPECT_EQ(refused.exit_code, 2) << map;
+        EXPECT_NE(refused.err.find("velocity@SECONDS"), std::string::npos) << refused.err;
+        EXPECT_EQ(refused.err.find("cohesion_ratio@SECONDS"), std::string::npos) << refused.err;
+    }
+}
+
+// `frana run` on what a run wrote repeats it to the last bit, with another number of threads.
+TEST_F(StructuredScene, EchoRepeatsTheRun) {
+    write_fluid(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "first", "--quiet", "--threads", "1"}).exit_code, 0);
+    const Outcome again = frana({"run", "first/scene.ini", "--out", "second", "--quiet", "--threads", "3"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(read_text(path("first/timeseries.csv")), read_text(path("second/timeseries.csv")));
+    for (const std::string name : {"max_depth", "max_velocity", "arrival_time"}) {
+        const Raster a = gis::read_result_raster(path("first/" + name + ".tif"));
+        const Raster b = gis::read_result_raster(path("second/" + name + ".tif"));
+        for (std::size_t i = 0; i < a.values.size(); ++i)
+            EXPECT_TRUE(a.values[i] == b.values[i] || (std::isnan(a.values[i]) && std::isnan(b.values[i])));
+    }
+}
+
+TEST_F(StructuredScene, CheckPrintsWhatWouldRun) {
+    write_fluid();
+    const Outcome outcome = frana({"check", "scene.ini"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("bytes per cell"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("particles"), std::string::npos) << outcome.out;
+}
+
+// Inflow and a release that fails later enter as in the first model.
+TEST_F(StructuredScene, AddsLaterReleasesAndInflow) {
+    write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n2,30,2\n8,30,2\n10,0,2\n");
+    write("line.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
+          R"([[527100,5094060],[527100,5094090]]}}]})");
+    write_fluid("[inflow]\nline = line.geojson\nhydrograph = hydrograph.csv\n" + k_numbers_only);
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "release.start=3"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NEAR(summary_number("result", "inflow_m3"), 240, 1e-9);
+    EXPECT_NEAR(summary_number("result", "entered_m3"), 4240, 1e-6);
+    EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
+}
+
+TEST_F(StructuredScene, RecordsSections) {
+    write("section.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{"name":"foot"},"geometry":{"type":"LineString","coordinates":)"
+          R"([[527150,5094145],[527150,5094005]]}}]})");
+    write_fluid(k_numbers_only + "cross-sections = section.geojson\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string rows = read_text(path("result/sections.csv"));
+    EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 10);
+}
+
+struct Refused {
+    std::string name;
+    std::vector<std::string> set;
+    std::vector<std::string> words;
+};
+
+class StructuredRefuses : public StructuredScene, public ::testing::WithParamInterface<Refused> {};
+
+TEST_P(StructuredRefuses, ByName) {
+    write_fluid();
+    std::vector<std::string> arguments{"run", "scene.ini", "--out", "result"};
+    for (const std::string& set : GetParam().set) {
+        arguments.emplace_back("--set");
+        arguments.push_back(set);
+    }
+    const Outcome outcome = frana(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    for (const std::string& words : GetParam().words)
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("result")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    What, StructuredRefuses,
+    ::testing::Values(
+        Refused{
+            "solids_without_strength",
+            {"structured.phases=solids-and-fluid"},
+            {"structured.cohesion", "structured.internal-friction-angle", "is missing", "numerics.particles-per-cell"}},
+        Refused{"solids_keys_of_fluid_alone",
+                {"structured.cohesion=1e4"},
+                {"structured.cohesion", "structured.phases = fluid does not use it"}},
+        Refused{
+            "stiffness_out_of_bounds",
+            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
+             "numerics.particles-per-cell=9", "structured.bulk-modulus=1e6"},
+            {"structured.young-modulus", "less than 9 times"}},
+        Refused{"keys_of_the_other_model",
+                {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
+                {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion", "does not use it"}},
+        Refused{"its_keys_with_the_other_model",
+                {"material.model=voellmy-bingham", "material.friction-angle=20"},
+                {"structured.manning", "material.model = voellmy-bingham does not use it"}},
+        Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not use it"}},
+        Refused{"long_steps", {"numerics.cfl=0.9"}, {"numerics.cfl", "0.9", "at most 0.5"}},
+        Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
+        Refused{"negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST_F(StructuredScene, ReportsMissingPhases) {
+    write_scene();
+    const Outcome outcome = frana({"check", "scene.ini", "--set", "material.model=structured"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("structured.phases: is missing"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace frana::test

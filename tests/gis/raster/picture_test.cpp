@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of maps are written with their position on the ground, users' pictures are read as backgrounds.
+#include <cpl_conv.h>
+#include <gdal.h>
+#include <gtest/gtest.h>
+#include <ogr_srs_api.h>
+
+#include <array>
+#include <cmath>
+
+#include "gis/access/memory_dataset.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/picture_in.h"
+#include "gis/raster/picture_out.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/raster_text.h"
+#include "support/files.h"
+#include "support/pdf_check.h"
+
+namespace frana::gis {
+namespace {
+
+const std::string k_utm = "EPSG:32632";
+
+/// Red increases to the east, green to the south; blue is 40.
+std::vector<std::uint8_t> gradient(int width, int height) {
+    std::vector<std::uint8_t> rgb;
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+            for (const int v : {column % 256, row % 256, 40}) rgb.push_back(static_cast<std::uint8_t>(v));
+    return rgb;
+}
+
+GdalDataset open(const std::string& path) {
+    GDALAllRegister();
+    return GdalDataset(GDALOpen(path.c_str(), GA_ReadOnly));
+}
+
+TEST(PictureOut, GeoTiffIsWhereTheMapIs) {
+    const test::Folder folder;
+    const std::vector<std::uint8_t> rgb = gradient(200, 150);
+    const std::string path = folder.file("map.tif");
+    write_picture_geotiff(path, {200, 150, rgb}, {527000, 5094000, 528000, 5094750}, crs_from_user(k_utm, ""),
+                          {{"TITLE", "A map"}});
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"map.tif"});
+    const GdalDataset file = open(path);
+    ASSERT_TRUE(file);
+    std::array<double, 6> geo{};
+    GDALGetGeoTransform(file.get(), geo.data());
+    EXPECT_EQ(geo, (std::array<double, 6>{527000, 5, 0, 5094750, 0, -5}));
+    EXPECT_STREQ(OSRGetAuthorityCode(GDALGetSpatialRef(file.get()), nullptr), "32632");
+    EXPECT_STREQ(GDALGetMetadataItem(file.get(), "TITLE", nullptr), "A map");
+    ASSERT_EQ(GDALGetRasterCount(file.get()), 3);
+    std::vector<std::uint8_t> back(rgb.size());
+    ASSERT_EQ(GDALDatasetRasterIO(file.get(), GF_Read, 0, 0, 200, 150, back.data(), 200, 150, GDT_Byte, 3, nullptr, 3,
+                                  600, 1),
+              CE_None);
+    EXPECT_EQ(back, rgb);  // lossless
+}
+
+TEST(PictureOut, PdfIsAPageOfTheRightSizeWithItsPlace) {
+    const test::Folder folder;
+    const std::string path = folder.file("map.pdf");
+    const std::vector<std::uint8_t> rgb = gradient(1754, 1240);
+    const PicturePlace place{
+        {526000, 5093000, 529508, 5095480}, {526200, 5093200, 528800, 5095300}, crs_from_user(k_utm, "")};
+    write_picture_pdf(path, {1754, 1240, rgb}, 150, place, "A map");
+    // The page in points, of which 72 make an inch: 1754 / 150 inches are A4's 297 mm.
+    const std::string bytes = test::text_in(path);
+    const auto box = bytes.find("/MediaBox");
+    ASSERT_NE(box, std::string::npos);
+    double width = 0, height = 0;
+    ASSERT_EQ(std::sscanf(bytes.c_str() + bytes.find('[', box), "[ 0 0 %lf %lf ]", &width, &height), 2);
+    EXPECT_NEAR(width / 72 * 25.4, 297, 0.1);
+    EXPECT_NEAR(height / 72 * 25.4, 210, 0.1);
+    const GdalDataset file = open(path);
+    if (!file) GTEST_SKIP() << "GDAL was built without a reader of PDF";
+    std::array<double, 6> geo{};
+    ASSERT_EQ(GDALGetGeoTransform(file.get(), geo.data()), CE_None);
+    const double columns = GDALGetRasterXSize(file.get());
+    EXPECT_NEAR(geo[0], 526000, 1);  // the format keeps corners in degrees with few digits
+    EXPECT_NEAR(geo[3], 5095480, 1);
+    EXPECT_NEAR(geo[1] * columns, 3508, 2);
+    EXPECT_NE(GDALGetMetadataItem(file.get(), "NEATLINE", nullptr), nullptr);
+}
+
+// On several processors GDAL compresses a PDF's stream on a separate thread and records its place and length before
+// that is done (OSGeo/gdal#6270): readers then find invalid data. A page's first bytes and its position on the ground
+// are right all the same.
+TEST(PictureOut, PdfShowsTheExactPixelsOnSeveralThreads) {
+    const test::Folder folder;
+    CPLSetConfigOption("GDAL_NUM_THREADS", "2");
+    // Too varied to be compressed well: several blocks of the compressor. An A5 page in landscape.
+    test::Pixels picture{1240, 874, {}};
+    picture.rgb.resize(3 * 1240 * 874);
+    std::uint32_t state = 1;
+    for (std::uint8_t& value : picture.rgb)
+        value = static_cast<std::uint8_t>((state = 1664525 * state + 1013904223) >> 24);
+    const PicturePlace place{
+        {526000, 5093000, 528480, 5094748}, {526200, 5093200, 528200, 5094600}, crs_from_user(k_utm, "")};
+    using Strings = std::vector<std::string>;
+    for (const auto& where : {std::optional<PicturePlace>(place), std::optional<PicturePlace>()}) {
+        const std::string path = folder.file(where ? "map.pdf" : "chart.pdf");
+        write_picture_pdf(path, {picture.width, picture.height, picture.rgb}, 150, where, "A map");
+        EXPECT_EQ(test::pdf_problems(path, picture, 150), Strings{}) << path;
+    }
+    EXPECT_EQ(folder.names(), (Strings{"chart.pdf", "map.pdf"}));
+    EXPECT_STREQ(CPLGetConfigOption("GDAL_NUM_THREADS", ""), "2");
+    CPLSetConfigOption("GDAL_NUM_THREADS", nullptr);
+}
+
+TEST(PictureOut, AFullOrMissingFolderIsReported) {
+    const std::vector<std::uint8_t> rgb = gradient(20, 20);
+    const Error error = test::error_of([&] {
+        write_picture_pdf("/nowhere/at/all/map.pdf", {20, 20, rgb}, 150, std::nullopt, "A map");
+    });
+    EXPECT_EQ(error.kind(), ErrorKind::environment);
+}
+
+TEST(PictureIn, APictureInAnotherCrsIsPlacedCorrectly) {
+    const test::Folder folder;
+    const std::string path = folder.file("ortho.tif");
+    // In degrees, 0.00002 per pixel (1.5 m by 2.2 m); red counts columns, green rows.
+    const std::string degrees = crs_from_user("EPSG:4326", "");
+    const Bounds box{9.348, 45.998, 9.352, 46.002};
+    const std::vector<std::uint8_t> rgb = gradient(200, 200);
+    write_picture_geotiff(path, {200, 200, rgb}, box, degrees, {});
+    const std::string utm = crs_from_user(k_utm, "");
+    const CrsTransform to_degrees(utm, degrees);
+    const Point middle = to_degrees.inverse({9.35, 46.0});
+    const Bounds window{middle.x - 100, middle.y - 100, middle.x + 100, middle.y + 100};
+    const std::vector<std::uint8_t> warped = warp_picture(path, utm, window, 100, 100);
+    for (const auto& [column, row] : {std::pair{20, 30}, {50, 50}, {77, 81}}) {
+        const Point there = to_degrees({window.west + 2 * (column + 0.5), window.north - 2 * (row + 0.5)});
+        const std::uint8_t* p = warped.data() + 4 * (row * 100 + column);
+        EXPECT_NEAR(p[0], (there.x - box.west) / 0.00002 - 0.5, 1.5);  // bilinear, GDAL's transformer to 1/8 pixel
+        EXPECT_NEAR(p[1], (box.north - there.y) / 0.00002 - 0.5, 1.5);
+        EXPECT_NEAR(p[2], 40, 1);
+        EXPECT_EQ(p[3], 255);
+    }
+    // Nothing beyond its edge.
+    const std::vector<std::uint8_t> beyond =
+        warp_picture(path, utm, {middle.x + 1000, middle.y, middle.x + 1100, middle.y + 100}, 10, 10);
+    for (const std::uint8_t value : beyond) EXPECT_EQ(value, 0);
+}
+
+TEST(PictureIn, GreyAndPalettesBecomeColours) {
+    const test::Folder folder;
+    test::TestRaster grey{10, 10, 527000, 5094100, 10, 10, k_utm, std::vector<double>(100, 77), {}, ""};
+    grey.bytes = true;
+    test::make_raster(folder.file("grey.tif"), grey);
+    const Bounds box{527020, 5094020, 527080, 5094080};
+    const std::string utm = crs_from_user(k_utm, "");
+    EXPECT_EQ(warp_picture(folder.file("grey.tif"), utm, box, 1, 1), (std::vector<std::uint8_t>{77, 77, 77, 255}));
+    const Raster classes(GridSpec{527000, 5094100, 10, 10, 10, utm}, 2);
+    write_class_geotiff(folder.file("classes.tif"), classes, {{2, "two", {10, 200, 30}}}, {"c", "c", "", {}});
+    EXPECT_EQ(warp_picture(folder.file("classes.tif"), utm, box, 1, 1), (std::vector<std::uint8_t>{10, 200, 30, 255}));
+}
+
+TEST(PictureIn, UnusableBackgroundsAreRefusedWithTheReason) {
+    const test::Folder folder;
+    const std::string utm = crs_from_user(k_utm, "");
+    const auto reason = [&](const std::string& file) {
+        return std::string(test::error_of([&] { check_picture(file, utm, "output.map-background"); }).what());
+    };
+    EXPECT_NE(reason(folder.file("none.tif")).find("does not exist"), std::string::npos);
+    test::make_raster(folder.file("float.tif"), {10, 10, 0, 0, 1, 1, k_utm, std::vector<double>(100, 7), {}, ""});
+    EXPECT_NE(reason(folder.file("float.tif")).find("not bytes"), std::string::npos);
+    test::TestRaster nowhere{10, 10, 527000, 5094100, 10, 10, "", std::vector<double>(100, 7), {}, ""};
+    nowhere.bytes = true;
+    test::make_raster(folder.file("nowhere.tif"), nowhere);
+    EXPECT_NE(reason(folder.file("nowhere.tif")).find("coordinate reference system"), std::string::npos);
+}
+
+TEST(RasterText, ClassesAndTextsAreReadBack) {
+    const test::Folder folder;
+    const Raster classes(GridSpec{527000, 5094100, 10, 10, 10, crs_from_user(k_utm, "")}, 3);
+    write_class_geotiff(folder.file("c.tif"), classes, {{1, "weak", {1, 2, 3}}, {3, "strong", {200, 2, 3}}},
+                        {"hazard", "Intensity", "", {{"TIME_S", "12.5"}}});
+    const RasterText text = read_raster_text(folder.file("c.tif"));
+    ASSERT_EQ(text.classes.size(), 2U);
+    EXPECT_EQ(text.classes[0].label, "weak");
+    EXPECT_EQ(text.classes[1].value, 3);
+    EXPECT_EQ(text.classes[1].colour, (Rgb{200, 2, 3}));
+    EXPECT_EQ(text.metadata.at("TIME_S"), "12.5");
+    EXPECT_NE(text.description.find("Intensity"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frana::gis

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/vector/vector_out.h"
+
+#include <gtest/gtest.h>
+
+#include "gis/crs/crs.h"
+#include "gis/vector/vector_in.h"
+#include "support/files.h"
+
+namespace frana::gis {
+namespace {
+
+using test::error_of;
+using test::Folder;
+
+OutlineLayer release() {
+    PolygonFeature feature;
+    feature.parts = {{{{527000, 5094000}, {527100, 5094000}, {527100, 5094100}, {527000, 5094100}},
+                      {{{527020, 5094020}, {527040, 5094020}, {527040, 5094040}, {527020, 5094040}}}},
+                     {{{527200, 5094000}, {527210, 5094000}, {527210, 5094010}}, {}}};
+    feature.numbers["thickness_m"] = 2.5;
+    feature.numbers["fid"] = 3;  // a name that GeoPackage reserves
+    feature.texts["name"] = "upper part";
+    return {"release", {feature}};
+}
+
+TEST(WriteOutlines, AreReadBackAsWritten) {
+    const Folder folder;
+    const std::string crs = crs_from_user("EPSG:32632", "");
+    write_outlines(folder.file("extent.gpkg"), crs, {release(), {"trace", {}}});
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"extent.gpkg"});
+    const PolygonLayer back = read_polygons(folder.file("extent.gpkg") + "|layer=release", crs, "");
+    ASSERT_EQ(back.features.size(), 1U);
+    EXPECT_EQ(back.features[0].parts.size(), 2U);
+    EXPECT_EQ(back.features[0].parts[0].holes.size(), 1U);
+    EXPECT_EQ(area(back.features[0].parts), 10000 - 400 + 50);
+    EXPECT_EQ(back.features[0].numbers.at("area_m2"), 9650);
+    EXPECT_EQ(back.features[0].numbers.at("thickness_m"), 2.5);
+    EXPECT_EQ(back.features[0].texts.at("name"), "upper part");
+    EXPECT_EQ(back.crs_label, "EPSG:32632 (WGS 84 / UTM zone 32N)");
+    EXPECT_EQ(error_of([&] { (void)read_polygons(folder.file("extent.gpkg") + "|layer=trace", crs, ""); }).kind(),
+              ErrorKind::input)
+        << "the empty layer is there, and empty";
+}
+
+TEST(WriteOutlines, LocalCoordinatesHaveNoCrs) {
+    const Folder folder;
+    write_outlines(folder.file("extent.gpkg"), "", {release()});
+    EXPECT_EQ(read_polygons(folder.file("extent.gpkg"), "", "").crs_label, "none");
+}
+
+TEST(WriteOutlines, AFailureLeavesTheOldFile) {
+    const Folder folder;
+    test::write_text(folder.file("extent.gpkg"), "old");
+    EXPECT_EQ(error_of([&] { write_outlines(folder.file("no/extent.gpkg"), "", {release()}); }).kind(),
+              ErrorKind::environment);
+    OutlineLayer unnamed = release();
+    unnamed.name = "release";
+    const Error error = error_of([&] {
+        write_outlines(folder.file("extent.gpkg"), "", {release(), unnamed});
+    });  // the name twice
+    EXPECT_EQ(error.kind(), ErrorKind::environment);
+    EXPECT_EQ(test::text_in(folder.file("extent.gpkg")), "old");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"extent.gpkg"});
+}
+
+}  // namespace
+}  // namespace frana::gis

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/program.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace frana::test {
+
+Outcome run_program(const std::string& folder, const std::vector<std::string>& arguments, int signal_after_ms) {
+    const std::string out = folder + "/.stdout", err = folder + "/.stderr";
+    std::vector<char*> words{const_cast<char*>(FRANA_PROGRAM)};
+    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const int out_file = ::open(out.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
+        const int err_file = ::open(err.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
+        if (::chdir(folder.c_str()) != 0 || ::dup2(out_file, 1) < 0 || ::dup2(err_file, 2) < 0) ::_exit(126);
+        ::execv(FRANA_PROGRAM, words.data());
+        ::_exit(127);
+    }
+    if (signal_after_ms > 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(signal_after_ms));
+        ::kill(child, SIGINT);
+    }
+    int status = 0;
+    rusage used{};
+    ::wait4(child, &status, 0, &used);
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out), read_text(err),
+                    1024.0 * static_cast<double>(used.ru_maxrss)};
+    ::unlink(out.c_str());
+    ::unlink(err.c_str());
+    return outcome;
+}
+
+namespace {
+
+// Returns those nearest the root.
+std::vector<Json> find_in(const Json& root, const std::string& key) {
+    for (std::vector<Json> level{root}; !level.empty();) {
+        std::vector<Json> found, next;
+        for (const Json& parent : level) {
+            if (parent.contains(key)) found.push_back(parent[key]);
+            if (parent.is_structured()) next.insert(next.end(), parent.begin(), parent.end());
+        }
+        if (!found.empty()) return found;
+        level = std::move(next);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string read_text(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream content;
+    content << file.rdbuf();
+    return content.str();
+}
+
+Json parse_json(const std::string& text) {
+    Json json = Json::parse(text, nullptr, false);
+    EXPECT_FALSE(json.is_discarded()) << "no JSON:\n" << text;
+    return json;
+}
+
+Json json_value(const std::string& json, const std::string& key) {
+    std::vector<Json> found{parse_json(json)};
+    std::istringstream names(key);
+    for (std::string name; std::getline(names, name, '.');) {
+        found = find_in(found.front(), name);
+        EXPECT_EQ(found.size(), 1U) << key << " in\n" << json;
+        if (found.size() != 1) return {};
+    }
+    return found.front();
+}
+
+std::string json_text(const std::string& json, const std::string& key) {
+    const Json value = json_value(json, key);
+    EXPECT_TRUE(value.is_string()) << key << " is no text in\n" << json;
+    return value.is_string() ? value.get<std::string>() : "";
+}
+
+double json_number(const std::string& json, const std::string& key) {
+    const Json value = json_value(json, key);
+    EXPECT_TRUE(value.is_number()) << key << " is no number in\n" << json;
+    return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+bool json_has(const std::string& json, const std::string& key) {
+    return !find_in(parse_json(json), key).empty();
+}
+
+bool json_lists(const std::string& json, const std::string& key, const std::string& words) {
+    const Json list = json_value(json, key);
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Json& text) { return text.get<std::string>().find(words) != std::string::npos; });
+}
+
+}  // namespace frana::test

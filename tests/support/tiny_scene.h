@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+namespace frana::test {
+
+/// A separate folder for every test, with a slope small enough to run in a second: 60 x 30 cells of 5 m in EPSG:32632,
+/// 27 degrees falling east to a flat, a release of 50 m x 40 m near the top.
+class TinyScene : public ::testing::Test {
+  protected:
+    TinyScene();
+    ~TinyScene() override;
+
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    void write(const std::string& name, const std::string& text) const;
+    /// Writes dtm.asc; `elevation` by row and column (default: the slope), nodata where it returns less than -9000.
+    void write_dtm(const std::function<double(int, int)>& elevation = {}, bool with_crs = true,
+                   const std::string& name = "dtm.asc") const;
+    /// Writes NAME.geojson in EPSG:32632 with one polygon of these corners (offsets from the DTM's south-western
+    /// corner) and the attribute depth = 2.
+    void write_polygon(const std::string& name, const std::vector<std::pair<double, double>>& corners) const;
+    /// Writes scene.ini with the minimal keys, and these lines after them (start with a [section]).
+    void write_scene(const std::string& more = "") const;
+    [[nodiscard]] Outcome frana(const std::vector<std::string>& arguments, int signal_after_ms = 0) const {
+        return run_program(folder_.string(), arguments, signal_after_ms);
+    }
+    /// Returns every file below the folder, sorted, as relative paths.
+    [[nodiscard]] std::vector<std::string> files() const;
+
+    std::filesystem::path folder_;
+};
+
+inline constexpr double k_west = 527000, k_south = 5094000, k_cell = 5;
+inline constexpr int k_columns = 60, k_rows = 30;
+
+/// No pictures and no frames: a run of a tenth of a second.
+inline const std::string k_numbers_only = "[output]\nmaps = off\nanimation = off\nframes = off\n";
+
+}  // namespace frana::test
