@@ -34,7 +34,7 @@ void ActiveTiles::list_all(const TileOrder& order) {
     kept_tiles_.clear();
 }
 
-// Neighbours of tiles that play `from` or more, and play less than `to`, play `to`.
+// Raises the role of the neighbours of tiles with role `from` or higher to `to`, where it is lower.
 void ActiveTiles::spread(const TileOrder& order, Role from, Role to) {
     for (const std::int64_t tile : order.node_tiles()) {
         if (role(tile) < from) continue;
@@ -87,7 +87,7 @@ void ActiveTiles::choose(const TileOrder& order, bool may_rest) {
             if (r == gathers) gathered_.push_back(tile);
         }
     }
-    // Roles that spread beyond the listed tiles must not outlive this step.
+    // Clears roles beyond the listed tiles, which must not persist after this step.
     for (const std::int64_t tile : order.node_tiles()) for_round(tile, [&](std::int64_t near) { role(near) = idle; });
 }
 

@@ -13,18 +13,18 @@
 
 namespace frana {
 
-/// Which tiles a step computes: those where anything moves or could begin to. What rests is left as it is, and its
-/// result is what the step would have given again.
+/// Selects the tiles that a step computes: those where anything moves or may begin to move. Tiles at rest are skipped;
+/// computing them would give the values they have.
 ///
-/// A node tile is still in a step when no node of it moves after the update. Particles whose node tiles were all still
-/// for two steps bring the nodes what they brought before: their velocities are zero and nothing else of them changed.
-/// So, from the inside out:
-///   changing   node tiles that any other particles touch
-///   updated    those and their neighbours, since levels and holding look one node further; their nodes get a new
-///              velocity, and particles that touch them are moved
-///   gathered   the neighbours of those, whose sums and forces the updated nodes look at
-/// Particles that touch an updated or gathered tile bring their sums. What these overwrite outside the updated tiles is
-/// kept aside and put back (keep, put_back).
+/// A node tile is still in a step if no node of it moves after the update. Particles whose node tiles were all still
+/// for two steps contribute the same sums to the nodes: their velocities are zero and nothing else of them changed.
+/// Hence, from the inside out:
+///   changing   node tiles touched by any other particles
+///   updated    those and their neighbours, since levels and static friction read one node further; their nodes get a
+///              new velocity, and particles that touch them are moved
+///   gathered   the neighbours of those, whose sums and forces the updated nodes read
+/// Particles that touch an updated or gathered tile contribute their sums. Values that these overwrite outside the
+/// updated tiles are saved before and restored after (keep, put_back).
 class ActiveTiles {
   public:
     explicit ActiveTiles(const TileGrid& grid)
@@ -32,28 +32,28 @@ class ActiveTiles {
           still_(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())),
           role_(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {}
 
-    /// Lists the tiles of the next step. Without `may_rest` they are all there.
+    /// Lists the tiles of the next step; all tiles unless `may_rest`.
     void choose(const TileOrder& order, bool may_rest);
-    /// Everything is changing until seen still: someone else wrote to nodes or particles.
+    /// Marks all tiles as changing until they are still again: nodes or particles were changed outside a step.
     void activate(const TileOrder& order);
-    /// Particles crossed into or out of a tile: what they bring is no longer told of in their tile's last report.
+    /// Marks a tile that particles entered or left: their contributions are not in the tile's last report.
     void activate_round(std::int64_t tile);
-    /// A node tile that nothing touches any more.
+    /// Resets a node tile that no particle touches any more.
     void reset(std::int64_t tile) { still_[static_cast<std::size_t>(tile)] = 0; }
-    /// Tells of an updated node tile whether any of its nodes moves. Tiles may be told of side by side.
+    /// Records whether any node of an updated tile moves. Callable concurrently for different tiles.
     void record_motion(std::int64_t tile, bool moves) {
         std::uint8_t& steps = still_[static_cast<std::size_t>(tile)];
         steps = moves ? 0 : steps < k_still_steps ? static_cast<std::uint8_t>(steps + 1) : steps;
     }
-    /// Whether the tile's particles brought the nodes the same in the last two steps.
+    /// Returns whether the tile's particles contributed the same sums in the last two steps.
     [[nodiscard]] bool rests(const ParticleTile& tile) const;
     [[nodiscard]] bool any_rests(const TileOrder& order) const;
 
-    /// Keeps the sums of the nodes that will be overwritten but not updated; puts them back.
+    /// Saves the sums of nodes that will be overwritten but not updated; restores them.
     void keep(const NodeGrid& nodes);
     void put_back(NodeGrid& nodes) const;
 
-    /// Indices into TileOrder::tiles() of the particles that bring their sums, by colour; of those that are moved.
+    /// Indices into TileOrder::tiles() of the particles that contribute sums, by colour; of those that are moved.
     [[nodiscard]] const std::array<std::vector<std::uint32_t>, 4>& bringing() const noexcept { return bringing_; }
     [[nodiscard]] const std::vector<std::uint32_t>& moved() const noexcept { return moved_; }
     /// Node tiles to clear at the start, to gather levels' squares from only, and to update.
@@ -66,7 +66,7 @@ class ActiveTiles {
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [grid, still, role, bringing, moved, cleared, gathered, updated, kept_tiles, kept] =
             *this;
-        archive(still);  // the rest is chosen again in every step
+        archive(still);  // the others are chosen again in every step
     }
 
   private:
@@ -75,7 +75,7 @@ class ActiveTiles {
 
     void list_all(const TileOrder& order);
     void spread(const TileOrder& order, Role from, Role to);
-    // A tile and its eight neighbours, as far as there are any.
+    // A tile and those of its eight neighbours that exist.
     template <class Visit>
     void for_round(std::int64_t tile, const Visit& visit) const {
         const std::int64_t i = tile % grid_.tiles_x(), j = tile / grid_.tiles_x();
@@ -91,8 +91,8 @@ class ActiveTiles {
     }
 
     TileGrid grid_;
-    ZeroArray<std::uint8_t> still_;  // by tile: for how many steps, at most k_still_steps
-    ZeroArray<std::uint8_t> role_;   // by tile; of this step
+    ZeroArray<std::uint8_t> still_;  // by tile: number of steps, at most k_still_steps
+    ZeroArray<std::uint8_t> role_;   // by tile; valid in this step
     std::array<std::vector<std::uint32_t>, 4> bringing_;
     std::vector<std::uint32_t> moved_;
     std::vector<std::int64_t> cleared_, gathered_, updated_, kept_tiles_;

@@ -46,13 +46,13 @@ template <class Number>
     return {x - climb * slope_x, y - climb * slope_y};
 }
 
-/// Velocities along a bed of slope grad Z, turned into the horizontal about the contour line:
+/// Velocities along a bed of slope grad Z, rotated into the horizontal about the contour line:
 ///
 ///     w = u + (u . grad Z) grad Z / (root + 1),   root = sqrt(1 + |grad Z|^2),
 ///
 /// so that |w| is the speed along the bed, |w|^2 = |u|^2 + (u . grad Z)^2, for the velocity u in map view. The map is
-/// linear, so that on a plane the exchange of either velocity is equivalent; across an edge from plane to plane w is
-/// unchanged, however steep they are.
+/// linear, so that on a plane the exchange of either velocity is equivalent; across an edge between planes of any slope
+/// w is unchanged.
 struct BedFrame {
     double slope_x = 0, slope_y = 0, root = 1;
 

@@ -46,10 +46,10 @@ void serialise(Archive& archive, ExchangeReport& report) {
 }
 
 /// Computes erosion (or, where nothing is eroded, deposition) at a tile's nodes in this step. Follows update_nodes,
-/// whose friction gives the bed resistance. Deposited material can be eroded again. Deposition leaves a film of the
-/// flow, so that particles keep a volume. Reads NodeMotion mass, velocity, fraction; BedState; bed; reads and writes
-/// ErodibleBed. Nodes outside the terrain and solid ones do not exchange.
-/// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
+/// whose friction gives the bed resistance. Deposited material can be eroded again. Deposition leaves a least depth of
+/// the flow, so that particles keep a volume. Reads NodeMotion mass, velocity, fraction; BedState; bed; reads and
+/// writes ErodibleBed. Nodes outside the terrain and solid ones do not exchange.
+/// @param density [kg/m3]  @param dt [s]  @param least_depth depth that deposition leaves [m]
 template <bool Metric, class Erosion, class Deposition>
 void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
                        double dt, double film, const BedState* states, const NodeGrid& nodes, ErodibleBed* beds) {

@@ -13,12 +13,12 @@ namespace frana {
 ///     load = v . grad grad Z . v = u^2 Z_xx + 2 u v Z_xy + v^2 Z_yy
 ///
 /// u, v velocity in map view [m/s]. The bed then supports (g + load) / sqrt(n) per mass, n = 1 + |grad Z|^2, which is g
-/// cos(theta) + speed^2 / radius along the motion: more in hollows, less over edges, 0 instead of negative; and it
-/// pushes by -(g + load) grad Z / n in map view, which conserves the speed along the bed where friction does not act.
-/// Exact for a point mass on a surface (share/doc/model.md, "Curvature").
-/// Where the support would be negative the mass would fly. The depth-averaged flow stays on its bed, without friction,
-/// and keeps its energy: if its map velocity were kept, as in flight, the steep bed under it would turn it into a
-/// higher speed.
+/// cos(theta) + speed^2 / radius along the motion: more in hollows, less over edges, 0 instead of negative. It pushes
+/// by -(g + load) grad Z / n in map view, which conserves the speed along the bed without friction. Exact for a point
+/// mass on a surface (share/doc/model.md, "Curvature").
+/// Where the support would be negative, a point mass would leave the bed. The depth-averaged flow stays on it, without
+/// friction, and keeps its energy: if its map velocity were kept, as in flight, the steep bed under it would convert it
+/// into a higher speed.
 /// Second derivatives are those of the quadric through the nine nodes by least squares (Evans 1980, Z. Geomorphol.
 /// Suppl. 36, 274), smoother than plain differences by sqrt(3) on noisy terrain.
 /// 0 at speed zero; independent of depth.
@@ -48,7 +48,7 @@ inline BedCurvature bed_curvature(const NodeGrid& nodes, std::size_t i, std::int
     return {xx, xy, yy, x, y};
 }
 
-/// Turns a velocity in map view [m/s] over a time dt by the bed alone. Where the fall line turns along the motion, w
+/// Rotates a velocity in map view [m/s] over a time dt by the bed alone. Where the fall line turns along the motion, w
 /// turns as well, at the rate
 ///
 ///     (grad Z x grad grad Z u) / (root (root + 1)),

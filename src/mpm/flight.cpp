@@ -62,7 +62,7 @@ Point at(Point from, Point velocity, double time) noexcept {
     return {from.x + velocity.x * time, from.y + velocity.y * time};
 }
 
-// Returns the velocity after landing, without its part normal to the bed.
+// Returns the velocity after landing, without its component normal to the bed.
 Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double climb) {
     const Interpolated z = ground_at(nodes, place);
     const double into = (climb - velocity.x * z.dx - velocity.y * z.dy) / (1 + z.dx * z.dx + z.dy * z.dy);
@@ -132,7 +132,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
         Bed bed = bed_at(nodes, place);
         Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
-            // The place where this begins, between the previous sample and this one.
+            // The place where the fall begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
                 const double middle = 0.5 * (supported + thrown);
@@ -176,9 +176,9 @@ double Flights::kinetic(double time, double gravity) const noexcept {
 
 namespace {
 
-// In the air neighbours diverge, or converge, by the difference of their velocities at take-off: x -> x + T v(x), whose
-// gradient is F = I + T C. The area changes by det F, the shape becomes F Q F^T; both within what splitting and the
-// area relaxation can restore.
+// During flight neighbours diverge or converge by the difference of their velocities at take-off: x -> x + T v(x),
+// whose gradient is F = I + T C. The area changes by det F, the shape becomes F Q F^T; both are bounded to what
+// splitting and the area relaxation can restore.
 void stretch(ParticleRow& row, double time, double cell_area) {
     const double xx = 1 + time * get(row, Field::c_xx), xy = time * get(row, Field::c_xy);
     const double yx = time * get(row, Field::c_yx), yy = 1 + time * get(row, Field::c_yy);
@@ -231,7 +231,7 @@ namespace {
 // Marks the nodes of a tile within k_near cells of which the splines' bed may be as steep as an edge; returns whether
 // there are any. The splines' gradient is a mean of the differences between neighbours in its 3 x 3 nodes.
 bool mark_near_edges(const NodeRange& range, const NodeGrid& nodes, double edge, std::uint8_t* marks) {
-    // A particle's own move in a step, less than a cell, the width of an edge, and the splines' reach.
+    // A particle's displacement in a step (less than a cell), the width of an edge, and the splines' support.
     constexpr std::int64_t k_near = static_cast<std::int64_t>(k_edge_width) + 3, k_side = k_tile + 2 * k_near;
     const std::int64_t west = range.i0 - k_near, south = range.j0 - k_near, stride = nodes.stride();
     const double* bed = nodes.bed.data();

@@ -17,14 +17,14 @@
 
 namespace frana {
 
-/// A jump must clear the ground by the flow's depth and by this fraction of a cell; below it, cells of the terrain do
-/// not resolve an edge from roughness.
+/// A jump must clear the ground by the flow's depth and by this fraction of a cell; below it, the cells of the terrain
+/// do not resolve the difference between an edge and roughness.
 inline constexpr double k_least_clearance = 0.1;
 
-/// Greatest width of an edge, from the take-off to its steepest fall [cells]: the splines make two of a step.
+/// Greatest width of an edge, from the take-off to its steepest fall [cells]: the splines smooth a step over two cells.
 inline constexpr double k_edge_width = 2;
 
-/// A free fall from a place on the bed to the next.
+/// A free fall between two places on the bed.
 struct Jump {
     Point from;           ///< local metres
     double glide = 0;     ///< time along the bed until it begins [s]
@@ -49,16 +49,16 @@ struct JumpRules {
     double edge = 0;                      ///< least fall of an edge in the direction of motion [-]
 };
 
-/// Returns the jump, if there is one, of a particle that moves straight on along its bed for a time `reach` [s]: it
-/// begins at the first place where the bed of the quadratic splines falls away faster than a free fall,
+/// Returns the jump, if there is one, of a particle that moves straight along its bed for a time `reach` [s]. It begins
+/// at the first place where the bed of the quadratic splines falls away faster than a free fall,
 ///
 ///     v . grad grad Z . v < -g,
 ///
 /// from which the parabola clears the ground by more than `clearance` [m], if the edge falls by JumpRules::edge or more
-/// in its direction within k_edge_width. A fast flow also separates from gentler ground, but not as a whole: what the
-/// bed no longer supports there, the upper part of the flow and drag still retain. Without that bound every bump of a
-/// gully threw particles, which then had no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On
-/// landing the part of the velocity normal to the bed is lost.
+/// in its direction within k_edge_width. A fast flow also separates from gentler ground, but not as a whole: the upper
+/// part of the flow and drag retain some of it. Without that bound every bump of a gully threw particles, which then
+/// had no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On landing the velocity component
+/// normal to the bed is lost.
 /// @param along velocity along the bed (BedFrame) [m/s]
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
                               double clearance);
@@ -78,8 +78,8 @@ struct JumpStatistics {
 };
 
 /// Particles in free fall, stored apart from those on the ground, so that those have no extra cost. Where the bed falls
-/// away faster than a free fall, a depth-averaged flow has no bed: no friction and no pressure act until it lands. The
-/// whole path is known at take-off, since only gravity acts.
+/// away faster than a free fall, neither friction nor pressure acts until landing. The whole path is known at take-off,
+/// since only gravity acts.
 class Flights {
   public:
     Flights() = default;
@@ -97,9 +97,9 @@ class Flights {
     /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
     [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
 
-    /// Takes the particles that leave the bed within the time `reach`: marks them 0 in `keep`, one byte a particle,
-    /// which stays empty when there are none. Examines the particles near edges, wherever their nodes are: a
-    /// step may be almost a cell long, so that none of them lies at the edge before it.
+    /// Adds the particles that leave the bed within the time `reach` to the flights: marks them 0 in `keep`, one byte
+    /// per particle, empty if there are none. Examines all particles near edges, since a step may be almost a cell long
+    /// and end beyond the edge.
     /// @param time of the particles' positions [s]
     void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const JumpRules& rules,
                   double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool);
@@ -119,7 +119,7 @@ class Flights {
 
   private:
     struct Flight {
-        ParticleRow particle{};  // as it will land
+        ParticleRow particle{};  // in its state after landing
         double begins = 0, ends = 0, climb = 0;
         double speed = 0;  // in map view [m/s]
         bool left = false;

@@ -14,7 +14,7 @@ constexpr double k_level_ratio = 0.2 * 0.2, k_sloping_ratio = 0.5 * 0.5;
 // Squared spread of the bed, in cells, below which it counts as level: both references are then equal.
 constexpr double k_flat = 1e-6;
 
-// Accuracy, as a fraction of a cell, of the area that a level floods: less than that does not make a shore a front.
+// Accuracy of the area flooded by a level, as a fraction of a cell: a smaller area does not make a shore a front.
 constexpr double k_known_fraction = 0.06;
 
 double smooth_step(double from, double to, double value) {

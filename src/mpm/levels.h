@@ -9,8 +9,8 @@ namespace frana {
 /// Computes each node's mean depth and free surface, and how level that surface is. Reads NodeSums and clears its
 /// squares, since forces are summed in the same slots; writes NodeLevel depth, level, ponding.
 ///
-/// Ponding distinguishes a pool from flow on a slope: it compares the spread of the particles' free surface around the
-/// node with the spread of the bed below them. 1 where the surface spreads less than a fifth of the bed, 0 where more
+/// Ponding distinguishes a pool from flow on a slope by comparing the spread of the particles' free surface around the
+/// node with the spread of the bed below them: 1 where the surface spreads less than a fifth of the bed, 0 where more
 /// than half, smooth between. On a level bed, and for a single particle, both references are the same.
 void mean_levels(const NodeRange& range, NodeGrid& nodes);
 

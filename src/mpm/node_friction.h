@@ -35,12 +35,12 @@ struct UniformFriction {
     [[nodiscard]] double stopped_in_step(std::size_t, const NodeUpdate& k) const noexcept {
         return k.dt * law.friction_coefficient * k.gravity;
     }
-    /// Returns a node's contribution to the bound that holds it: in map view the bound (g + load) tan(phi) / sqrt(n)
+    /// Returns a node's contribution to the static friction bound: in map view the bound (g + load) tan(phi) / sqrt(n)
     /// acts over sqrt(n).
     [[nodiscard]] double held(double mass, std::size_t, double n, double supported) const noexcept {
         return mass * supported / n;
     }
-    /// Returns the factor from the sum of contributions to a momentum.
+    /// Returns the factor that converts the sum of contributions to a momentum.
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt * law.friction_coefficient; }
     /// @param supported vertical acceleration supported by the bed, g + load [m/s2]
     [[nodiscard]] double speed_after(std::size_t, double speed, const NodeUpdate& k, double root, double supported,
@@ -50,7 +50,7 @@ struct UniformFriction {
 };
 
 /// The sum of any laws, with parameters that may vary from node to node: each node's BedState, computed before, and at
-/// most one law that is no polynomial of the speed.
+/// most one law that is not a polynomial of the speed.
 template <class Excess>
 struct SummedFriction {
     static constexpr bool remembers = true;
@@ -73,7 +73,7 @@ struct SummedFriction {
         states[node].resistance = (speed - after) / k.dt;
         return after;
     }
-    /// A node that is held: the resistance equals the driving force.
+    /// Stores a held node's resistance: it equals the driving force.
     void remember(std::size_t node, double speed, const NodeUpdate& k) const noexcept {
         states[node].resistance = speed / k.dt;
     }

@@ -28,7 +28,7 @@ struct NodeGrid::Beds {
     }
 };
 
-/// Ground that is taken where it is asked for, in square blocks.
+/// Terrain that is read on demand, in square blocks.
 struct NodeGrid::Demand {
     static constexpr std::int64_t k_side = CellValues::k_side;  // [nodes]
 
@@ -49,11 +49,11 @@ struct NodeGrid::Demand {
 
 namespace {
 
-// A node's bed depends on the terrain this many nodes away at most: two rings into a gap, and the slope beyond an edge.
+// A node's bed depends on terrain at most this many nodes away: two rings into a gap, and the slope beyond an edge.
 constexpr std::int64_t k_margin = 4;
 
-// Cells without terrain still lie in the stencils of their neighbours: they take the mean of the neighbours
-// that have an elevation, ring by ring, twice. Nothing farther away is ever read.
+// Cells without terrain still are in the stencils of their neighbours: they get the mean of the neighbours that have an
+// elevation, ring by ring, twice. Nothing farther away is ever read.
 void extend_into_gaps(double* bed, std::int64_t stride, std::int64_t columns, std::int64_t rows) {
     const auto index = [stride](std::int64_t i, std::int64_t j) { return static_cast<std::size_t>(j * stride + i); };
     for (int ring = 0; ring < 2; ++ring) {
@@ -102,7 +102,7 @@ NodeGrid::NodeGrid(const Ground& ground)
     const Raster& terrain = ground.terrain;
     records = ZeroArray<NodeRecord>(bed.size());
     if (terrain.values.is_tiled()) {
-        solid_ = ZeroArray<std::uint8_t>(bed.size());  // whether there are gaps, only the whole terrain would show
+        solid_ = ZeroArray<std::uint8_t>(bed.size());  // gaps are known only after all terrain was read
         const auto blocks = [](std::int64_t nodes) { return (nodes + Demand::k_side - 1) / Demand::k_side; };
         demand_.reset(new Demand{terrain, bed.data(), solid_.data(), blocks(stride()), blocks(padded_rows())});
         demand_->covered.resize(static_cast<std::size_t>(demand_->across * demand_->down));
@@ -126,7 +126,7 @@ NodeGrid::Beds NodeGrid::all_beds() const {
     return {const_cast<double*>(bed.data()), stride(), {0, stride(), 0, padded_rows()}};
 }
 
-// Elevations of a region, right but for k_margin nodes along its sides inside the grid.
+// Elevations of a region, correct except for k_margin nodes along its sides inside the grid.
 void NodeGrid::fill(const Raster& terrain, const Beds& beds) const {
     bool gaps = false;
     for (std::int64_t j = std::max(beds.region.j0, k_ghost); j < std::min(beds.region.j1, rows_ + k_ghost); ++j) {
@@ -142,7 +142,7 @@ void NodeGrid::fill(const Raster& terrain, const Beds& beds) const {
         extend_into_gaps(beds.values, beds.stride, beds.region.i1 - beds.region.i0, beds.region.j1 - beds.region.j0);
 }
 
-// Takes one block; the lock is held.
+// Reads one block; the lock is held.
 void NodeGrid::take(std::int64_t a, std::int64_t b) const {
     Demand& d = *demand_;
     const Block wanted{a * Demand::k_side, std::min((a + 1) * Demand::k_side, stride()), b * Demand::k_side,
@@ -266,7 +266,7 @@ void NodeGrid::for_each_covered_block(const std::function<void(const Block&)>& v
     }
 }
 
-// Beyond the edge the terrain goes on with the slope it has there.
+// Extrapolates the terrain beyond its edges with the slope at the edge.
 void NodeGrid::extend_beyond_edges(const Beds& beds) const {
     const auto extrapolate = [&](std::int64_t i, std::int64_t j, std::int64_t a, std::int64_t b, std::int64_t c,
                                  std::int64_t d, std::int64_t steps) {

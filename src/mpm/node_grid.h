@@ -18,7 +18,7 @@ namespace frana {
 /// Nodes outside the terrain on every side: a particle in the outermost half cell reaches one of them.
 inline constexpr std::int64_t k_ghost = 2;
 
-/// The reference state that a node's pressure is measured against (share/doc/numerics.md, "Reference level").
+/// The reference state for the pressure of a node (share/doc/numerics.md, "Reference level").
 struct NodeLevel {
     double depth;    ///< mean depth of the node's particles [m]
     double level;    ///< mean free surface of the node's particles [m]
@@ -30,17 +30,17 @@ struct NodeLevel {
 /// Fraction of a cell from which it counts as filled (share/doc/numerics.md, "Reference level").
 inline constexpr double k_filled_fraction = 0.6;
 
-/// Fraction of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims
-/// then shrink faster, and they are not shifted.
+/// Fraction of a cell from which its particles overlap on top of each other rather than being unevenly spaced: their
+/// claimed areas then shrink faster, and they are not shifted.
 inline constexpr double k_crowded_fraction = 1.1;
 
-/// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from
-/// the ground under its release, since what lies far off must not change a bit of it.
+/// A terrain, and the elevation that the engine subtracts to limit rounding: a run uses the elevation under its
+/// release, so that results are independent of distant terrain.
 ///
-/// Terrain in tiles (CellValues) is looked at only where the flow comes (NodeGrid::cover), and must stay as long as the
-/// grid made of it.
+/// Tiled terrain (CellValues) is read only where the flow arrives (NodeGrid::cover), and must outlive the grid made of
+/// it.
 struct Ground {
-    /// Counts from the lowest cell.
+    /// The datum is the lowest cell.
     Ground(const Raster& bed);  // NOLINT(google-explicit-constructor): a terrain is a ground
     Ground(const Raster& bed, double counted_from) : terrain(bed), datum(counted_from) {}
 
@@ -48,17 +48,17 @@ struct Ground {
     double datum;
 };
 
-/// What turns local metres into nodes.
+/// Conversion of local metres to nodes.
 struct NodeScale {
     double dx, inverse_dx;
     std::int64_t stride;
     std::int64_t origin_x, origin_y;  ///< padded numbers of the node in the origin's cell
 
-    /// Place in the padded arrays of a node by its numbers counted from the origin.
+    /// Index in the padded arrays of a node by its numbers counted from the origin.
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const noexcept {
         return static_cast<std::size_t>((j + origin_y) * stride + i + origin_x);
     }
-    /// The node of the cell that holds a local point.
+    /// The node of the cell that contains a local point.
     [[nodiscard]] std::size_t node_of(double x, double y) const noexcept {
         return index(static_cast<std::int64_t>(std::floor(x * inverse_dx)),
                      static_cast<std::int64_t>(std::floor(y * inverse_dx)));
@@ -72,8 +72,8 @@ struct NodeScale {
 ///     i in [-k_ghost, columns + k_ghost)
 class NodeGrid {
   public:
-    /// Takes bed elevations from a north-up raster; NaN marks cells without terrain, which become solid. Of terrain in
-    /// tiles nothing is taken before it is covered.
+    /// Reads bed elevations from a north-up raster; NaN marks cells without terrain, which become solid. Tiled terrain
+    /// is read by cover().
     explicit NodeGrid(const Ground& ground);
     NodeGrid(NodeGrid&&) noexcept;
     NodeGrid& operator=(NodeGrid&&) noexcept;
@@ -83,26 +83,25 @@ class NodeGrid {
     struct Block {
         std::int64_t i0, i1, j0, j1;
     };
-    /// Takes the ground under these nodes, as far as there are such, unless it was taken before; nothing reads the bed
-    /// of nodes that were not covered. Callable from several threads, of which none reads the bed there before.
-    /// What the terrain's source throws is kept for require_ground; the nodes are then not covered.
+    /// Reads the terrain of those of these nodes that exist, unless it was read before; the bed of uncovered nodes is
+    /// not read. Callable from several threads, none of which may read the bed there before. An exception of the
+    /// terrain's source is stored for require_ground; the nodes are then not covered.
     void cover(const Block& block) const noexcept;
-    /// The nodes round a local point, as what is there may read.
+    /// Covers the nodes within stencil reach of a local point.
     void cover_round(Point place) const noexcept;
-    /// Calls fill(nodes) for all nodes; where ground is taken on demand, for each block when it is covered, from the
-    /// thread that covers it, one at a time. `fill` is then called as long as there is the grid, and what it throws is
-    /// kept for require_ground.
+    /// Calls fill(nodes) for all nodes; if terrain is read on demand, for each block when it is covered, from the thread
+    /// that covers it, one at a time, as long as the grid exists. Exceptions of `fill` are stored for require_ground.
     void fill_with_ground(std::function<void(const Block&)> fill);
-    /// Whether ground could not be taken since the last call of require_ground.
+    /// Whether a terrain read failed since the last call of require_ground.
     [[nodiscard]] bool lacks_ground() const noexcept;
-    /// Throws what kept ground from being taken.
+    /// Rethrows the read error, if there is one.
     void require_ground() const;
-    /// Whether ground is taken only where it is asked for.
+    /// Whether terrain is read on demand.
     [[nodiscard]] bool is_on_demand() const noexcept { return demand_ != nullptr; }
-    /// Lowest ground taken so far, with what lies below it removed or not [m]; infinity: none.
+    /// Lowest terrain read so far, before or after the release was removed [m]; infinity: none.
     [[nodiscard]] double lowest() const noexcept;
-    /// Calls visit(j, i0, i1) for runs of the terrain's nodes, [i0, i1) in row j from the south, which hold all that
-    /// were covered; of terrain that is taken whole, all of them.
+    /// Calls visit(j, i0, i1) for runs of the terrain's nodes, [i0, i1) in row j from the south, which contain all
+    /// covered nodes; for all nodes if the terrain is not read on demand.
     template <class Visit>
     void for_each_covered_run(const Visit& visit) const {
         for_each_covered_block([&](const Block& b) {
@@ -130,7 +129,7 @@ class NodeGrid {
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const noexcept {
         return static_cast<std::size_t>((j + k_ghost) * stride() + i + k_ghost);
     }
-    /// Whether a node of the terrain has none and is no wall either.
+    /// Whether a node of the terrain has no elevation and is not a wall either.
     [[nodiscard]] bool is_gap(std::size_t node) const noexcept { return any_solid() && solid_[node] == k_gap; }
     [[nodiscard]] bool is_wall(std::size_t node) const noexcept { return any_solid() && solid_[node] == k_wall; }
     [[nodiscard]] bool any_solid() const noexcept { return solid_.size() != 0; }
@@ -149,12 +148,12 @@ class NodeGrid {
     ZeroArray<double> bed;        ///< padded, relative to datum [m]
     ZeroArray<NodeLevel> levels;  ///< padded; empty when no term needs it
 
-    bool bed_changes = false;  ///< the bed need not be the terrain's any more
+    bool bed_changes = false;  ///< the bed may differ from the terrain
 
     [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
     /// Volume on a node, in every phase [m3].
     [[nodiscard]] double mass(std::size_t node) const noexcept { return records[node].sums.mass; }
-    /// The records as what they are in the present phase; builds with assertions end where they are something else.
+    /// The records in their present phase; builds with assertions stop if the phase is another.
     [[nodiscard]] NodeSums* sums() noexcept { return (check(NodePhase::sums), &records.data()->sums); }
     [[nodiscard]] const NodeSums* sums() const noexcept { return (check(NodePhase::sums), &records.data()->sums); }
     [[nodiscard]] NodeForces* forces() noexcept { return (check(NodePhase::forces), &records.data()->forces); }
@@ -169,7 +168,7 @@ class NodeGrid {
     ZeroArray<NodeRecord> records;  ///< padded
     NodePhase phase = NodePhase::sums;
 
-    /// What may differ from what the constructor and the walls made.
+    /// Everything that may differ from the state after construction and mark_walls.
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [z, node_levels, changes, node_records, now, nx, ny, oi, oj, dx, lowest, edges, marks,
@@ -190,16 +189,16 @@ class NodeGrid {
   private:
     void check([[maybe_unused]] NodePhase wanted) const noexcept { assert(phase == wanted); }
     void for_each_covered_block(const std::function<void(const Block&)>& visit) const;
-    // Numbers of the blocks that were covered on demand.
+    // Numbers of the blocks covered on demand.
     [[nodiscard]] std::vector<std::uint64_t> covered_blocks() const;
-    // Of the ground that was taken on demand.
+    // Checksum of the elevations read on demand.
     [[nodiscard]] std::uint64_t ground_checksum() const;
-    // Takes what a saved run had taken. Throws Error(input) where it is not what it was; a checksum of 0 is not
+    // Rereads the blocks of the checkpoint. Throws Error(input) if their checksum differs; a checksum of 0 is not
     // compared.
     void cover_again(const std::vector<std::uint64_t>& blocks, std::uint64_t checksum);
-    // After the bed was read.
+    // Restores the derived values after the bed was read.
     void keep_place();
-    // Of a terrain's cell, rows from the north.
+    // The node of a terrain cell, rows from the north.
     [[nodiscard]] std::size_t node_of_cell(std::size_t cell) const noexcept {
         const auto n = static_cast<std::int64_t>(cell);
         return index(n % columns_, rows_ - 1 - n / columns_);
@@ -215,7 +214,7 @@ class NodeGrid {
     double cell_size_, datum_;
     Bounds bounds_;
     ZeroArray<std::uint8_t> solid_;
-    std::unique_ptr<Demand> demand_;  // none: all ground was taken
+    std::unique_ptr<Demand> demand_;  // null: the terrain was read as a whole
 };
 
 }  // namespace frana

@@ -14,7 +14,7 @@ struct NodeReport {
     double max_speed = 0;          ///< along the bed [m/s]
     std::int64_t covered = 0;      ///< nodes deeper than the minimum
     std::int64_t unsupported = 0;  ///< nodes, however thin, whose motion over a convex bed lifts them off it
-    bool moves = false;            ///< whether any node moves on
+    bool moves = false;            ///< whether any node is in motion after the step
     double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed, however thin [m3]
     double thin = 0;               ///< volume on nodes that are not as deep as the minimum [m3]
     double volume = 0;             ///< of all nodes [m3]
@@ -42,8 +42,8 @@ struct NodeReport {
         dissipated += r.dissipated;
     }
 
-    /// Adds a node's energy in the step in which its velocity in map view goes from `before` (`turned` by the bed) over
-    /// `driven`, with all driving forces, to `after`, with friction and walls too. Friction and walls dissipate their
+    /// Adds a node's energy in a step that changes its velocity in map view from `before` (`turned` by the bed) to
+    /// `driven` by all driving forces and to `after` by friction and walls too. Friction and walls dissipate their
     /// change of the velocity times the mean of before and after: a held node does no work.
     /// @param height of its middle [m]
     void count_energy(double node_volume, double height, double gravity, const AlongBed& bed, Point before,

@@ -20,7 +20,7 @@ struct ApicTransfer {
     static constexpr bool affine = true, increment = false;
 };
 
-/// Returns the bend of the nodal velocity, u from column to column, v from row to row.
+/// Returns the second difference of the nodal velocity, u from column to column, v from row to row.
 inline Bend<double> bend_on(const Stencil<QuadraticSplineShape>& s, const NodeMotion* motion, std::int64_t stride) {
     double u[3] = {0, 0, 0}, v[3] = {0, 0, 0};
     for (int b = 0; b < 3; ++b) {

@@ -19,7 +19,7 @@ inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxa
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
 inline constexpr double k_least_growth = 0.1;
 
-/// Bound of a particle's area, and of its shape's trace, in cells: particles that cannot be split (films) grow no
+/// Bound of a particle's area, and of its shape's trace, in cells: particles that cannot be split (thin flow) grow no
 /// further.
 inline constexpr double k_largest_claim = 4;
 
@@ -91,7 +91,7 @@ template <class Number>
 }
 
 /// Where the cells are not full, converging material first fills the gaps: only a full cell becomes deeper, and no
-/// particle becomes much deeper than the cells around it, however long it is pressed into a corner.
+/// particle becomes much deeper than the cells around it, however long it is compressed in a corner.
 template <class Number>
 [[gnu::always_inline]] inline Number filling_growth(Number growth, Number volume, Number area, Number fraction,
                                                     Number cell_depth, double cell_area) {
@@ -100,8 +100,8 @@ template <class Number>
 }
 
 /// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with the fraction
-/// of each cell that particles claim, and only shrinks at a free front. A film too thin to be split claims at most a
-/// few cells: beyond that its support would be meaningless.
+/// of each cell that particles claim, and only shrinks at a free front. A particle too thin to be split claims at most
+/// a few cells: beyond that its support would be meaningless.
 /// @param grown area after deformation by the flow  @param area before the step  @param courant |v| dt/dx
 template <class Number>
 [[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number fraction, Number support,

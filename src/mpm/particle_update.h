@@ -60,8 +60,8 @@ struct Gathered {
     Bend<Number> bend;              // of the nodal velocity
 };
 
-/// A particle does not enter a wall's cell: it moves along the wall as far as either axis allows. Its cell then keeps
-/// it a whole cell away from the nodes behind a wall one cell thick.
+/// Keeps a particle out of a wall's cell: it moves along the wall as far as either axis allows. It so stays a whole
+/// cell away from the nodes behind a wall one cell thick.
 [[gnu::always_inline]] inline void slide_along_walls(const NodeGrid &nodes, double x, double y, double &px,
                                                      double &py) noexcept {
     const NodeScale grid = nodes.scale();
@@ -125,7 +125,7 @@ struct ParticleSweep {
             Gradient<Number> c{d * g.m_xx, d * g.m_xy, d * g.m_yx, d * g.m_yy};
             if constexpr (Relaxed) {
                 Number bound2 = (k_front_shear * k_front_shear * k.gravity) * mass / old_area;
-                if constexpr (FollowsBed) {  // of velocities in map view
+                if constexpr (FollowsBed) {  // in terms of velocities in map view
                     const Number speed2 = g.u * g.u + g.v * g.v;
                     bound2 = select(speed2 > 0, bound2 * (g.back_u * g.back_u + g.back_v * g.back_v) / speed2, bound2);
                 }

@@ -47,11 +47,12 @@ double mean_fraction(const Node* node, std::int64_t stride, double full) noexcep
 }
 
 /// Mean fraction of 7 x 7 nodes from which particles are permanently crowded, and from which the crowding counts in
-/// full. Less is the unevenness of an arrangement: 0.01 for random particles.
+/// full. Lower values are the unevenness of an arrangement: 0.01 for random particles.
 inline constexpr double k_lasting_from = 1.015, k_lasting_full = 1.03;
 
-/// Returns by how much particles around a node claim more than the available area, at least 1. They do where flow
-/// converges, in deposits and in gullies, and are deeper on the ground by that factor than each particle's own depth.
+/// Returns the ratio of the area claimed by particles around a node to the available area, at least 1. It exceeds 1
+/// where flow converges, in deposits and in gullies; the flow is deeper there than each particle's own depth by that
+/// factor.
 /// @param records of the grid  @param column, row padded indices of a node inside the ghosts
 template <class Node>
 double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, std::int64_t column,
@@ -68,7 +69,7 @@ double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, st
 
 /// Returns the depth of a node for maps [m]: the mean depth of its particles times their crowding where the node and
 /// its surroundings are filled, independent of the unevenness of their arrangement; volume over cell area at fronts and
-/// films, where the cell is only partly covered.
+/// in thin flow, where the cell is only partly covered.
 inline double shown_depth(double mass, double area, double support, double crowding,
                           double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;

@@ -25,7 +25,8 @@ struct NormalSlope {
     static constexpr bool metric = true, thin_flow = true, curved = false;
 };
 /// With the load of motion over a curved bed (mpm/curvature.h). Particles and nodes then exchange the velocity along
-/// the bed (BedFrame). Material that moves from one slope to another then keeps its energy; velocities in map view,
+/// the bed (BedFrame), so that material that moves from one slope to another keeps its energy; velocities in map view,
+/// transferred from a gentle slope to a steep one, would become faster.
 /// transferred from a gentle slope to a steep one, would become faster.
 template <class Slope>
 struct Curved : Slope {
@@ -62,7 +63,7 @@ inline BedFrame node_frame(const NodeGrid& nodes, std::size_t i, std::int64_t co
     return BedFrame::of({follows * slope.x, follows * slope.y});
 }
 
-/// Returns the slope under a node and the load of its curvature; no acceleration yet.
+/// Returns the slope at a node and the load of its curvature; no acceleration yet.
 template <class Slope>
 NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     const Point slope = node_slope(nodes, i, column, row);
@@ -105,7 +106,7 @@ inline constexpr double k_least_bearing = 0.5;
 template <class Slope>
 NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     NodeDrive d = ground_of<Slope>(nodes, k, i, column, row);
-    // The part of gravity that the reference state removed from the particles' sum.
+    // The part of gravity that the reference state cancelled in the particles' sum.
     const double weight =
         nodes.levels.size() != 0 ? k.gravity * nodes.levels[i].support * (1 - nodes.levels[i].ponding) : 0;
     const NodeForces& node = nodes.forces()[i];
@@ -202,10 +203,10 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const double follows = levels ? 1 - levels[i].ponding : 1;
         if constexpr (Slope::curved) {
             frame = node_frame(nodes, i, column, row);
-            // The slope of the frame of the gathered velocity: a level flow over a lip gets no speed from the face
+            // The slope of the frame of the gathered velocity: a level flow over a lip gains no speed from the slope
             // below.
             bed = {frame.slope_x, frame.slope_y};
-            // Half of the force, the turn, the other half: of second order (Strang 1968).
+            // Half of the force, the rotation, the other half: second order (Strang 1968).
             const double half = 0.5 * k.dt;
             driven = {old.x + half * drive.ax, old.y + half * drive.ay};
             turn_by_bed(drive.curvature, frame, follows * k.dt, driven.x, driven.y);
@@ -233,9 +234,9 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         }
         const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, node.crowding, inverse_area);
-        // The particles' own mean velocity: the new nodal one overshoots at nodes with almost no mass.
+        // The particles' own mean velocity: the new nodal velocity overshoots at nodes with almost no mass.
         const double gathered = bed.speed(old);
-        // Ghosts mirror nodes inside, which are counted already.
+        // Ghosts mirror nodes inside, which are already counted.
         if (!ghost && gathered > k.moving_speed) report.moving += node.mass;
         if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;  // however thin: tips fly first
         if (cell_depth < k.minimum_depth) {

@@ -9,7 +9,7 @@
 
 namespace frana::structured {
 
-/// Parameters and laws; const while the run lasts.
+/// Parameters and laws; constant during a run.
 struct Laws {
     /// @param smoothing_length of the solids' kernel [m]
     explicit Laws(double smoothing_length) : solid(smoothing_length) {}
@@ -17,7 +17,7 @@ struct Laws {
     SolidLaws solid;
     CouplingLaws coupling;
     FluidLaws fluid;
-    double move_cfl = 0.25;  ///< fraction of a cell that solids and their thrust's waves may cross in a step
+    double move_cfl = 0.25;  ///< fraction of a cell that solids and thrust waves may cross in a step
     bool gaps_are_walls = false;
 };
 
@@ -28,10 +28,10 @@ struct State {
     NodeGrid grid;
     SolidStages stages;
     std::unique_ptr<SolidState> solid;  ///< null in a scene without solids
-    std::unique_ptr<FluidState> fluid;  ///< null in a scene that has no fluid and can set none free
+    std::unique_ptr<FluidState> fluid;  ///< null in a scene that has no fluid and cannot release any
     double time = 0;                    ///< [s]
     double deepest = 0;                 ///< column of any particle [m]
-    double released = 0;                ///< confined fluid that has become free so far [m3]
+    double released = 0;                ///< confined fluid released so far [m3]
     double released_outside = 0;        ///< of which beyond the edges [m3]
 };
 
@@ -46,11 +46,11 @@ void serialise(Archive& archive, State& state) {
 /// Adds solids with the fields of the state's stages, between two steps; then call prepare.
 void add_solids(State& state, const ParticleSet& solids);
 
-/// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were
-/// added.
+/// Sorts the solids, sums them on the nodes and sets the fluid's inputs; call before the first step and whenever
+/// particles were added.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
-/// What the fluid sees of the solids; null pointers without them.
+/// Inputs of the fluid from the solids; null pointers without solids.
 SolidsOnGrid solids_on_grid(const State& state);
 
 }  // namespace frana::structured

@@ -82,7 +82,7 @@ State::State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const Solid
         fluid->resistance_x = ZeroArray<double>(grid.bed.size());
         fluid->resistance_y = ZeroArray<double>(grid.bed.size());
     }
-    // Also where solids only come later: what a scene can hold is there from the start.
+    // Also in scenes whose solids are released later: the nodes are allocated at the start.
     SolidNodes nodes(grid, laws.gaps_are_walls, with_fluid);
     solid = std::make_unique<SolidState>(std::move(solids), laws.solid, std::move(nodes));
 }

@@ -14,11 +14,11 @@ struct StepReport {
     std::int64_t outside = 0;  ///< particles that left through open edges
     std::int64_t no_data = 0;  ///< particles over cells without terrain
     double deepest = 0;        ///< column of any particle [m]
-    bool elastic = false;      ///< whether any particle carries more than its earth pressure
+    bool elastic = false;      ///< whether any particle has stress other than earth pressure
     double kinetic = 0;        ///< of the solids with their confined fluid [J]
 };
 
-/// A step on its way.
+/// State of a step in progress.
 struct Step {
     Step(State& s, const Laws& l, ThreadPool& p) : state(s), laws(l), pool(p) {}
     Step(const Step&) = delete;
@@ -37,20 +37,20 @@ struct Step {
 
 /// Sets StepReport::dt.
 void choose_length(Step& now, double dt_limit);
-/// Over the solids as they lie. Reads solids_on_grid; writes FluidState, StepReport::fluid.
+/// Over the solids at their present places. Reads solids_on_grid; writes FluidState, StepReport::fluid.
 void move_fluid(Step& now);
 /// Reads SolidNodes and the fluid; writes the nodes' push; its reaction changes the fluid's discharge.
 void push_on_nodes(Step& now);
-/// Reads the nodes' push; writes what the particles take of it.
+/// Reads the nodes' push; writes the particles' push.
 void nodes_to_solids(Step& now);
 /// Reads and writes the particles; writes StepReport::substeps, solids.
 void move_solids(Step& now);
 /// Reads the particles' released fluid; adds it to the fluid's cells.
 void release_confined(Step& now);
-/// Sums over the particles for the report and the next step's length; sorts where they drifted; writes SolidNodes.
+/// Sums over the particles for the report and the next step's length; sorts after sufficient drift; writes SolidNodes.
 void solids_to_nodes(Step& now);
 
-/// Longest step of solids and fluid together [s]; the solids' elastic waves are followed in substeps.
+/// Longest stable step of solids and fluid together [s]; the solids' elastic waves are followed in substeps.
 double stable_step(const State& state, const Laws& laws, ThreadPool& pool);
 
 }  // namespace frana::structured

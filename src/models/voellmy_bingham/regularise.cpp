@@ -11,12 +11,12 @@
 namespace frana::voellmy_bingham {
 namespace {
 
-// Particles whose shape has a trace above this many cells' areas do not wait for the next sort to be split (a front
-// that does tears: splitting early reduces the error of the dry dam break by a third), but sorts are at least this many
+// Particles whose shape has a trace above this many cells' areas are split before the next regular sort (a front would
+// tear otherwise: splitting early reduces the error of the dry dam break by a third), but sorts are at least this many
 // steps apart.
 constexpr double k_long_shape = 1;
 constexpr int k_sort_pause = 3;
-// Round the nodes that particles can touch slopes, curvatures and levels look this many nodes farther, at most.
+// Slopes, curvatures and levels read at most this many nodes beyond those that particles can touch.
 constexpr std::int64_t k_round = 8;
 
 void activate_where_crossed(State& state, ThreadPool& pool) {

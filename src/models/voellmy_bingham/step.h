@@ -22,9 +22,10 @@ inline void kick_and_drift(Step& now) {
     nodes_to_particles(now);   // v, C, x += dt v, A *= det(I + dt grad v), relaxed and shifted; stress
 }
 
-/// Computes one time step of at most `dt_limit` and updates `maxima`. With Stages::leapfrog, forces at time t carry the
-/// velocities from the middle of the previous step to the middle of this one, and those carry the positions from t to t
-/// + dt, so that both are of second order (Verlet 1967); otherwise velocities go to t + dt first, as in the paper.
+/// Computes one time step of at most `dt_limit` and updates `maxima`. With Stages::leapfrog, forces at time t advance
+/// the velocities from the middle of the previous step to the middle of this one, and those advance the positions from
+/// t to t + dt, so that both are of second order (Verlet 1967); otherwise velocities are advanced to t + dt first, as
+/// in the paper.
 inline StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
                        ThreadPool& pool) {
     Step now(state, laws, stages, maxima, pool);
@@ -32,7 +33,7 @@ inline StepReport step(State& state, const Laws& laws, const Stages& stages, dou
     kick_and_drift(now);
     advance_time(now);    // t += dt; bounds of the next step
     regularise(now);      // sort by tile, split and merge when due
-    leave_and_land(now);  // particles thrown off an edge fly: z = z0 + w t - g t^2/2
+    leave_and_land(now);  // particles leaving at an edge fly: z = z0 + w t - g t^2/2
     return now.report;
 }
 

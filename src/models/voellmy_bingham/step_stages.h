@@ -51,9 +51,10 @@ void update_nodes(Step& now);
 void exchange_with_bed(Step& now);
 /// Reads NodeMotion; writes all fields of the particles.
 void nodes_to_particles(Step& now);
-/// State::time and the bounds of the next step.
+/// Updates State::time and the bounds of the next step.
 void advance_time(Step& now);
-/// Order and number of the particles, if they may have drifted too far, have left the terrain, or are torn.
+/// Sorts, splits and merges particles if they may have drifted too far, have left the terrain, or their shape is too
+/// long.
 void regularise(Step& now);
 /// Moves particles that leave the bed within the next step into the air, and those that have landed back to the ground
 /// (Flights).
@@ -63,8 +64,8 @@ void leave_and_land(Step& now);
 /// were added or the bed changed between steps.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
-/// Takes the ground under the nodes that the particles can touch and round them, where the grid takes it on demand.
-/// After every sort; prepare and regularise do so.
+/// Reads the terrain of the nodes that the particles can touch and their border, if the grid reads it on demand. Call
+/// after every sort; prepare and regularise do so.
 void cover_ground(const State& state);
 
 /// Computes mass, momentum, area and reference levels on the nodes for the current particles, without moving anything.

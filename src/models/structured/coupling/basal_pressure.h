@@ -7,7 +7,7 @@
 
 namespace frana::structured {
 
-/// A column as the bed feels it, per unit area in map view.
+/// Load of a column on the bed, per unit area in map view.
 struct Column {
     double solids = 0;      ///< h_s [m]
     double confined = 0;    ///< h_fc [m]
@@ -15,12 +15,12 @@ struct Column {
     double submerged = 0;   ///< fraction of the loose solids' pores that free fluid fills [-]
 };
 
-/// What the bed carries of solids and confined fluid, as effective stress (after the paper's equations 37 to 39; its
-/// 58 cannot be read):
+/// Load of solids and confined fluid on the bed, as effective stress (after the paper's equations 37 to 39; its 58 is
+/// illegible):
 ///     N = g [ (1 - f_sc) h_s (rho_s - S rho_f) + f_sc h_s (rho_s - B rho_f) + (1 - B) h_fc rho_f ] >= 0
-/// Loose solids weigh what buoyancy leaves (Pudasaini 2012), structured solids with their confined fluid weigh in full
-/// unless a fraction B of the pore pressure reaches the bed. S, ours: loose solids float only as far as there is free
-/// fluid in their pores, so that dry rubble keeps its weight.
+/// Loose solids have their buoyant weight (Pudasaini 2012); structured solids and their confined fluid have their full
+/// weight unless a fraction B of the pore pressure reaches the bed. S is our addition: buoyancy acts on loose solids
+/// only in proportion to the free fluid in their pores, so that dry rubble keeps its weight.
 struct BasalPressure {
     double gravity = k_standard_gravity;
     double fluid_density = 0;  ///< rho_f; 0 in a scene without any fluid [kg/m3]

@@ -6,14 +6,14 @@
 namespace frana::structured {
 namespace {
 
-// Central difference of the bed; the terrain goes on beyond the edges with the slope it has there.
+// Central difference of the bed; the terrain is extrapolated beyond the edges with the slope at the edge.
 Point bed_gradient(const NodeGrid& grid, std::size_t n) {
     const auto stride = static_cast<std::size_t>(grid.stride());
     const double inverse = 0.5 / grid.cell_size();
     return {inverse * (grid.bed[n + 1] - grid.bed[n - 1]), inverse * (grid.bed[n + stride] - grid.bed[n - stride])};
 }
 
-// Slope of the fluid's surface h_u + h_c + b between wet cells; dry ones on either side do not tilt it.
+// Slope of the fluid's surface h_u + h_c + b between wet cells; dry neighbours do not contribute.
 Point surface_gradient(const NodeGrid& grid, const SolidNodes& nodes, const FluidState& fluid, double dry,
                        std::size_t n) {
     const auto stride = static_cast<std::size_t>(grid.stride());
@@ -25,7 +25,7 @@ Point surface_gradient(const NodeGrid& grid, const SolidNodes& nodes, const Flui
     return {inverse * (beside(n + 1) - beside(n - 1)), inverse * (beside(n + stride) - beside(n - stride))};
 }
 
-// Solids under fluid: buoyancy, then what they and the fluid exchange. Returns the solids' whole acceleration.
+// Solids under fluid: buoyancy, then virtual mass and drag. Returns the total acceleration of the solids.
 Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity, double flat, Point slope, Point push,
                  const CouplingLaws& laws, SolidNodes& nodes, FluidState& fluid) {
     const SolidSums& sums = nodes.sums[n];

@@ -8,8 +8,8 @@
 
 namespace frana::structured {
 
-/// From sums to what the fluid sees: depth and velocity of solids with confined fluid, fractions. For padded row j of
-/// the box.
+/// Converts node sums to inputs of the fluid and of the drag: depth and velocity of solids with confined fluid,
+/// fractions. For padded row j of the box.
 void solids_to_fluid(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
 
 /// Forces on the solids at the nodes of padded row j of the box: terrain and thrust; with fluid, buoyancy, virtual mass

@@ -7,14 +7,14 @@
 
 namespace frana::structured {
 
-/// What solids and free fluid do to each other.
+/// Laws of the interaction of solids and free fluid.
 struct CouplingLaws {
     bool buoyancy = true;
     bool drags = true;
     Drag drag;
     VirtualMass virtual_mass;
     double block_size = 0;     ///< d_sc of the structured part [m]; 0: the local depth
-    double dry = k_dry_depth;  ///< depth of free fluid from which there is any [m]
+    double dry = k_dry_depth;  ///< least depth of free fluid that counts as fluid [m]
 };
 
 }  // namespace frana::structured

@@ -8,19 +8,19 @@
 
 namespace frana::structured {
 
-/// How the drag's exponent M comes about.
+/// How the drag's exponent M is determined.
 enum class RichardsonZaki {
     constant,   ///< M as given
     by_grains,  ///< M from the particle Reynolds number (Richardson & Zaki 1954)
 };
 
-/// How much of the drag is fluid-like: P.
+/// How the fluid-like fraction P of the drag is determined.
 enum class DragMixing {
     quotient,         ///< [alpha_s (1 - f_sc) / (alpha_f (1 - f_fc))]^m, at most 1 (the paper)
     solids_fraction,  ///< alpha_s^m (Pudasaini & Mergili 2019)
 };
 
-/// Volume fractions of a column and who they belong to; what the drag sees.
+/// Volume fractions of a column, grain and block sizes: the inputs of the drag.
 struct Mixture {
     double solids = 0;             ///< alpha_s
     double coupled = 0;            ///< alpha_c, solids with confined fluid
@@ -39,7 +39,7 @@ struct Mixture {
 ///       + (1-f_sc) a_c a_u (rho_s - rho_f) g / [ U_Tu (P F + (1 - P) G) + S ]^j
 ///     F = gamma / 180 (a_f / a_s)^3 Re,   G = a_f^(M - 1),   Re = d U_T / nu,   S = (P / a_c + (1 - P) / a_u) K
 /// with P = 0 in the structured part. The force on solids and confined fluid is C w |w|^(j-1), w = u_u - u_c, the
-/// opposite on the free fluid [N/m3]. Zero where either is under a thousandth of the column.
+/// opposite on the free fluid [N/m3]. Zero where either phase is less than a thousandth of the column.
 struct Drag {
     SettlingFluid fluid;
     int exponent = 2;              ///< j: 1 linear, 2 quadratic
@@ -58,7 +58,7 @@ struct Drag {
         const double weight = m.coupled * free * fluid.gravity;
         double sum = 0;
         if (m.structured > 0) {
-            constexpr double k_largest_block = 1;  // [m] settling laws say nothing of larger ones
+            constexpr double k_largest_block = 1;  // [m] settling laws do not apply to larger ones
             const double size = std::min(m.block_size, k_largest_block);
             const double u = settling_velocity(fluid, m.coupled_density, size);
             sum += m.structured * weight * (m.coupled_density - fluid.density) /
@@ -71,7 +71,7 @@ struct Drag {
         return sum;
     }
 
-    /// The loose part's own coefficient, for given U_T, Re, P and K.
+    /// Coefficient of the loose part, for given U_T, Re, P and K.
     [[nodiscard]] double loose(const Mixture& m, double terminal, double reynolds, double p, double k) const noexcept {
         const double free = 1 - m.coupled;
         const double like_fluid = fluid_like(m, reynolds), like_solid = power_of_fluid(m, reynolds);
@@ -110,7 +110,8 @@ struct Drag {
     }
 };
 
-/// Relative velocity w after dt of drag alone, exactly:  w exp(-lambda dt) for j = 1, w / (1 + lambda |w| dt) for 2.
+/// Reduction of the relative velocity w by dt of drag alone, exact:  w exp(-lambda dt) for j = 1, w / (1 + lambda |w|
+/// dt) for 2.
 /// @returns the factor on w
 inline double drag_decay(int exponent, double lambda, double speed, double dt) noexcept {
     return exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * speed * dt);

@@ -16,18 +16,18 @@ struct CellPhases {
     double grain_diameter = 1e-3;               ///< d [m]
     double friction = 0;                        ///< greatest shear stress of the bed on the solids [Pa]
     Eigen::Vector2d coupled_velocity{0, 0};     ///< u_c before the step [m/s]
-    Eigen::Vector2d free_velocity{0, 0};        ///< u_u after the fluid's own [m/s]
+    Eigen::Vector2d free_velocity{0, 0};        ///< u_u after pressure, stress and resistance of the fluid [m/s]
     Eigen::Vector2d push{0, 0};                 ///< acceleration of the solids by all but friction and drag [m/s2]
-    Eigen::Vector2d free_push{0, 0};            ///< acceleration of the fluid by all that acts on it but drag:
+    Eigen::Vector2d free_push{0, 0};            ///< acceleration of the fluid by all except drag:
                                                 ///< pressure, stress, resistance [m/s2]
 };
 
 /// Impulse per unit area that the solids gain and the fluid loses over dt by virtual mass and drag [kg/(m s)].
 ///
-/// The virtual mass acts between the accelerations that both would have, the bed's friction on the solids and its
-/// resistance to the fluid included, so that it does nothing where neither speeds up: solids that the bed holds do not
-/// stir a fluid at rest, and a steady stream over them stays as it is. The drag is then solved exactly for the relative
-/// velocity w, with the reduced mass m_r = m_c m_u / (m_c + m_u) + m_v:  lambda = h C / m_r  (drag_decay).
+/// The virtual mass acts on the accelerations that both phases would have otherwise, including bed friction on the
+/// solids and bed resistance on the fluid. It so has no effect where neither phase accelerates: solids at rest on the
+/// bed do not disturb a fluid at rest, and steady flow over them remains steady. The drag is then solved exactly for
+/// the relative velocity w, with the reduced mass m_r = m_c m_u / (m_c + m_u) + m_v:  lambda = h C / m_r  (drag_decay).
 inline Eigen::Vector2d exchange(const CouplingLaws& laws, const CellPhases& cell, double dt) noexcept {
     using Eigen::Vector2d;
     const double fluid_density = laws.drag.fluid.density;
@@ -61,8 +61,8 @@ inline Eigen::Vector2d exchange(const CouplingLaws& laws, const CellPhases& cell
     const Vector2d flux = alpha_c * u_c + alpha_u * u_u;
     m.flux = std::hypot(flux.x(), flux.y());
     const Vector2d w = u_u - u_c;
-    // While the drag acts the virtual mass joins the two: their momenta change by m_r w only, of which the bare masses
-    // carry the fraction that a change of w means for them.
+    // The virtual mass couples the two phases during the drag: their momenta change by m_r w only, and the bare masses
+    // carry the fraction that corresponds to a change of w.
     const double bare = m_c * m_u / (m_c + m_u), reduced = bare + m_v;
     const double lambda = depth * laws.drag(m) / reduced;
     const double lost = bare * (1 - drag_decay(laws.drag.exponent, lambda, std::hypot(w.x(), w.y()), dt));

@@ -17,7 +17,7 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
         double& volume = particles[Field::released][p];
         if (!(volume > 0)) continue;
         if (particles[Field::cohesion_ratio][p] == 0)
-            volume = particles[Field::confined][p];  // all, whatever rounding left
+            volume = particles[Field::confined][p];  // all of it, including what rounding left
         const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, solid.nodes);
         (stencil.any ? released.inside : released.outside) += volume;
         for (std::size_t b = 0; stencil.any && b < 4; ++b) {

@@ -6,14 +6,14 @@
 
 namespace frana::structured {
 
-/// Volumes of confined fluid set free [m3].
+/// Volumes of confined fluid released [m3].
 struct Released {
     double inside = 0;   ///< to the grid
-    double outside = 0;  ///< where a particle has no cell of the terrain near, or that cell cannot take it
+    double outside = 0;  ///< no terrain cell near the particle, or that cell cannot store fluid
 };
 
-/// Gives the confined fluid that particles have set free to the grid, volume and momentum, and clears their accounts.
-/// Reads u, v; reads and writes confined and released; in the particles' order.
+/// Adds the confined fluid released by the particles to the grid, volume and momentum, and resets their released
+/// volumes. Reads u, v; reads and writes confined and released; in the particles' order.
 Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws& laws, FluidState& fluid);
 
 }  // namespace frana::structured

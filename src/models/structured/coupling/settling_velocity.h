@@ -7,7 +7,7 @@
 
 namespace frana::structured {
 
-/// Clear water, in which grains are taken to settle (not in the mixture).
+/// Clear water, in which settling velocities are defined (not in the mixture).
 struct SettlingFluid {
     double gravity = k_standard_gravity;
     double density = k_fluid_density;   ///< [kg/m3]

@@ -13,7 +13,7 @@ enum class VirtualMassLaw {
     pudasaini_2019,  ///< C = (N0 (l + a_c^n) - 1) / (a_c / a_u + gamma), N0 = 10, l = 0.12, n = 1
 };
 
-/// Fluid that has to speed up with the solids that push it (paper, equation 35).
+/// Mass of fluid that accelerates with the solids (paper, equation 35).
 struct VirtualMass {
     VirtualMassLaw law = VirtualMassLaw::pudasaini_2012;
 
@@ -31,10 +31,9 @@ struct VirtualMass {
     }
 };
 
-/// Force per unit area that the virtual mass puts on the solids, the opposite on the fluid [N/m2]: of
+/// Force per unit area by the virtual mass on the solids, the opposite on the fluid [N/m2]: the closed form of
 ///     m_c a_c = m_c a_c0 + f,   m_u a_u = m_u a_u0 - f,   f = m_v (a_u - a_c)
-/// in closed form.
-/// @param apart a_u0 - a_c0: how the accelerations would differ without it [m/s2]
+/// @param apart a_u0 - a_c0: difference of the accelerations without it [m/s2]
 inline Eigen::Vector2d virtual_mass_force(double virtual_mass, double coupled_mass, double free_mass,
                                           const Eigen::Vector2d& apart) noexcept {
     return virtual_mass * apart / (1 + virtual_mass * (1 / coupled_mass + 1 / free_mass));

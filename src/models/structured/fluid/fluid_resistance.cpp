@@ -66,11 +66,11 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
 
 namespace {
 
-// What the stress at a face needs of a cell.
+// Values of a cell that the stress at a face depends on.
 struct Cell {
     double depth = 0, u = 0, v = 0;  // of the fluid
     double fraction = 0;             // alpha_c
-    double wu = 0, wv = 0;           // velocity against the solids
+    double wu = 0, wv = 0;           // velocity relative to the solids
     double nu_n = 0, nu_a = 0;       // [m2/s]
     bool wet = false;
 };

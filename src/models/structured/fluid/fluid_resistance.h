@@ -5,20 +5,19 @@
 
 namespace frana::structured {
 
-/// Least fraction of free fluid in a cell that the enhanced stress divides by (share/doc/structured.md, "Free fluid").
+/// Lower bound of the fraction of free fluid, a divisor of the enhanced stress (share/doc/structured.md, "Free fluid").
 inline constexpr double k_least_free_fraction = 0.05;
 
-/// Whether a scene's fluid feels its bed at all.
+/// Whether a scene's fluid has bed resistance.
 bool has_resistance(const FluidLaws& laws);
-/// Whether a scene's fluid has viscous or enhanced stress in the plane.
+/// Whether a scene's fluid has in-plane viscous or enhanced stress.
 bool has_viscosity(const FluidLaws& laws);
 
 /// Kinematic viscosity by solid fraction [m2/s]: nu = a_eta exp(b_eta alpha_s) / rho_u (paper, equation 72;
 /// share/doc/structured.md, "Free fluid").
 double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcept;
 
-/// Resistance in one tile over dt, fully implicit, so that it slows and never reverses and that steady flow
-/// is exact:
+/// Bed resistance in one tile over dt, fully implicit, so that it slows, never reverses, and steady flow is exact:
 ///
 ///     u (1 + dt (R_n + R_v + R_s)) = u* + dt R_s u_c
 ///     R_n = g n^2 V / d^(4/3)                       Manning (paper, equation 46): V the speed along the bed,
@@ -26,21 +25,20 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
 ///                                                   V = |u|, d = h_u on gentle ground
 ///     R_v = chi nu / h^2                            viscous shear at the bed (equation 56)
 ///     R_s = nu_A zeta alpha_s (1 - f_sc) / h^2      damping by the solids' profile (equation 45; the sign is
-///     ours)
+///                                                   ours)
 ///
 /// Reads depth; writes qx, qy.
 void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
             const SolidsOnGrid& solid, double dt, FluidFields& fields);
 
-/// In-plane viscous stress in one tile over dt, explicit, as the divergence of depth times stress through the
-/// faces (ours: the paper's (56) takes depth and viscosity out of the derivative), so that it moves momentum
-/// and makes none:
+/// In-plane viscous stress in one tile over dt, explicit, as the divergence of depth times stress through the faces
+/// (ours: the paper's (56) has depth and viscosity outside the derivative), so that momentum is conserved:
 ///
 ///     tau_ab = nu_N (du_a/dx_b + du_b/dx_a) - nu_A (dalpha_c/dx_a w_b + dalpha_c/dx_b w_a),   w = u_u - u_c
 ///
-/// nu_N = eta/rho_u, nu_A = A eta/(rho_u alpha_u); paper, equation 30. The depth of a face is the smaller of
-/// its two cells'; nothing acts across a wall, an edge or a dry cell. Reads `from` in the tile and one cell
-/// around; writes to.qx, to.qy.
+/// nu_N = eta/rho_u, nu_A = A eta/(rho_u alpha_u); paper, equation 30. The depth of a face is the lesser of its two
+/// cells'; no stress acts across a wall, an edge or a dry cell. Reads `from` in the tile and one cell around; writes
+/// to.qx, to.qy.
 void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
            const SolidsOnGrid& solid, double dt, const FluidFields& from, FluidFields& to);
 

@@ -9,14 +9,14 @@
 namespace frana::structured {
 namespace {
 
-// A tile's window on the padded arrays, and which way a sweep goes through it.
+// A tile's window on the padded arrays, and the direction of the sweep.
 struct Window {
     std::int64_t i0, j0;         // padded, of the tile's first cell
     std::int64_t columns, rows;  // of the padded arrays
     bool along_x;
 
-    // Padded index of the cell at a place along the sweep (halo included) and across it; beyond the arrays, where
-    // nothing is fluid, the nearest.
+    // Padded index of a cell by its place along the sweep (halo included) and across it; outside the arrays, where
+    // there is no fluid, that of the nearest cell.
     [[nodiscard]] std::size_t index(int c, int a) const noexcept {
         const std::int64_t i = std::clamp<std::int64_t>(i0 + (along_x ? c - k_halo : a), 0, columns - 1);
         const std::int64_t j = std::clamp<std::int64_t>(j0 + (along_x ? a : c - k_halo), 0, rows - 1);
@@ -38,7 +38,7 @@ void load(const Window& window, const NodeGrid& nodes, const FluidLaws& laws, co
         cells.factor[c][a] = state.slope_factor.empty() ? 1 : state.slope_factor[cell];
         cells.kind[c][a] = state.cell_kind[cell];
     };
-    // Rows of the arrays run along x: read them so.
+    // Rows of the arrays are along x: read in that order.
     if (window.along_x) {
         for (int a = 0; a < k_side; ++a)
             for (int c = 0; c < k_length; ++c) fill(c, a, window.index(c, a));
@@ -71,7 +71,7 @@ void sweep_tile(const SweepCells& cells, const FluidLaws& laws, SweepRates& rate
 TileReport fluid_stage(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
                        const double* solid_depth, double dt, double fraction, const FluidFields& from,
                        const FluidFields& before, FluidFields& to) {
-    // What rounding may leave of a cell that runs empty; more than that below zero is a step too long.
+    // Tolerance for rounding in a cell that becomes empty; a more negative depth means that the step was too long.
     const double grain = 1e-12 * laws.dry;
     SweepCells cells;
     SweepRates x, y;

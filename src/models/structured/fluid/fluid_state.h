@@ -22,27 +22,27 @@ struct FluidFields {
     explicit FluidFields(std::size_t size) : depth(size), qx(size), qy(size) {}
 };
 
-/// What solid particles put into the cells, padded like the nodes; null pointers where a scene has no solids. The
-/// fluid lies on the effective bed b + depth; the rest enters only its viscous stress.
+/// Depth, velocity and fractions of solid particles in the cells, padded like the nodes; null pointers in a scene
+/// without solids. The fluid lies on the effective bed b + depth; the other fields affect only its viscous stress.
 struct SolidsOnGrid {
     const double* depth = nullptr;           ///< h_c, solids and confined fluid [m]
     const double* u = nullptr;               ///< u_c [m/s]
     const double* v = nullptr;               ///< v_c [m/s]
-    const double* solid_fraction = nullptr;  ///< alpha_s of everything in the cell [-]
+    const double* solid_fraction = nullptr;  ///< alpha_s of the whole cell [-]
     const double* structured = nullptr;      ///< f_sc, fraction of the solids that is structured [-]
 };
 
-/// Fluid that comes into a cell between two steps, with its momentum: release of confined fluid, inflow.
+/// Fluid added to a cell between two steps, with its momentum: release of confined fluid, inflow.
 struct FluidSource {
     std::size_t cell = 0;   ///< NodeGrid::index
     double depth = 0;       ///< [m], not negative
-    double qx = 0, qy = 0;  ///< unit discharge that comes with it [m2/s]
+    double qx = 0, qy = 0;  ///< unit discharge added with it [m2/s]
 };
 
-/// Parameters of the free fluid; const while it runs.
+/// Parameters of the free fluid; constant during a run.
 struct FluidLaws {
     double gravity = k_standard_gravity;  ///< [m/s2]
-    double cfl = 0.5;                     ///< at most 0.5: positive depth needs no more
+    double cfl = 0.5;                     ///< at most 0.5, which keeps depths positive
     double dry = k_dry_depth;             ///< depth under which fluid does not move [m]
     bool second_order = true;             ///< false: cell values and one Euler stage
     bool steep = true;                    ///< gravity over 1 + |grad b|^2, resistance along the bed
@@ -59,7 +59,7 @@ struct FluidLaws {
     double solids_shape = 2;           ///< zeta: damping by the vertical profile of solids [-]
 };
 
-/// Everything of the fluid that changes while it runs.
+/// Everything of the fluid that changes during a run.
 struct FluidState {
     /// No fluid anywhere.
     FluidState(const NodeGrid& nodes, const FluidLaws& laws);
@@ -67,17 +67,17 @@ struct FluidState {
     FluidFields now;  ///< the present; a coupling may change qx and qy of wet cells between steps
 
     TileGrid grid;
-    std::vector<std::int64_t> tiles;  ///< that hold moving fluid, and their neighbours; ascending
+    std::vector<std::int64_t> tiles;  ///< with moving fluid, and their neighbours; ascending
     double volume_left = 0;           ///< through open boundaries, into gaps included [m3]
     double volume_into_gaps = 0;      ///< of which into cells without terrain [m3]
 
-    /// What stress and resistance changed the velocity by in the last advance [m/s]; only where solids are.
+    /// Change of the velocity by stress and resistance in the last advance [m/s]; only in cells with solids.
     ZeroArray<double> resistance_x, resistance_y;
 
-    // Kept by fluid_step.cpp.
+    // Used by fluid_step.cpp only.
     std::vector<std::int64_t> touched;    ///< tiles that were ever in `tiles`; ascending
     FluidFields stage, next;              ///< buffers; as `now` outside `tiles`
-    ZeroArray<std::uint8_t> wet;          ///< by tile: holds fluid deeper than the dry depth
+    ZeroArray<std::uint8_t> wet;          ///< by tile: contains fluid deeper than the dry depth
     std::vector<std::uint8_t> cell_kind;  ///< padded; CellKind
     std::vector<double> slope_factor;     ///< padded 1 / (1 + |grad b|^2); empty unless steep
 };
@@ -88,7 +88,7 @@ void serialise(Archive& archive, FluidFields& fields) {
     archive(depth, qx, qy);
 }
 
-/// After reading: whether the tiles that it lists are its grid's.
+/// Checks, after reading a state, that its tiles are those of its grid.
 [[nodiscard]] inline bool has_own_tiles(const FluidState& state) {
     const std::int64_t count = state.grid.tiles_x() * state.grid.tiles_y();
     const auto own = [count](const std::vector<std::int64_t>& list) {
@@ -98,7 +98,7 @@ void serialise(Archive& archive, FluidFields& fields) {
     return own(state.tiles) && own(state.touched);
 }
 
-/// All but what set_ground and advance make.
+/// Everything except what set_ground and advance compute.
 template <class Archive>
 void serialise(Archive& archive, FluidState& state) {
     [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, resistance_x, resistance_y, touched, stage,
@@ -106,16 +106,16 @@ void serialise(Archive& archive, FluidState& state) {
     archive(now, tiles, volume_left, volume_into_gaps, touched, stage, next, wet);
 }
 
-/// What stands in a cell, for the fluid.
+/// Cell type for the fluid.
 enum CellKind : std::uint8_t { k_fluid_cell = 0, k_wall_cell = 1, k_open_cell = 2, k_gap_cell = 3 };
 
-/// What an advance did.
+/// Results of an advance.
 struct FluidReport {
-    int steps = 0;                   ///< Heun steps it took
-    int retries = 0;                 ///< of which taken again at half length, because a depth would have been negative
+    int steps = 0;                   ///< Heun steps
+    int retries = 0;                 ///< of which repeated at half length, because a depth would have been negative
     std::int64_t non_finite = 0;     ///< cells
     std::int64_t wet_cells = 0;      ///< deeper than the dry depth, at the end
-    std::int64_t updated_cells = 0;  ///< cells times steps: what the work follows
+    std::int64_t updated_cells = 0;  ///< sum over steps of the cells computed
 };
 
 }  // namespace frana::structured

@@ -26,8 +26,8 @@ void copy_tile(const NodeRange& range, const NodeGrid& nodes, const FluidFields&
     });
 }
 
-// The tiles that hold moving fluid and their neighbours, which a step may wet. A tile that drops out keeps its film,
-// which does not move; the buffers must hold it too, because neighbours read them.
+// Lists the tiles that contain moving fluid and their neighbours, which a step may wet. A tile that is no longer listed
+// keeps its fluid, which does not move; the buffers must contain it too, because neighbours read them.
 void activate_tiles(FluidState& state, const NodeGrid& nodes) {
     const std::int64_t tiles_x = state.grid.tiles_x(), tiles_y = state.grid.tiles_y();
     std::vector<std::int64_t> active;
@@ -41,7 +41,7 @@ void activate_tiles(FluidState& state, const NodeGrid& nodes) {
     }
     std::sort(active.begin(), active.end());
     active.erase(std::unique(active.begin(), active.end()), active.end());
-    // Every tile that was ever active is remembered: a film may lie there.
+    // Tiles stay listed as touched once they were active: they may contain fluid below the dry depth.
     std::vector<std::int64_t> touched;
     std::set_union(state.touched.begin(), state.touched.end(), active.begin(), active.end(),
                    std::back_inserter(touched));
@@ -74,7 +74,7 @@ TileReport run_stage(FluidState& state, const NodeGrid& nodes, const FluidLaws& 
     return sum;
 }
 
-// Adds the velocity where solids lie to what stress and resistance have changed it by, before them with a sign of -1.
+// Adds the velocity in cells with solids, times `sign`, to the change by stress and resistance: -1 before, 1 after.
 void add_resistance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
                     double sign, ThreadPool& pool) {
     for_tiles(state, nodes, pool, [&](std::size_t, const NodeRange& range) {
@@ -112,7 +112,7 @@ bool try_step(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, c
         left = 0.5 * (left + done.left);
         into_gaps = 0.5 * (into_gaps + done.into_gaps);
     }
-    // Stress in the plane, then resistance of the bed.
+    // In-plane stress, then bed resistance.
     const bool coupled = state.resistance_x.size() > 0 && solid.depth != nullptr && has_resistance(laws);
     if (coupled) add_resistance(state, nodes, laws, solid, -1, pool);
     if (has_viscosity(laws)) {
@@ -200,7 +200,7 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
     }
     std::sort(state.tiles.begin(), state.tiles.end());
     state.tiles.erase(std::unique(state.tiles.begin(), state.tiles.end()), state.tiles.end());
-    // A film that is never wet is never active, but there.
+    // Fluid below the dry depth is stored but never active.
     std::vector<std::int64_t> touched;
     std::set_union(state.touched.begin(), state.touched.end(), state.tiles.begin(), state.tiles.end(),
                    std::back_inserter(touched));
@@ -238,8 +238,8 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
 
 FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
                     double dt, ThreadPool& pool) {
-    constexpr double k_least_fraction = 1e-6;  // of a step in a stable one: what is faster will not come to an end
-    constexpr int k_most_retries = 40;         // of one step, each at half the length
+    constexpr double k_least_fraction = 1e-6;  // least stable fraction of a step: below it the run would not end
+    constexpr int k_most_retries = 40;         // of one step, each halving the length
     FluidReport report;
     clear_resistance(state, nodes, pool);
     double left = dt;
@@ -247,12 +247,12 @@ FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& l
         activate_tiles(state, nodes);
         if (state.tiles.empty()) break;
         const double stable = stable_step(state, nodes, laws, solid, pool);
-        if (!(stable > k_least_fraction * dt)) {  // an infinite or undefined speed, or next to it
+        if (!(stable > k_least_fraction * dt)) {  // an infinite or undefined speed, or almost one
             ++report.non_finite;
             break;
         }
         double step = std::min(left, stable);
-        if (step < left && left < 2 * step) step = 0.5 * left;  // two equal ones rather than a sliver
+        if (step < left && left < 2 * step) step = 0.5 * left;  // two equal steps, not a full and a tiny one
         for (int tries = 0; !try_step(state, nodes, laws, solid, step, report, pool); ++tries) {
             if (tries == k_most_retries) {
                 ++report.non_finite;

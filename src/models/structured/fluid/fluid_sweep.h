@@ -10,7 +10,7 @@
 
 namespace frana::structured {
 
-/// Cells beside a tile that its faces look at, on each side.
+/// Halo: cells beside a tile that its faces read, on each side.
 inline constexpr int k_halo = 2;
 inline constexpr int k_side = static_cast<int>(k_tile);
 inline constexpr int k_length = k_side + 2 * k_halo;
@@ -25,7 +25,7 @@ struct SweepCells {
     std::uint8_t kind[k_length][k_side];
 };
 
-/// What the faces of one sweep change in the tile's own cells, times the cell size.
+/// Rates of change of the tile's cells by the faces of one sweep, times the cell size.
 struct SweepRates {
     double depth[k_side][k_side];   ///< [m2/s]
     double along[k_side][k_side];   ///< [m3/s2]
@@ -44,10 +44,10 @@ struct FaceValues {
     double factor[k_side];  ///< the cell's
 };
 
-/// The reconstruction in one row: slopes by minmod of depth, surface and velocity, so that the mean discharge is kept
+/// Reconstruction in one row: slopes by minmod of depth, surface and velocity, so that the mean discharge is conserved
 /// and a level surface stays level (Audusse et al. 2004; Delestre et al. 2014, section 3.2):
 ///     h_-+ = h -+ dh/2,  Z_-+ = eta_-+ - h_-+,  u_+ = u + (h_-/h) du/2,  u_- = u - (h_+/h) du/2
-/// Towards a wall nothing slopes; towards an open edge only the surface does, as on the other side.
+/// Beside a wall all slopes are zero; beside an open edge only the surface has a slope, that of the other side.
 template <bool second_order, bool plain>
 void reconstruct(const SweepCells& cells, int c, FaceValues& lower, FaceValues& upper) {
     for (int a = 0; a < k_side; ++a) {
@@ -77,7 +77,7 @@ void reconstruct(const SweepCells& cells, int c, FaceValues& lower, FaceValues& 
         lower.factor[a] = upper.factor[a] = cells.factor[c][a];
         lower.depth[a] = h_lower;
         upper.depth[a] = h_upper;
-        // eta -+ de less h -+ dh, without the sum eta, so that h keeps its digits.
+        // eta -+ de less h -+ dh, without the sum eta, to limit rounding.
         lower.bed[a] = z - (de - dh);
         upper.bed[a] = z + (de - dh);
         lower.along[a] = cells.along[c][a] - h_upper * inverse * du;
@@ -88,15 +88,16 @@ void reconstruct(const SweepCells& cells, int c, FaceValues& lower, FaceValues& 
 }
 
 /// Fluxes through a row of faces. The momentum flux along the sweep is carried + k pushed_left for the cell below the
-/// face and carried + k pushed_right for the cell above, k being the cell's own factor of gravity.
+/// face and carried + k pushed_right for the cell above, with k the cell's own gravity factor.
 struct FaceFluxes {
     double depth[k_side], across[k_side], carried[k_side], pushed_left[k_side], pushed_right[k_side];
 };
 
-/// Outward speed from which water leaves through an open edge, over that of its waves: rounding does not drain a lake.
+/// Least outward speed of outflow through an open edge, as a fraction of the wave speed: rounding must not drain a
+/// lake.
 inline constexpr double k_leaving = 1e-9;
 
-/// What the faces do at walls and open edges: a wall mirrors the cell; through an open edge leaves what moves out.
+/// Boundary values at walls and open edges: a wall mirrors the cell; open edges are passed by outward flow only.
 inline void close_faces(const SweepCells& cells, int c, double gravity, FaceValues& left, FaceValues& right) {
     const auto copy = [](const FaceValues& from, int a, double sign, FaceValues& to) {
         to.depth[a] = from.depth[a];
@@ -119,8 +120,8 @@ inline void close_faces(const SweepCells& cells, int c, double gravity, FaceValu
 }
 
 /// Hydrostatic reconstruction at the step of the bed (Audusse et al. 2004) and the HLL flux with the exact speeds of a
-/// front on a dry bed (Toro 2001, section 10.5); what moves across goes with the mass. Nothing passes between two
-/// cells under the dry depth.
+/// front on a dry bed (Toro 2001, section 10.5); transverse momentum is advected with the mass. No flux between two
+/// cells below the dry depth.
 inline void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, const FaceValues& right, double gravity,
                         double dry, FaceFluxes& flux) {
     const double half_g = 0.5 * gravity;
@@ -150,7 +151,7 @@ inline void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, 
     }
 }
 
-/// Sums what leaves through the faces of this tile's own cells.
+/// Sums the outflow through the faces of this tile's own cells.
 inline void count_leaving(const SweepCells& cells, int c, const FaceFluxes& flux, SweepRates& rates) {
     const auto count = [&](int kind, double leaving) {
         if (kind < k_open_cell) return;
@@ -164,9 +165,10 @@ inline void count_leaving(const SweepCells& cells, int c, const FaceFluxes& flux
     }
 }
 
-/// Rates of change by all the faces across one direction:
+/// Rates of change by all faces in one direction:
 ///     d(h)/dt = -[F_h],   d(h u)/dt = -[F_u] - k (g/2)(h_- + h_+)(Z_+ - Z_-),   d(h v)/dt = -[F_v]
-/// [ ] being upper less lower face. Cells that are not fluid get rates too; nobody uses them.
+/// [ ] is the value at the upper face minus that at the lower one. Rates of cells that are not fluid are computed too,
+/// and not used.
 template <bool second_order, bool plain>
 void sweep(const SweepCells& cells, double gravity, double dry, SweepRates& rates) {
     FaceValues lower, upper, upper_before;

@@ -7,8 +7,8 @@
 
 namespace frana::structured {
 
-/// Repulsion where material is in tension, against clumping (Monaghan 2000, Gray et al. 2001; paper, equation 86, with
-/// the test for tension that it lacks): along each principal direction of t, -strength times what is above zero,
+/// Repulsion of material in tension, against clumping (Monaghan 2000, Gray et al. 2001; paper, equation 86, with the
+/// missing test for tension): along each principal direction of t, -strength times the positive part,
 ///     R = -strength sum over n of max(t_n, 0) P_n,   P_1 = (t - t_2) / (t_1 - t_2)
 /// @param t depth-integrated stress over areal density squared
 inline Matrix2d artificial_stress(const Matrix2d& t, double strength) noexcept {

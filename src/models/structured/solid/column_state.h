@@ -8,8 +8,8 @@
 
 namespace frana::structured {
 
-/// What a scene's solids carry: cohesion, which can be lost, and confined fluid. Without a field nothing is computed
-/// for it.
+/// Properties of a scene's solids: cohesion, which can be lost, and confined fluid. Terms without a field are not
+/// computed.
 template <bool Cohesive, bool Wet>
 struct SolidKind {
     static constexpr bool cohesive = Cohesive, wet = Wet;
@@ -23,7 +23,7 @@ inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ra
 inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence, Field::grain_diameter};
 inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released};
 
-/// Besides, where thrust depends on whether material is pushed together.
+/// In addition, if the thrust depends on whether material is compressed.
 inline constexpr FieldMask k_passive_fields{Field::divergence};
 
 /// The fields of a scene's solids.
@@ -77,7 +77,7 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
     return s;
 }
 
-/// Whether a column carries no stress but its earth pressure.
+/// Whether a column's only stress is its earth pressure.
 inline bool flows_freely(const SolidLaws& laws, const ParticleLoad& column) noexcept {
     return laws.broken == BrokenMaterial::earth_pressure && !(column.cohesion > 0);
 }

@@ -27,7 +27,7 @@ struct CubicSpline {
     }
 };
 
-/// The sixteen nodes of a particle: weights, which always add up to 1 over the nodes that are inside and no wall, and
+/// The sixteen nodes of a particle: weights, whose sum over the nodes that are inside and not walls is always 1, and
 /// gradients [1/m].
 struct CubicStencil {
     std::size_t first = 0;

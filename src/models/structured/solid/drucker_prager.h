@@ -22,9 +22,9 @@ struct DruckerPrager {
         return {friction * root, 3 * cohesion * root};
     }
     [[nodiscard]] double yield(const Stress& s) const noexcept { return std::sqrt(s.j2()) + slope * s.i1() - strength; }
-    /// Least pressure that a column under a vertical pressure must have from every side not to yield [Pa]; 0 up to the
+    /// Least pressure from all sides at which a column under a vertical pressure does not yield [Pa]; 0 up to the
     /// uniaxial strength k / (1 / sqrt(3) - a). In plane strain, where the law is matched, the least is Rankine's
-    /// active pressure; where both sides give way, as here, the law asks for more.
+    /// active pressure; with yielding in both directions, as here, the law requires more.
     [[nodiscard]] double active_pressure(double vertical) const noexcept {
         constexpr double k_root = 0.57735026918962576;  // 1 / sqrt(3)
         return std::max(0.0, ((k_root - slope) * vertical - strength) / (k_root + 2 * slope));
@@ -36,15 +36,15 @@ struct Returned {
     bool yielded = false;
 };
 
-/// Brings a stress back to the yield surface at its vertical component, which the weight gives (plane-stress plasticity
-/// with a normal stress that is not zero; Simo and Hughes, Computational Inelasticity, 3.4): what gives way is the
-/// column's vertical strain. Backward Euler for the potential g = sqrt(J2) + 3 I1 sin(psi) (paper, equation 17
-/// corrected) with the stiffness in the plane that the elastic trial had. With X the mean in the plane less the
-/// vertical stress, R the radius of its Mohr circle and T = k - 3 a szz the strength where all three are equal,
+/// Returns a stress to the yield surface at constant vertical component, which is given by the weight (plane-stress
+/// plasticity with a normal stress that is not zero; Simo and Hughes, Computational Inelasticity, 3.4); the vertical
+/// strain of the column is free. Backward Euler for the potential g = sqrt(J2) + 3 I1 sin(psi) (paper, equation 17
+/// corrected) with the in-plane stiffness of the elastic trial. With X the in-plane mean minus the vertical stress, R
+/// the radius of its Mohr circle and T = k - 3 a szz the strength where all three are equal,
 ///     f = sqrt(R^2 + X^2 / 3) + 2 a X - T,   R = r R',   X = [r X' - 18 m s T (1 - r)] / [r + m (1 - 36 a s) (1 - r)]
-/// m = (K + G / 3) / (3 G), s = sin(psi), ' the trial, r = 1 / (1 + G lambda / sqrt(J2)): one equation f(r) = 0 on
-/// (0, 1), whose left end is inside the surface for psi < 5.5 degrees; beyond it a column pressed from the sides would
-/// widen without end.
+/// m = (K + G / 3) / (3 G), s = sin(psi), ' the trial, r = 1 / (1 + G lambda / sqrt(J2)): one equation f(r) = 0 on (0,
+/// 1), whose left end is inside the surface for psi < 5.5 degrees; for larger psi a column compressed from the sides
+/// would widen without bound.
 inline Returned return_under_load(const DruckerPrager& law, const Elasticity& elastic, double sin_dilatancy,
                                   const Stress& trial) noexcept {
     constexpr double k_rounding = 1e-12, k_solved = 1e-14;
@@ -61,7 +61,7 @@ inline Returned return_under_load(const DruckerPrager& law, const Elasticity& el
     const double m = (elastic.bulk + elastic.shear / 3) / (3 * elastic.shear);
     const double opening = 18 * m * sin_dilatancy * bears, fall = m * (1 - 36 * law.slope * sin_dilatancy);
     double low = 0, high = 1, f = beyond(-opening / fall, 0);
-    double kept = f / (f - outside), x = offset;  // where f were a line
+    double kept = f / (f - outside), x = offset;  // root of the secant
     for (int i = 0; i < k_most_steps; ++i) {
         const double below = kept + fall * (1 - kept), above = kept * offset - opening * (1 - kept);
         x = above / below;
@@ -77,9 +77,10 @@ inline Returned return_under_load(const DruckerPrager& law, const Elasticity& el
     return {{(trial.zz + x) * unit + kept * deviator, trial.zz}, true};
 }
 
-/// The same where the vertical stress is the material's own and no load is known: in three dimensions it is closed,
+/// The same where the vertical stress is the material's own and no load is known: in three dimensions the return has a
+/// closed form,
 ///     lambda = f' / (G + 27 a K sin(psi)),   I1 = I1' - 27 K sin(psi) lambda,   s = s' (1 - G lambda / sqrt(J2'))
-/// and what would pass the apex ends there. For psi = 0 it is the paper's Appendix B (after Bui et al. 2008,
+/// and a stress beyond the apex is returned to it. For psi = 0 it is the paper's Appendix B (after Bui et al. 2008,
 /// corrected).
 inline Returned return_by_itself(const DruckerPrager& law, const Elasticity& elastic, double sin_dilatancy,
                                  const Stress& s) noexcept {

@@ -15,9 +15,10 @@ inline double active_coefficient(double friction) noexcept {
 }
 
 /// Thrust of a column on its neighbours by Bell's active pressure K_a sigma_v - 2 c sqrt(K_a), with a tension crack
-/// where that would pull (textbook; the paper's equation 43 lacks root, crack and the factor 1/2 of the mean):
+/// where the pressure would be negative (textbook; the paper's equation 43 lacks root, crack and the factor 1/2 of the
+/// mean):
 ///     P = K_a w (h - z)^2 / 2,   z = min(h, 2 c / (w sqrt K_a)),   w = N / h                 [N/m]
-/// Cohesionless it is Savage and Hutter's K_a N h / 2; strong material stands by itself and pushes nothing.
+/// Without cohesion it is Savage and Hutter's K_a N h / 2; with sufficient cohesion it is zero.
 /// @param load effective stress at the base N [Pa]
 /// @param depth h [m]
 /// @param cohesion present c [Pa]
@@ -29,8 +30,8 @@ inline double active_thrust(double coefficient, double load, double depth, doubl
     return 0.5 * coefficient * load * depth * pushing * pushing;
 }
 
-/// The same with Bell's passive pressure K_p sigma_v + 2 c sqrt(K_p), for material that is pushed together:
-/// P = K_p N h / 2 + 2 c sqrt(K_p) h.
+/// The same with Bell's passive pressure K_p sigma_v + 2 c sqrt(K_p), for compressed material: P = K_p N h / 2 + 2 c
+/// sqrt(K_p) h.
 /// @param coefficient K_p = 1 / K_a
 inline double passive_thrust(double coefficient, double load, double depth, double cohesion) noexcept {
     return (0.5 * coefficient * load + 2 * cohesion * std::sqrt(coefficient)) * depth;

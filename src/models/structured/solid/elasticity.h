@@ -12,7 +12,7 @@ struct Elasticity {
     double bulk = 0;   ///< K [Pa]
     double shear = 0;  ///< G [Pa]
 
-    /// G = 3 K E / (9 K - E); wants 0 < E < 9 K, which is Poisson's ratio under 1/2 and over -1.
+    /// G = 3 K E / (9 K - E); requires 0 < E < 9 K, that is, Poisson's ratio between -1 and 1/2.
     static Elasticity from_young_and_bulk(double young, double bulk) {
         return {bulk, 3 * bulk * young / (9 * bulk - young)};
     }

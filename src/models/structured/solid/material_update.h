@@ -9,11 +9,10 @@
 
 namespace frana::structured {
 
-/// Stress after a turn R and a strain in the plane (both of one substep): turned with the material, elastic trial,
-/// return to the yield surface of what the particle carries together with the geostatic stress, -diag(p, p, N / 2).
-/// That vertical stress stays as the weight gives it, so the particle's own is zero. p is the column's thrust over its
-/// depth or, where that is less than the strength asks for with both sides giving way, the strength's active pressure:
-/// the state at rest never yields.
+/// Stress after a rotation R and a strain in the plane (both of one substep): rotation with the material, elastic
+/// trial, return to the yield surface of the sum with the geostatic stress, -diag(p, p, N / 2). That vertical stress is
+/// given by the weight, so the particle's own is zero. p is the column's thrust over its depth or, where that is less,
+/// the strength's active pressure for yielding in both directions: the state at rest never yields.
 inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, double friction, const Matrix2d& turn,
                             const Matrix2d& strain, const Stress& stress) noexcept {
     const auto strength = DruckerPrager::of(friction, column.cohesion);
@@ -27,9 +26,9 @@ inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, d
     return {{r.stress.plane + lateral, 0}, true};
 }
 
-/// Stress, strain, damage and release of confined fluid over dt, and what the next sums over neighbours need. Reads the
-/// velocity gradients in `w`; writes t_*, e_*, damage, cohesion_ratio, released; mass, density, t, r and resistance in
-/// `w`.
+/// Stress, strain, damage and release of confined fluid over dt, and the inputs of the next sums over neighbours. Reads
+/// the velocity gradients in `w`; writes t_*, e_*, damage, cohesion_ratio, released; mass, density, t, r and resistance
+/// in `w`.
 template <class Kind>
 void update_material(ParticleRun run, double dt, const SolidLaws& laws, ParticleSet& particles, PairWork& w) {
     for (std::size_t p = run.begin; p < run.end; ++p) {
@@ -61,7 +60,7 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
                 particles[Field::damage][p] = damage;
                 particles[Field::cohesion_ratio][p] = after;
                 if constexpr (Kind::wet) {
-                    // It goes with the particle until the step is done: the nodes' push was for both.
+                    // Released fluid moves with the particle until the end of the step: the nodes' push was for both.
                     const double confined = particles[Field::confined][p] - particles[Field::released][p];
                     particles[Field::released][p] += confined * (1 - after / before);
                 }

@@ -12,7 +12,7 @@
 
 namespace frana::structured {
 
-/// Where a particle may not go: cells that are walls, and beyond the edges where they are walls.
+/// Places closed to particles: cells that are walls, and the outside of edges that are walls.
 struct Obstacles {
     const NodeGrid* nodes = nullptr;
     bool edges = false;
@@ -26,14 +26,14 @@ struct Obstacles {
     }
 };
 
-/// New velocities and places after dt: accelerations, then the bed's friction, which can stop but not turn a particle
-/// round, then the move with the new velocity. A particle that would enter an obstacle loses the velocity component
-/// that takes it there and keeps its place in that direction; walls are smooth.
+/// New velocities and places after dt: accelerations, then bed friction, which can stop but not reverse a particle,
+/// then the motion with the new velocity. A particle that would enter an obstacle loses the velocity component towards
+/// it and keeps its place in that direction; walls are smooth.
 ///
 /// Reads a_*, resistance, l_* of `w`, push_*; writes x, y, u, v, area there and in the particles.
-/// @param widest that a column may become [m2]: the sums of its neighbours' velocity gradients weigh it with its area,
-/// so that one without bound would run away where few are near
-/// @param mean a velocity near most particles', against which nearness is lost [m/s]
+/// @param widest greatest area of a column [m2]: its neighbours' velocity gradients weigh it with its area, which would
+/// grow without bound where neighbours are few
+/// @param mean a velocity near that of most particles, the reference of SolidReport::apart2 [m/s]
 inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& obstacles, double widest, Point mean,
                                   ParticleSet& particles, PairWork& w) {
     SolidReport report;
@@ -59,7 +59,7 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
                 v = 0;
             }
         }
-        // What has lost its numbers stays where it was, to be found; the run ends after this step.
+        // Non-finite particles keep their place for the report; the run ends after this step.
         const bool finite = std::isfinite(x + y + u * u + v * v);
         if (!finite) {
             x = w[PairWork::x][p];
@@ -81,7 +81,7 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
         report.apart2 = std::max(report.apart2, apart2);
         report.acceleration2 = std::max(report.acceleration2, ax * ax + ay * ay);
         report.non_finite += finite ? 0 : 1;
-        // Whatever the length of the next substep, rounding included.
+        // For any length of the next substep, rounding included.
         constexpr double k_margin = 1e-9;
         const double static_limit = (1 - k_margin) * w[PairWork::resistance][p];
         report.rests = report.rests && speed2 == 0 && ax * ax + ay * ay <= static_limit * static_limit;

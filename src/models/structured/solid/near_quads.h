@@ -11,11 +11,11 @@
 namespace frana::structured {
 
 /// Lists of neighbours in groups of four, as the sums read them: for each particle, the quads of the order's runs with
-/// a particle within the reach plus the slack of the order. No neighbour is missing until two particles have approached
-/// by that slack, after which the order is renewed too.
+/// a particle within the kernel's radius plus the slack of the order. The lists are complete until two particles have
+/// approached by that slack, after which the order is renewed too.
 class NearQuads {
   public:
-    /// Part of a row's list that belongs to a particle.
+    /// Part of a row's list for one particle.
     struct Range {
         std::uint32_t begin = 0, end = 0;
     };

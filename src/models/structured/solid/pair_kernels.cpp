@@ -10,7 +10,7 @@ const PairKernels& plain_pair_kernels() {
     return k_kernels;
 }
 
-// Asked here, not where the fast ones are compiled: that source must not run on a processor without them.
+// The processor is checked here: the source of the fast kernels must not run on one without AVX2.
 const PairKernels& pair_kernels() {
 #if defined(__x86_64__)
     const PairKernels* fast = compiled_pair_kernels();

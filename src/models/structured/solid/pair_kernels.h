@@ -15,10 +15,10 @@ struct PairKernels {
     double (*accelerations)(const CellOrder&, std::int64_t row, const PairLaws&, PairWork&);
 };
 
-/// The fastest that the processor runs.
+/// Returns the fastest kernels that the processor supports.
 const PairKernels& pair_kernels();
 const PairKernels& plain_pair_kernels();
-/// As compiled for AVX2 and FMA, whatever this processor can run; null on other architectures.
+/// Returns those compiled for AVX2 and FMA, whatever this processor supports; null on other architectures.
 const PairKernels* compiled_pair_kernels();
 
 }  // namespace frana::structured

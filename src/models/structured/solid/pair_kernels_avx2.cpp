@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled for AVX2 and FMA on x86-64 (see src/CMakeLists.txt); called only where the processor has both.
+// Compiled for AVX2 and FMA on x86-64 (see src/CMakeLists.txt); called only if the processor has both.
 #include "models/structured/solid/pair_kernels.h"
 #if defined(__AVX2__) && defined(__FMA__)
 #include "models/structured/solid/pair_sums.h"

@@ -6,8 +6,8 @@
 
 namespace frana::structured {
 
-/// What the sums over neighbours use of the solids' laws. They are compiled for AVX2 as well, where Eigen would align
-/// its types otherwise than in the rest of the program: no header of theirs includes it.
+/// Parameters of the solids' laws for the sums over neighbours. These are compiled for AVX2 as well, where Eigen would
+/// align its types differently from the rest of the program: no header of the sums includes Eigen.
 struct PairLaws {
     explicit PairLaws(double smoothing_length) : kernel(smoothing_length) {}
 

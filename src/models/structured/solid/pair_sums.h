@@ -9,11 +9,10 @@
 namespace frana::structured {
 namespace {
 
-// Keeps the particle's own lane finite, whose distance is zero and whose gradient vanishes [smoothing
-// lengths].
+// Keeps the lane of the particle itself finite, whose distance is zero and whose gradient vanishes [smoothing lengths].
 constexpr double k_least_distance = 1e-9;
 
-/// Calls visit(i) for the particles of a row whose cells do not rest.
+/// Calls visit(i) for the particles of a row in cells that are not at rest.
 template <class Visit>
 inline void for_each_moving(const CellOrder& order, std::int64_t row, const PairWork& w, Visit&& visit) {
     const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
@@ -24,10 +23,10 @@ inline void for_each_moving(const CellOrder& order, std::int64_t row, const Pair
     }
 }
 
-/// Four particles near particle i, at least one of them within the kernel's reach.
+/// Four particles near particle i, at least one of them within the kernel's radius.
 struct NearQuad {
     std::size_t first;       ///< of the four in PairWork
-    std::size_t count;       ///< of the four, the others follow the run
+    std::size_t count;       ///< of the four; the others are not of the run
     Quad dx, dy, distance2;  ///< from each of them to particle i [m], [m2]
 };
 
@@ -45,11 +44,11 @@ inline void for_each_near(const PairWork& w, std::int64_t row, std::size_t i, co
     }
 }
 
-/// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which
-/// makes it exact for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular: few
-/// neighbours, or all in one line, across which the inverse would make a strain of any difference.
+/// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which makes it
+/// exact for linear velocities (Randles & Libersky 1996). Uncorrected where B is nearly singular: few neighbours, or
+/// all in one line, across which the inverse would magnify any difference.
 void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKernel& kernel, PairWork& w) {
-    // A corner has some 0.06 and 0.11.
+    // About 0.06 and 0.11 at a corner.
     constexpr double k_least_determinant = 0.01, k_least_of_trace = 0.05;
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
     const Quad inverse(1 / length), reach2(4 * length * length);
@@ -92,11 +91,11 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     });
 }
 
-/// dv_i/dt = sum_j m_j [ T_i + T_j + (F^4 - 1)+ (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper,
-/// equation 78 with the sign of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Less 1 and never
-/// negative, ours: the artificial stress acts on pairs nearer than the spacing dp alone, which clumping is; on all it
-/// would take from the tension of material that is evenly spaced. Every term is the same for both particles of a
-/// pair, so momentum is kept to rounding.
+/// dv_i/dt = sum_j m_j [ T_i + T_j + (F^4 - 1)+ (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation 78
+/// with the sign of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). The -1 and the bound at zero are
+/// ours: the artificial stress acts only on pairs closer than the spacing dp, that is, on clumping; acting on all pairs
+/// it would reduce the tension of evenly spaced material. Every term is symmetric in the pair, so momentum is conserved
+/// to rounding.
 double accelerations(const CellOrder& order, std::int64_t row, const PairLaws& laws, PairWork& w) {
     const double length = laws.kernel.length(), full = laws.kernel.value(0);
     const double scale = full / (length * length), at_spacing = laws.kernel.value(laws.spacing) / full;

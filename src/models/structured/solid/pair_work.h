@@ -10,8 +10,8 @@
 
 namespace frana::structured {
 
-/// What the sums over neighbours read and write, one array each, in the particles' order. The arrays reach three values
-/// beyond the last particle: four are read at a time.
+/// Inputs and results of the sums over neighbours, one array each, in the particles' order. The arrays extend three
+/// values beyond the last particle: four are read at a time.
 struct PairWork {
     enum Array {
         x,
@@ -42,15 +42,14 @@ struct PairWork {
     void resize(std::size_t size) {
         for (auto& array : arrays) {
             array.resize(size + k_padding);
-            for (std::size_t i = size; i < array.size(); ++i) array[i] = 1;  // what is read but not used stays finite
+            for (std::size_t i = size; i < array.size(); ++i) array[i] = 1;  // finite padding, read unused
         }
     }
     double* operator[](Array a) noexcept { return arrays[a].data(); }
     const double* operator[](Array a) const noexcept { return arrays[a].data(); }
 
     std::array<std::vector<double>, count> arrays;
-    /// By cell of the order, row by row: nothing there changes in this substep (rest.h); empty: everywhere something
-    /// may.
+    /// By cell of the order, row by row: 1 if the cell is at rest in this substep (rest.h); empty: no cell is.
     std::vector<std::uint8_t> resting;
     NearQuads near;
 };
@@ -59,7 +58,7 @@ template <class Archive>
 void serialise(Archive& archive, PairWork& work) {
     [[maybe_unused]] auto& [arrays, resting, near] = work;
     archive(arrays);
-    if constexpr (Archive::k_reads) near = {};  // of other particles, however many they are
+    if constexpr (Archive::k_reads) near = {};  // lists of other particles
 }
 
 }  // namespace frana::structured

@@ -10,7 +10,7 @@ namespace {
 constexpr FieldMask k_placed_fields = k_basic_fields | FieldMask{Field::confined};
 
 double positive(double depth) {
-    return depth > 0 ? depth : 0;  // NaN is none
+    return depth > 0 ? depth : 0;  // also NaN: none
 }
 
 double sum_of(const ParticleSet& particles, Field field) {

@@ -14,35 +14,34 @@ namespace frana::structured {
 /// frac(1/2 + n / g^2) with g the real root of g^3 = g + 1. Any first n points fill the square evenly.
 Point r2_point(std::int64_t n);
 
-/// Solids with confined fluid as particles of one and the same solid volume, in each cell as many as its
-/// depth calls for, at the places of the R2 sequence. What is left over in a cell goes to the next (row by
-/// row, to and fro, so that the next is a neighbour); at the end all volumes are scaled so that both add up
-/// to the rasters' exactly. Carries the fields volume (of solids), confined and area.
-/// @param solid_depth, confined_depth vertical thickness of solids and of confined fluid [m], NaN or <= 0:
-/// none
-/// @param per_column particles in the cell that holds most solids
+/// Solids with confined fluid as particles of equal solid volume, in each cell as many as its depth requires, at the
+/// places of the R2 sequence. The remainder of a cell is added to the next (row by row in alternating direction, so
+/// that the next is a neighbour); at the end all volumes are scaled so that both sums equal those of the rasters
+/// exactly. Sets the fields volume (of solids), confined and area.
+/// @param solid_depth, confined_depth vertical thickness of solids and of confined fluid [m], NaN or <= 0: none
+/// @param per_column particles in the cell with the greatest depth of solids
 ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_depth, int per_column);
 
-/// Solids placed on a lattice (fields volume, confined, area, u, v) laid out again by place_by_depth: the same
-/// volumes in each cell but for what it passes on, and the mean velocity there.
+/// Replaces solids on a lattice (fields volume, confined, area, u, v) by place_by_depth: the same volumes in each cell
+/// except the remainder passed to the next, and the mean velocity there.
 ParticleSet place_again(const ParticleSet& placed, const GridSpec& grid, int per_column);
 
-/// What the solids of a scene are made of at a place.
+/// Properties of the solids at a place.
 struct SolidMaterial : SolidValues {
-    /// Fraction of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is
-    /// held.
+    /// Fraction of the whole volume that is confined fluid, and that is free fluid. Without cohesion no fluid is
+    /// confined.
     [[nodiscard]] double confined_fluid() const noexcept {
         return solid_fraction > 0 && cohesion > 0 ? (1 - solid_fraction) * confined_fraction : 0;
     }
     [[nodiscard]] double free() const noexcept { return 1 - solid_fraction - confined_fluid(); }
 };
 
-/// Splits columns of whole thickness (fields volume, area) into solids and confined fluid: volume becomes
-/// that of the solids, confined the rest that the structure holds. The share that it does not hold is left
-/// out: it is free fluid; where there are no solids that is all.
+/// Splits columns of whole thickness (fields volume, area) into solids and confined fluid: volume becomes that of the
+/// solids, confined that of the fluid that the structure confines. The fraction that it does not confine is omitted: it
+/// is free fluid; without solids all of it.
 ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material);
 
-/// Gives particles (x, y, u, v, volume, area, confined) their material, and all fields of a scene.
+/// Sets the material of particles (x, y, u, v, volume, area, confined), and all fields of a scene.
 ParticleSet assign_material(const ParticleSet& placed, FieldMask fields,
                             const std::function<SolidMaterial(Point)>& material);
 

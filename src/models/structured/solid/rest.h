@@ -11,18 +11,18 @@
 
 namespace frana::structured {
 
-/// Which cells of the order nothing changes in from one substep of a step to the next, so that their sums, stresses and
-/// moves need not be computed again and come out the same to the bit. With Z_k(C): in cell C all velocities are zero
-/// after substep k (and, but for k = -1, friction holds what pushes them by a margin),
+/// Cells in which nothing changes between one substep of a step and the next: their sums, stresses and moves are not
+/// computed again, since they would be the same to the bit. With Z_k(C): in cell C all velocities are zero after
+/// substep k (and, except for k = -1, friction exceeds the driving forces by a margin),
 ///
-///     C sleeps in k + 1  if  Z_k and Z_k-1 hold in it and four cells around, which is twice what its particles see
+///     C is inactive in k + 1  if  Z_k and Z_k-1 are true in it and four cells around, twice the reach of its particles
 ///
-/// Then velocity gradients are zero in it and as far as it sees, in k and k + 1: areas, damage and, the return to the
-/// yield surface being idempotent, stresses stay as k left them, and so do the accelerations that they give. What the
-/// grid gives (push, submergence) changes from step to step alone: every step begins awake.
+/// Then velocity gradients are zero in it and within reach, in k and k + 1: areas, damage and (the return to the yield
+/// surface being idempotent) stresses keep their values of k, and so do the accelerations by them. The inputs from the
+/// grid (push, submergence) change only between steps: at the start of every step all cells are active.
 class Rest {
   public:
-    /// Before the first substep of a step, and whenever particles were sorted.
+    /// Call before the first substep of a step, and after particles were sorted.
     void begin(const CellOrder& order, PairWork& work) {
         columns_ = order.columns();
         rows_ = order.rows();
@@ -45,13 +45,13 @@ class Rest {
     [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const noexcept {
         return static_cast<std::size_t>(row * columns_ + column);
     }
-    /// What a cell showed when it was last awake.
+    /// Report of a cell when it was last active.
     [[nodiscard]] const SolidReport& seen(std::size_t cell) const noexcept { return reports_[cell]; }
     void record(std::size_t cell, const SolidReport& report) {
         reports_[cell] = report;
         now_[cell] = report.rests;
     }
-    /// After a substep: who sleeps in the next.
+    /// Call after a substep: determines the inactive cells of the next.
     void end_substep(PairWork& work) {
         both_.resize(now_.size());
         for (std::size_t c = 0; c < now_.size(); ++c) both_[c] = now_[c] & before_[c];
@@ -65,7 +65,7 @@ class Rest {
   private:
     static constexpr std::int64_t k_far = 2 * CellOrder::k_near;
 
-    // The least of nine neighbours along one direction; beyond the ends lies nothing that could move.
+    // The minimum over nine neighbours along one direction; cells beyond the ends count as at rest.
     void erode(const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to, std::int64_t length,
                std::int64_t stride) const {
         const std::int64_t lines = static_cast<std::int64_t>(from.size()) / std::max<std::int64_t>(length, 1);

@@ -9,21 +9,21 @@
 
 namespace frana::structured {
 
-/// Which earth pressure broken material (cohesion ratio under 0.05) pushes its neighbours with; whole material always
-/// with Bell's active one.
+/// Earth pressure of broken material (cohesion ratio under 0.05) on its neighbours; intact material always exerts
+/// Bell's active one.
 enum class EarthPressure {
-    hydrostatic,  ///< K = 1: it comes to rest at the bed's friction angle, as heaps do
-    active,       ///< Rankine's K_a, as the paper: right on a smooth bed; on a rough one it stands too steep
-    passive       ///< K_p where it is pushed together, K_a elsewhere (Pitman & Le 2005)
+    hydrostatic,  ///< K = 1: it stops at the bed's friction angle, as heaps do
+    active,       ///< Rankine's K_a, as the paper: right on a smooth bed; too steep deposits on a rough one
+    passive       ///< K_p where it is compressed, K_a elsewhere (Pitman & Le 2005)
 };
 
-/// What stress material carries that has no cohesion left.
+/// Stress of material without cohesion.
 enum class BrokenMaterial {
-    earth_pressure,  ///< none but its earth pressure, as in depth-averaged avalanches; it thickens and thins freely
-    elastic          ///< Drucker-Prager's without vertical strain, as while it is whole: it can not thicken
+    earth_pressure,  ///< earth pressure alone, as in depth-averaged avalanches; thickness changes freely
+    elastic          ///< Drucker-Prager's without vertical strain, as in intact material: it cannot thicken
 };
 
-/// Laws and numbers of the solids; const while they run. Lengths in metres, in map view.
+/// Laws and parameters of the solids; constant during a run. Lengths in metres, in map view.
 struct SolidLaws : PairLaws {
     explicit SolidLaws(double smoothing_length) : PairLaws(smoothing_length) {}
 
@@ -37,13 +37,13 @@ struct SolidLaws : PairLaws {
     BasalPressure basal;
     bool fractures = true;  ///< cohesion can be lost
     Fragmentation fragmentation;
-    double initial_structured = 1;  ///< f_sc of whole material
+    double initial_structured = 1;  ///< f_sc of intact material
 
     double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
     double artificial_stress = 0.5;
     double elastic_cfl = 0.25;  ///< fraction of the smoothing length that elastic waves cross in a substep
-    bool sleeps = true;         ///< what rests is not computed again; false, for tests: it is, to the same bits
-    double pic_fraction = 0;    ///< of the grid's velocity that particles take over in a step
+    bool sleeps = true;         ///< cells at rest are skipped; false, for tests: computed, with the same bits
+    double pic_fraction = 0;    ///< fraction of the grid's velocity that particles adopt in a step
 };
 
 }  // namespace frana::structured

@@ -10,7 +10,7 @@
 
 namespace frana::structured {
 
-/// What a node gathers from the solids; one cache line.
+/// Sums of the solids at a node; one cache line.
 struct alignas(64) SolidSums {
     double mass = 0;        ///< [kg]
     double px = 0, py = 0;  ///< momentum [kg m/s]
@@ -20,15 +20,15 @@ struct alignas(64) SolidSums {
     double fx = 0, fy = 0;  ///< force of the lateral thrust [N]
 };
 
-/// What a node of a scene with fluid gathers besides.
+/// Additional sums at a node in scenes with fluid.
 struct alignas(32) CouplingSums {
     double diameter = 0;  ///< volume of solids times grain diameter [m4]
     double friction = 0;  ///< greatest force of friction at the bed [N]
-    double area = 0;      ///< that the particles claim [m2]
-    double pores = 0;     ///< volume between the solids when they were placed [m3]
+    double area = 0;      ///< claimed by the particles [m2]
+    double pores = 0;     ///< volume between the solids at their placement [m3]
 };
 
-/// What a node gives back to the particles.
+/// Values that the particles gather from a node.
 struct alignas(32) NodePush {
     double ax = 0, ay = 0;   ///< acceleration [m/s2]
     double flatness = 1;     ///< 1 / (1 + |grad b|^2)
@@ -56,12 +56,12 @@ class SolidNodes {
   public:
     explicit SolidNodes(const NodeGrid& grid, bool gaps_are_walls, bool coupled);
 
-    /// Whether all 16 nodes from this one are inside and no wall.
+    /// Whether all 16 nodes from this one are inside and not walls.
     [[nodiscard]] bool whole(std::size_t first) const noexcept { return whole_[first] != 0; }
     [[nodiscard]] bool active(std::size_t node) const noexcept { return active_[node] != 0; }
     void clear(const NodeBox& box, std::int64_t stride, ThreadPool& pool);
 
-    /// What steps change; walls stand where they stood.
+    /// Everything that steps change; walls do not.
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where, inside, all_inside] =
@@ -72,8 +72,8 @@ class SolidNodes {
     ZeroArray<SolidSums> sums;
     ZeroArray<CouplingSums> coupling;  ///< empty without fluid
     ZeroArray<NodePush> push;
-    ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< what the fluid sees (SolidsOnGrid)
-    NodeBox box;                                                ///< where anything may be
+    ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< inputs of the fluid (SolidsOnGrid)
+    NodeBox box;                                                ///< outside it all sums are zero
 
   private:
     std::vector<std::uint8_t> active_, whole_;

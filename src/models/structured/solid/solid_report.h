@@ -6,15 +6,15 @@
 
 namespace frana::structured {
 
-/// What a pass over particles saw.
+/// Results of a pass over particles.
 struct SolidReport {
     double speed2 = 0;         ///< greatest |v|^2 [m2/s2]
     double apart2 = 0;         ///< greatest |v - mean|^2 [m2/s2]
     double acceleration2 = 0;  ///< before friction [m2/s4]
     double approach = 0;       ///< greatest |phi| of the artificial viscosity [m/s]
     std::int64_t non_finite = 0;
-    std::int64_t slept = 0;    ///< particles that were not computed, because nothing changed
-    bool rests = true;         ///< nothing moves, and friction holds it by a margin; of the substep alone
+    std::int64_t slept = 0;    ///< particles that were not computed because nothing changed
+    bool rests = true;         ///< nothing moves, and friction exceeds the forces by a margin; of the substep alone
     std::int64_t clamped = 0;  ///< particles whose area would have changed by more than half in a step
 
     void merge(const SolidReport& o) {

@@ -37,7 +37,7 @@ void load_work(SolidState& state, ThreadPool& pool) {
 }  // namespace
 
 bool fits(const SolidState& state) {
-    constexpr double k_anywhere = 1e12;  // [m]: what is farther off has no node that can be counted
+    constexpr double k_anywhere = 1e12;  // [m]: node numbers of farther places would overflow
     const std::size_t count = state.particles.size();
     const bool unused = state.order.rows() == 0 && count == 0;
     for (const std::vector<double>& array : state.work.arrays) {
@@ -110,8 +110,7 @@ void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws
                  index(bounds.south - state.moved, -1, scale.origin_y, grid.padded_rows()),
                  index(bounds.north + state.moved, 3, scale.origin_y, grid.padded_rows())};
     nodes.clear(nodes.box, grid.stride(), pool);
-    // Strips of rows, every second at a time: what lies between is wider than the nodes that two strips could
-    // share.
+    // Every second strip of rows at a time: the strip between is wider than the nodes that two of them could share.
     const auto strip = static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
     const std::int64_t strips = (state.order.rows() + strip - 1) / strip;
     for (std::int64_t parity = 0; parity < 2; ++parity) {

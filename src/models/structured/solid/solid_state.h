@@ -11,7 +11,7 @@
 
 namespace frana::structured {
 
-/// What has left through open edges.
+/// Outflow through open edges.
 struct LeftDomain {
     double solids = 0, confined = 0;  ///< volume [m3]
     double mass = 0, px = 0, py = 0;  ///< [kg], [kg m/s]
@@ -24,18 +24,18 @@ struct SolidState {
 
     ParticleSet particles;
     CellOrder order;
-    PairWork work;  ///< in the particles' order; x, y, u, v, area are always theirs
+    PairWork work;  ///< in the particles' order; includes x, y, u, v, area
     SolidNodes nodes;
     Point mean;                                              ///< velocity against which `drift` is measured [m/s]
-    double drift = std::numeric_limits<double>::infinity();  ///< of any particle against the others since the sort [m]
+    double drift = std::numeric_limits<double>::infinity();  ///< of a particle relative to others since the sort [m]
     double moved = 0;                                        ///< of any particle since the sort [m]
     SolidReport last;                                        ///< of the last substep
-    bool elastic = true;  ///< whether any particle carries more than its earth pressure; as of the last step's end
-    double sound = 0;     ///< of shallow water as deep as the deepest column, sqrt(g h) [m/s]; likewise
+    bool elastic = true;  ///< whether any particle has stress other than earth pressure; at the last step's end
+    double sound = 0;     ///< of shallow water with the greatest depth of a column, sqrt(g h) [m/s]; likewise
     LeftDomain left;
 };
 
-/// After reading: whether order and work are those of the particles, and these lie somewhere.
+/// Checks, after reading a state, that order and work are those of the particles, and that their places are finite.
 [[nodiscard]] bool fits(const SolidState& state);
 
 template <class Archive>
@@ -51,7 +51,7 @@ void serialise(Archive& archive, SolidState& state) {
     if constexpr (Archive::k_reads) archive.require(fits(state));
 }
 
-/// How the sweeps over solids are done in a scene.
+/// The sweeps over solids, chosen for a scene.
 struct SolidStages {
     FieldMask fields;
     const PairKernels* pairs = nullptr;
@@ -62,28 +62,28 @@ struct SolidStages {
     bool releases = false;  ///< confined fluid can become free
 };
 
-/// The stages for solids with cohesion, which they can lose, or without; with fluid in the scene or not.
+/// Returns the stages for solids with or without cohesion that can be lost, and with or without fluid in the scene.
 SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast = true);
 
 /// Sorts the particles, dropping those beyond the edges, and sets `mean`.
 void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid, ThreadPool& pool);
 
-/// Which particles may be near each particle, until the next sort.
+/// Lists the neighbours of each particle; valid until the next sort.
 void find_neighbours(SolidState& state, ThreadPool& pool);
 
 /// Longest substep of the solids alone (share/doc/structured.md, "Time step") [s]: waves, viscosity, acceleration.
 ///     dt <= 0.25 l / c,   0.4 l / (s + 0.6 (a s + b |phi|)),   0.25 sqrt(l / |a|)
-/// The sums' greatest frequency is 1.07 c / l and their greatest damping 1.9 a s / l on an even lattice, whatever its
-/// spacing (ours: usual is min(l, dp)): alone, symplectic steps bear 1.9 l / c and 1.0 l / s. Columns of
-/// uneven mass are stiffer by up to the root of their ratio. c is 0, and s that of shallow water, where all has broken.
+/// The sums' greatest frequency is 1.07 c / l and their greatest damping 1.9 a s / l on an even lattice of any spacing
+/// (ours: usual is min(l, dp)): alone, symplectic steps are stable up to 1.9 l / c and 1.0 l / s. Columns of uneven
+/// mass are stiffer by up to the root of their ratio. If all material is broken, c is 0 and s that of shallow water.
 double stable_substep(const SolidState& state, const SolidLaws& laws);
 
-/// Takes the solids on by dt in as many substeps as they need, under the push that the grid has given them. Returns how
-/// many; what was seen is in state.last and, over all of them, in `seen`.
+/// Advances the solids by dt in as many substeps as necessary, under the push of the grid. Returns their number; the
+/// report of the last is in state.last, maxima over all of them in `seen`.
 int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
                  const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool);
 
-/// Gathers all solids on the nodes, and clears what was there.
+/// Clears the nodes and sums all solids on them.
 void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
                    ThreadPool& pool);
 

@@ -8,7 +8,7 @@ namespace frana::structured {
 
 using Eigen::Matrix2d;
 
-/// A tensor in the plane (by lists of lists, Eigen's constructor would loop), and a symmetric one.
+/// A tensor in the plane (with lists of lists, Eigen's constructor would loop), and a symmetric one.
 inline Matrix2d tensor(double xx, double xy, double yx, double yy) noexcept {
     Matrix2d m;
     m << xx, xy, yx, yy;
@@ -18,8 +18,8 @@ inline Matrix2d symmetric(double xx, double yy, double xy) noexcept {
     return tensor(xx, xy, xy, yy);
 }
 
-/// Of a velocity gradient in the plane, L_ab = dv_a / dx_b [1/s] (paper, equation 12 corrected): rate of strain
-/// e = (L + L^T) / 2, and angular velocity, counter-clockwise positive: (L - L^T) / 2 is its turn.
+/// Rate of strain e = (L + L^T) / 2 of a velocity gradient in the plane, L_ab = dv_a / dx_b [1/s] (paper, equation 12
+/// corrected), and angular velocity, counter-clockwise positive, of (L - L^T) / 2.
 inline Matrix2d strain_rate(const Matrix2d& l) noexcept {
     return 0.5 * (l + l.transpose());
 }
@@ -27,10 +27,10 @@ inline double spin(const Matrix2d& l) noexcept {
     return 0.5 * (l(1, 0) - l(0, 1));
 }
 
-/// R of a turn by `angle` [rad].
+/// Matrix of a rotation by `angle` [rad].
 inline Matrix2d rotation(double angle) noexcept {
     double sine, cosine;
-    if (std::abs(angle) < 0.02) {  // to all digits of a double there
+    if (std::abs(angle) < 0.02) {  // to all digits of a double in this range
         const double a2 = angle * angle;
         sine = angle * (1 - a2 / 6 * (1 - a2 / 20 * (1 - a2 / 42)));
         cosine = 1 - a2 / 2 * (1 - a2 / 12 * (1 - a2 / 30 * (1 - a2 / 56)));
@@ -41,8 +41,8 @@ inline Matrix2d rotation(double angle) noexcept {
     return tensor(cosine, -sine, sine, cosine);
 }
 
-/// R s R^T, a symmetric tensor turned with its material. Its invariants stay, which the explicit Jaumann rate does not
-/// keep (share/doc/structured.md, "Solids with confined fluid").
+/// R s R^T, a symmetric tensor rotated with its material. Its invariants are conserved, unlike with the explicit
+/// Jaumann rate (share/doc/structured.md, "Solids with confined fluid").
 inline Matrix2d rotated(const Matrix2d& s, const Matrix2d& rotation) noexcept {
     return rotation * s * rotation.transpose();
 }

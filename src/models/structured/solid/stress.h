@@ -5,7 +5,7 @@
 
 namespace frana::structured {
 
-/// Stress of a column that carries no vertical shear (paper, equation 40), tension positive [Pa].
+/// Stress of a column without vertical shear (paper, equation 40), tension positive [Pa].
 struct Stress {
     Matrix2d plane = Matrix2d::Zero();
     double zz = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids under their own waves: the substeps of a step.
+// The substeps of the solids in a step.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace frana::structured {
 namespace {
 
-// Runs a task over all rows of cells, with a report of each, merged in their order.
+// Runs a task over all rows of cells; the reports of the rows are merged in their order.
 template <class Task>
 SolidReport over_rows(const CellOrder& order, ThreadPool& pool, const Task& task) {
     std::vector<SolidReport> reports(static_cast<std::size_t>(order.rows()));
@@ -82,7 +82,7 @@ class Substeps {
     }
 
   private:
-    // Runs of awake cells of a row.
+    // Runs of active cells of a row.
     template <class Task>
     void over_awake(std::int64_t row, const Task& task) const {
         const auto resting = [&](std::int64_t column) { return Rest::resting(state_.work, rest_.index(row, column)); };
@@ -103,7 +103,7 @@ class Substeps {
     ThreadPool& pool_;
     Rest rest_;
     double approach_ = 0;  // of the last accelerations
-    // As wide as the nodes see a lone particle: with cubic splines 1 / sum N^2 is at most 4.8 cells.
+    // Width of a lone particle on the nodes: with cubic splines 1 / sum N^2 is at most 4.8 cells.
     double widest_ = 5 * grid_.cell_size() * grid_.cell_size();
 };
 
@@ -124,16 +124,16 @@ double stable_substep(const SolidState& state, const SolidLaws& laws) {
 
 int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
                  const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool) {
-    constexpr double k_least_fraction = 1e-6;  // of a step in a substep; elastic waves take some hundred
+    constexpr double k_least_fraction = 1e-6;  // least stable fraction of a step; elastic waves need some hundred
     Substeps now(state, stages, laws, grid, obstacles, pool);
     int count = 0;
     for (double left = dt; left > 0 && seen.non_finite == 0; ++count) {
         const double stable = stable_substep(state, laws);
-        if (!(stable > k_least_fraction * dt)) {  // a speed or force that is none
+        if (!(stable > k_least_fraction * dt)) {  // a non-finite speed or force
             ++seen.non_finite;
             break;
         }
-        // Equal substeps for what is left, so that no sliver remains.
+        // Equal substeps for the remaining time, so that none is tiny.
         const double part = left / std::ceil(left / stable * (1 - 1e-12));
         now.sort_where_drifted(part);
         now.strain_and_stress(part);  // grad u; dA/dt = A tr(grad u); stress, its return to the yield surface, damage

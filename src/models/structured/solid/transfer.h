@@ -9,7 +9,7 @@ namespace frana::structured {
 
 /// Adds a run of particles to the nodes: mass, momentum, volumes and the force of their lateral thrust,
 ///     f_i = sum_p A_p P_p grad N_i      (the weak form of -grad P; its sum over nodes is zero)
-/// Runs that share no node may be added side by side.
+/// Runs that share no node may be added concurrently.
 template <class Kind>
 void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& particles, const NodeGrid& grid,
                      SolidNodes& nodes) {
@@ -45,9 +45,10 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
     }
 }
 
-/// What the nodes give back over a step of dt: accelerations as increments (FLIP), so that momentum is kept; the bed's
-/// flatness; how far the pores are filled. Columns that flow freely spread until their particles see no neighbours any
-/// more; their area follows the depth that the nodes show, as fast as gravity levels a cell.
+/// Values that particles gather from the nodes over a step of dt: accelerations as increments (FLIP), so that momentum
+/// is conserved; the bed's flatness; how far the pores are filled. Freely flowing columns can spread until their
+/// particles have no neighbours within reach; their area therefore follows the depth at the nodes, as fast as gravity
+/// levels a cell.
 template <class Kind>
 void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const NodeGrid& grid, const SolidNodes& nodes,
                      ParticleSet& particles) {
