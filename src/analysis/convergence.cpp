@@ -97,7 +97,7 @@ namespace {
 
 constexpr double k_same_size = 1.01, k_front_order = 1, k_order_tolerance = 0.1;
 
-/// Levels on cells of up to `factor` times the finest: their range over what order one makes of it.
+/// Levels on cells of up to `factor` times the finest: range of their values, and range of cell sizes.
 struct Window {
     double range = 0;   ///< of the values
     double widest = 1;  ///< coarsest cell size over the finest
@@ -130,7 +130,7 @@ double value_at(const std::vector<Refinement>& levels, double factor) {
     return k_no_data;
 }
 
-/// Of the levels on cells of up to four times the finest.
+/// Applies to the levels on cells of up to four times the finest.
 bool changes_in_one_direction(const std::vector<Refinement>& levels) {
     bool up = true, down = true;
     for (std::size_t k = 1; k < levels.size(); ++k) {
@@ -193,7 +193,7 @@ double ground_curvature(const Raster& terrain, const Raster& depth, double thres
     const double ratio = wet.cell_size / grid.cell_size, area = grid.cell_area();
     const double offset_x = (wet.west - grid.west) / grid.cell_size - 0.5,
                  offset_y = (grid.north - wet.north) / grid.cell_size - 0.5;
-    // Of the terrain's cells: the first whose centre lies beyond an edge of a wet cell, never at the rim.
+    // The first terrain cell whose centre is beyond an edge of a wet cell, except cells of the terrain's border.
     const auto first = [](double edge, std::int64_t count) {
         return static_cast<std::int64_t>(std::max(1.0, std::min(std::ceil(edge), static_cast<double>(count - 1))));
     };

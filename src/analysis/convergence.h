@@ -14,7 +14,7 @@ struct Refinement {
     double value = 0;
 };
 
-/// How a value behaved under refinement.
+/// Behaviour of a value under refinement.
 enum class Trend {
     converging,   ///< differences of one sign that shrink
     oscillating,  ///< differences change their sign
@@ -24,7 +24,7 @@ enum class Trend {
     unknown,      ///< too few resolutions
 };
 
-/// What three or more resolutions say about the finest.
+/// Convergence of three or more resolutions, for the finest.
 struct GridConvergence {
     Trend trend = Trend::settled;
     double observed_order = 0;  ///< NaN unless converging
@@ -43,7 +43,7 @@ struct GridConvergence {
 /// caution, not an estimate. Throws Error(input) for fewer than three levels.
 GridConvergence grid_convergence(const std::vector<Refinement>& levels);
 
-/// The same for resolutions that lie closer than by halves, on terrain with detail of its own. Of `levels`, coarsest
+/// The same for cell sizes whose ratios may be less than 2, on terrain with detail of its own. Of `levels`, coarsest
 /// first, S is the greater of
 ///
 ///     (max - min of all f on cells of up to 2 h) / (2 - 1)   and   (max - min on cells of up to 4 h) / (4 - 1)
@@ -60,9 +60,9 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels, double u
 /// of them 2 h.
 bool enough_levels(const std::vector<double>& cell_sizes);
 
-/// How much detail the finest terrain has beyond a coarser one, relative to what the last halving of the cells added:
-/// 2 (finest / now - 1), since the curvature of rough ground (root mean square over the flow's ground [1/m]) doubles
-/// with every halving. 0 where the curvature does not grow on finer cells, or its radius is over 10 km.
+/// Detail of the finest terrain beyond a coarser one, relative to the detail added by the last halving of the cells: 2
+/// (finest / now - 1), since the curvature of rough ground (root mean square over the flow's ground [1/m]) doubles with
+/// every halving. 0 where the curvature does not grow on finer cells, or its radius is over 10 km.
 double unseen_detail(double curvature_now, double curvature_finest);
 
 /// Root mean square of a terrain's second differences divided by the cell size squared [1/m], over the cells whose
@@ -70,9 +70,9 @@ double unseen_detail(double curvature_now, double curvature_finest);
 /// is no such cell.
 double ground_curvature(const Raster& terrain, const Raster& depth, double threshold);
 
-/// The same, cell by cell, for a field: the estimated error of the finest raster [its unit], with one order
-/// for the whole field, from the L1 norms of the differences; a cell that a level never reached counts as
-/// zero. NaN where no level reached. Rasters coarsest first, each on its own grid over the same ground.
+/// Error estimate cell by cell: the estimated error of the finest raster [its unit], with one order for the whole
+/// field, from the L1 norms of the differences; a cell that a level never reached counts as zero. NaN where no level
+/// reached. Rasters coarsest first, each on its own grid over the same ground.
 Raster field_uncertainty(const std::vector<Raster>& levels);
 
 /// "converging", ...

@@ -26,8 +26,8 @@ std::size_t require_cell(const GridSpec& grid, Point place) {
                                           shortest_text(place.x) + ", " + shortest_text(place.y), "", ""});
 }
 
-/// Cost per metre through each cell: 1 / depth. All flow thinner than a bound costs the same: an infinite cost would
-/// leave no path.
+/// Cost per metre through each cell: 1 / depth. Depths below a bound have the cost of the bound: with an infinite cost
+/// no path would exist.
 std::vector<float> costs_of(const Raster& depth) {
     constexpr double k_thinnest = 1e-6;  // [m]
     double least = std::numeric_limits<double>::infinity();
@@ -109,8 +109,8 @@ Polyline straightened(const Polyline& line, double tolerance) {
     return result;
 }
 
-/// Returns the part of a raster that contains the flow and some places, so that a large map costs nothing. Empty if the
-/// places lie in flows that are far apart.
+/// Returns the part of a raster that contains the flow and some places, to limit the cost on a large map. Empty if the
+/// places are in flows that are far apart.
 Raster around_flow(const Raster& depth, const std::vector<Point>& places) {
     const GridSpec& grid = depth.grid;
     std::int64_t top = grid.rows, left = grid.columns, bottom = -1, right = -1;
@@ -130,7 +130,7 @@ Raster around_flow(const Raster& depth, const std::vector<Point>& places) {
     }
     const CellWindow box{top, left, bottom - top + 1, right - left + 1};
     if (box.rows * box.columns <= CellValues::k_most_dense) return part_of(depth, box);
-    // Flows that lie far apart: a path stays in one of them.
+    // Flows that are far apart: a path stays in one of them.
     for (const CellWindow& window : depth.values.stored_windows(grid.columns)) {
         const Bounds bounds = part_of(grid, window).bounds();
         if (std::all_of(places.begin(), places.end(), [&](Point p) { return bounds.contains(p.x, p.y); }))

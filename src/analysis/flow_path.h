@@ -10,8 +10,8 @@ namespace frana {
 
 /// Returns the path of a flow between two places: the path over the cells of `depth` [m] with the smallest sum of
 /// (length / depth) (Dijkstra 1959, eight neighbours), so that it follows the deepest channel; then simplified to
-/// within one cell (Douglas and Peucker 1973), so that its length is not that of a staircase. A cell without flow costs
-/// as much as one of a hundredth of the shallowest flow: a path leaves the flow only where necessary. Throws
+/// within one cell (Douglas and Peucker 1973), so that its length is not that of steps along cells. A cell without flow
+/// costs as much as one of a hundredth of the least depth: a path leaves the flow only where necessary. Throws
 /// Error(input) if a place is not on the grid.
 Polyline flow_path(const Raster& depth, Point from, Point to);
 

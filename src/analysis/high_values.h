@@ -19,8 +19,8 @@ struct PeakValues {
 /// value; each cell has equal weight. See percentile().
 PeakValues high_values(const Raster& raster, const Raster& mask);
 
-/// Returns the value below which a fraction (0 to 1) of some values is: of the sorted values, counted from 0, the one
-/// at place fraction x (count - 1), interpolated linearly. NaN for no values; none of them may be NaN.
+/// Returns the value below which a fraction (0 to 1) of some values lies: of the sorted values, counted from 0, the one
+/// at index fraction x (count - 1), interpolated linearly. NaN for no values; none of them may be NaN.
 double percentile(std::vector<double> values, double fraction);
 
 }  // namespace frana

@@ -111,7 +111,7 @@ class RadiusFraction {
         return turn < 0 ? turn + 2 * std::numbers::pi : turn;
     }
 
-    // Returns where a ray meets the edge that ends at vertex i; 0: nowhere.
+    // Returns the distance along a ray to the edge that ends at vertex i; 0: no intersection.
     [[nodiscard]] double across_edge(std::size_t i, Point d) const {
         const std::size_t j = i == 0 ? ring_.size() - 1 : i - 1;
         const Point a = minus(ring_[j], centre_), b = minus(ring_[i], centre_), edge = minus(b, a);

@@ -59,7 +59,7 @@ TerrainSanity terrain_sanity(const Raster& terrain, double needle) {
             const double value = terrain.at(row, column);
             if (value > found.highest.value) found.highest = {row, column, value};
             if (value < found.lowest.value) found.lowest = {row, column, value};
-            // For most cells one neighbour shows that they are no needle.
+            // For most cells one neighbour suffices to exclude a needle.
             const bool inner = row > 0 && column > 0 && row + 1 < grid.rows && column + 1 < grid.columns;
             if (!inner || !(std::abs(value - terrain.at(row, column - 1)) > needle)) continue;
             const double height = needle_height(terrain, row, column);

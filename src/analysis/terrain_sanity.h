@@ -23,7 +23,7 @@ struct TerrainSanity {
     std::vector<Spot> first_needles;  ///< five at most, from the north; value: how much above (below: negative) [m]
 };
 
-/// One pass over a terrain with at least one elevation; cells without data are left out, and so are needles at the edge
+/// One pass over a terrain with at least one elevation; cells without data are excluded, and so are needles at the edge
 /// or beside such cells. `needle` [m].
 TerrainSanity terrain_sanity(const Raster& terrain, double needle);
 

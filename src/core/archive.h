@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Serialisation of state to bytes and back. Each class with state has one function template `serialise` that lists its
-// members; the archive passed to it writes or reads. So everything that is written is also read.
+// members; the archive passed to it writes or reads, so everything written is also read.
 #pragma once
 
 #include <algorithm>
@@ -113,7 +113,7 @@ void serialise(Archive& archive, std::unique_ptr<T>& value) {
     if (there) archive(*value);
 }
 
-/// Elements are serialised by their own type, else as bytes; blocks of zeros are left out, so that idle terrain costs
+/// Elements are serialised by their own type, else as bytes; blocks of zeros are omitted, so that idle terrain costs
 /// almost nothing.
 template <class Archive, class T>
 void serialise(Archive& archive, ZeroArray<T>& array) {

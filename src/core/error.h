@@ -7,15 +7,15 @@
 
 namespace frana {
 
-/// The kind of error; it decides the program's exit code.
+/// The kind of error; determines the program's exit code.
 enum class ErrorKind {
     input,        ///< usage, configuration or input data: nothing was computed (exit code 2)
     numerical,    ///< the computation failed, the last state was written (exit code 3)
     environment,  ///< disk full, unwritable output, missing font (exit code 4)
 };
 
-/// One problem, in words for the user: what, where, the value, the limit it violates, the remedy. Empty parts are left
-/// out of the message.
+/// One problem, in words for the user: what, where, the value, the limit it violates, the remedy. Empty parts are
+/// omitted from the message.
 struct Problem {
     std::string what;    ///< "basal friction coefficient is out of range"
     std::string where;   ///< "scene.ini: material.friction-coefficient"
@@ -50,7 +50,7 @@ class Problems {
     void add(const Error& error);
     [[nodiscard]] bool empty() const noexcept { return list_.empty(); }
     [[nodiscard]] const std::vector<Problem>& list() const noexcept { return list_; }
-    /// Throws Error(input) with everything collected, unless that is nothing.
+    /// Throws Error(input) with all collected problems, if there are any.
     void throw_if_any() const;
 
   private:

@@ -37,7 +37,7 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-// Whether the process is running, so that its file is still being written; a number with more digits is no process
+// Whether the process is running, so that its file is still being written; a number with more digits is not a process
 // number.
 bool is_running(const std::string& process) {
     constexpr std::size_t k_most_digits = 9;
@@ -59,7 +59,7 @@ class AbandonedFiles {
     }
 
   private:
-    using Leftovers = std::multimap<std::string, fs::path>;  // by the name each was to get
+    using Leftovers = std::multimap<std::string, fs::path>;  // by the name intended for each
 
     static void search(const fs::path& folder, Leftovers& left) {
         std::error_code ignored;
@@ -149,7 +149,7 @@ void FileAside::rename_into_place() {
         if (done_) return;
         // The name exists: only a named file can replace it.
         const int refusal = errno;
-        ::unlink(named_.c_str());  // of a program that had our process number
+        ::unlink(named_.c_str());  // left by a program that had our process number
         if (refusal != EEXIST) fail("a finished file cannot be renamed", refusal);
         if (!link(named_)) fail("a finished file cannot be renamed", errno);
     }

@@ -8,16 +8,16 @@
 namespace frana {
 
 /// A file being written in the folder of its final path. It gets its name when it is complete and is removed otherwise,
-/// so that no reader finds half a file and a failed run keeps the old one. Where the file system supports it, the file
-/// has no name until then and disappears with the process, however that ends; otherwise it is
-/// NAME.partialPID.EXTENSION, and the next process that writes the same file removes what killed processes left of it.
+/// so that no reader finds an incomplete file and a failed run keeps the old one. Where the file system supports it,
+/// the file has no name until then and disappears with the process, however that ends; otherwise it is
+/// NAME.partialPID.EXTENSION, and the next process that writes the same file removes the leftovers of killed processes.
 class FileAside {
   public:
     enum class Kind {
         unnamed,  ///< if the file system supports it
         named,    ///< to be created at partial_path() by the caller
     };
-    /// Does not throw: an obstacle is reported when the file is written.
+    /// Does not throw: a problem is reported when the file is written.
     explicit FileAside(std::string path, Kind kind = Kind::unnamed);
     ~FileAside();
     FileAside(const FileAside&) = delete;

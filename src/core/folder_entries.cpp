@@ -11,7 +11,7 @@ namespace frana {
 namespace fs = std::filesystem;
 
 std::vector<fs::directory_entry> folder_entries(const fs::path& folder) {
-    constexpr int k_most_tries = 20;  // signals do not arrive for ever
+    constexpr int k_most_tries = 20;  // repeats after interruptions by signals
     std::vector<fs::directory_entry> entries;
     std::error_code error;
     for (int tries = 0; tries < k_most_tries; ++tries) {

@@ -50,7 +50,7 @@ FRANA_INLINE Quad select(Quad::Mask where, Quad a, Quad b) {
     return Quad(where ? a.v : b.v);
 }
 // As std::max and std::min: returns the first argument if the two are unordered or equal. AVX has an instruction for
-// each, with the same bits, which compilers do not find.
+// each, with the same bits, which compilers do not use by themselves.
 FRANA_INLINE Quad max(Quad a, Quad b) {
 #if defined(__AVX__)
     return Quad(__builtin_ia32_maxpd256(b.v, a.v));

@@ -31,7 +31,7 @@ struct Raster {
     [[nodiscard]] bool has_data(std::int64_t row, std::int64_t column) const { return !std::isnan(at(row, column)); }
 };
 
-/// The grid of a window of another one's cells.
+/// The grid of a window of another grid's cells.
 inline GridSpec part_of(const GridSpec& grid, const CellWindow& window) {
     GridSpec part = grid;
     part.west = grid.west + static_cast<double>(window.column) * grid.cell_size;

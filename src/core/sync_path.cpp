@@ -9,7 +9,7 @@
 namespace frana {
 namespace {
 
-// Descriptors opened for reading only, and file systems that do not support syncing, are no disk problem.
+// Descriptors opened for reading only, and file systems that do not support syncing, are not disk problems.
 bool is_disk_problem(int reason) {
     return reason == EIO || reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
 }

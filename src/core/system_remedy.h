@@ -5,7 +5,7 @@
 
 namespace frana {
 
-/// Returns what a user can do about a system call that failed for this reason (errno), as a sentence without its full
+/// Returns a remedy for the user after a system call failed for this reason (errno), as a sentence without its full
 /// stop.
 std::string system_remedy(int reason);
 

@@ -27,7 +27,8 @@ bool TeamWatch::alone(Clock::time_point now) noexcept {
     }
     const double window = std::chrono::duration<double>(now - window_begin_).count();
     if (window < k_window) return false;
-    // Between loops the caller may have slept, for a disk or a frame: windows much longer than asked for say nothing.
+    // Between loops the caller may have slept, waiting for a disk or a frame: windows much longer than intended are not
+    // used.
     constexpr double k_usable = 4 * k_window;
     if (window < k_usable) {
         const double own = cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - own_begin_;

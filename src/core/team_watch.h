@@ -18,7 +18,7 @@ class TeamWatch {
     using Clock = std::chrono::steady_clock;
 
     void start(Clock::time_point now) noexcept;
-    /// Whether the caller is to work alone in the loop that begins now.
+    /// Whether the caller should work alone in the loop that begins now.
     [[nodiscard]] bool alone(Clock::time_point now) noexcept;
     /// Adds a wait of the caller [s], in which the others ran for `worked` [s] of processor time.
     void add_wait(double waited, double worked) noexcept;

@@ -10,7 +10,7 @@ namespace {
 
 // A step has a dozen short loops: waking a sleeping thread for each would cost more than the loops. Threads therefore
 // check again this many times (some tens of microseconds) before they sleep.
-// With more threads than processors, checking only takes the processor from the thread that is waited for.
+// With more threads than processors, checking only occupies the processor that the other threads need.
 int checks_before_sleep(int threads) {
     constexpr int k_checks = 4000;
     return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_checks : 0;
@@ -76,8 +76,8 @@ void ThreadPool::wait_for(std::size_t count) {
     watch_.add_wait(std::chrono::duration<double>(TeamWatch::Clock::now() - begin).count(), worked_seconds() - worked);
 }
 
-// Runs tasks until none is left. A ticket contains the loop's number and the tasks left in it and changes atomically: a
-// thread that takes one knows that its loop cannot end before that task does, so call_ and task_ belong to that loop.
+// Runs tasks until none is left. A ticket contains the loop's number and the tasks left in it and changes atomically:
+// the loop of a task with a ticket cannot end before that task does, so call_ and task_ belong to that loop.
 void ThreadPool::work() {
     constexpr std::uint64_t k_left = (std::uint64_t{1} << k_count_bits) - 1;
     std::uint64_t ticket = tickets_.load(std::memory_order_acquire);

@@ -13,7 +13,7 @@
 namespace frana {
 
 /// A fixed set of threads for loops over independent tasks. Which thread runs which task is not determined, so a task
-/// may write only what no other task of the loop accesses; then results do not depend on the number of threads.
+/// may write only data that no other task of the loop accesses; results then do not depend on the number of threads.
 class ThreadPool {
   public:
     /// Starts a pool of `threads` (at least 1), including the calling thread.

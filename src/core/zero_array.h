@@ -11,9 +11,9 @@
 
 namespace frana {
 
-/// A fixed array that starts as zeros and costs memory only where it is written: the system hands out zero
-/// pages on first touch. Grid-wide fields use it so that idle terrain costs nothing. Throws std::bad_alloc where there
-/// is no room in the address space.
+/// A fixed array that starts as zeros and needs memory only where it is written: the system allocates zero pages on
+/// first touch. Grid-wide fields use it so that idle terrain costs nothing. Throws std::bad_alloc if the address space
+/// is exhausted.
 template <class T>
 class ZeroArray {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -21,7 +21,7 @@ class ZeroArray {
   public:
     ZeroArray() = default;
     explicit ZeroArray(std::size_t size) : size_(size) {
-        // One spare element lets the array begin on T's own boundary: calloc aligns to 16 bytes only.
+        // One spare element allows the array to begin on T's own boundary: calloc aligns to 16 bytes only.
         std::size_t room = (size + 1) * k_stride;
         const bool maps = room >= k_mapped_bytes;
         block_ = Block(maps ? map_zero_pages(room) : std::calloc(size + 1, k_stride), Free{maps ? room : 0});
@@ -34,7 +34,7 @@ class ZeroArray {
     [[nodiscard]] const T* data() const noexcept { return data_; }
     T& operator[](std::size_t i) noexcept { return data_[i]; }
     const T& operator[](std::size_t i) const noexcept { return data_[i]; }
-    /// Which of its bytes may be others than zeros.
+    /// Which of its pages may contain non-zero bytes.
     [[nodiscard]] TouchedPages touched() const {
         return {block_.get_deleter().mapped > 0 ? data_ : nullptr, size_ * k_stride};
     }

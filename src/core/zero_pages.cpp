@@ -10,7 +10,7 @@
 namespace frana {
 namespace {
 
-// From here on an array is that of a large map, of which a flow touches little: a huge page would be mostly zeros.
+// Arrays of at least this size are of large maps, of which a flow touches little: a huge page would be mostly zeros.
 constexpr std::size_t k_sparse_bytes = std::size_t{1} << 30;
 
 std::size_t page_size() noexcept {

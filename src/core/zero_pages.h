@@ -7,14 +7,14 @@
 
 namespace frana {
 
-/// Pages of zeros from the system, which take memory only where they are written, however many they are: nothing is
-/// reserved for the others, and no huge pages are given where only little of each would be used.
-/// Null where there is no room in the address space.
+/// Pages of zeros from the system, which need memory only where they are written, whatever their number: memory is not
+/// reserved, and huge pages are not used where only a small part of each would be.
+/// Null if the address space is exhausted.
 [[nodiscard]] void* map_zero_pages(std::size_t bytes) noexcept;
 void unmap_zero_pages(void* pages, std::size_t bytes) noexcept;
 
-/// Which pages of mapped memory may hold something else than zeros, as the system knows. Memory of which it says
-/// nothing counts as touched.
+/// Which pages of mapped memory may contain non-zero bytes, according to the system. Memory without information counts
+/// as touched.
 class TouchedPages {
   public:
     /// @param pages from map_zero_pages, or null: everything counts as touched

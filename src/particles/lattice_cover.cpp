@@ -7,11 +7,11 @@
 namespace frana {
 namespace {
 
-// Edges of overlapping parts may cross within a row; the crossings are not computed: the row is divided this often
-// instead.
+// Edges of overlapping parts may cross within a row; the crossings are not computed: the row is divided into this many
+// strips instead.
 constexpr int k_divisions = 8;
 constexpr double k_gauss = 0.57735026918962576;  // 1 / sqrt(3)
-// Crossings of lines with edges in a row, beyond which following the edges is faster.
+// Number of crossings of lines with edges in a row beyond which following the edges is faster.
 constexpr double k_most_crossings = 4e6;
 
 struct Interval {

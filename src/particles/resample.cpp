@@ -51,7 +51,7 @@ double squared_extent(const Matrix2d& q, const Vector2d& n) {
     return n.x() * n.x() * q(0, 0) + 2 * n.x() * n.y() * q(0, 1) + n.y() * n.y() * q(1, 1);
 }
 
-// What merging needs of a particle.
+// Properties of a particle that merging needs.
 struct Outline {
     Vector2d place;
     double volume;

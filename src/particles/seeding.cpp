@@ -6,10 +6,11 @@
 namespace frana {
 namespace {
 
-// Of the area of a lattice cell: at the edge of the material at rest a smaller particle is ejected by the surface slope
-// at its only node.
+// Fraction of a lattice cell's area: at the edge of the material at rest a smaller particle is ejected by the surface
+// slope at its only node.
 constexpr double k_sliver = 1e-5;
-// Of the filled volume: an outline with more than this in slivers consists of nothing else, like that of a line.
+// Fraction of the filled volume: an outline with more than this in slivers consists of little else, like that of a
+// line.
 constexpr double k_spread = 1e-4;
 
 }  // namespace

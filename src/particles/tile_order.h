@@ -95,7 +95,7 @@ class TileOrder {
     [[nodiscard]] bool restore(const ParticleSet& particles);
 
   private:
-    // What one block of particles, in the order before the sort, adds to each tile.
+    // Contributions of one block of particles, in the order before the sort, to each tile.
     struct Block {
         std::vector<std::int32_t> found;    // tiles, in order of first occurrence, each at least once
         std::vector<std::uint32_t> places;  // by rank of the tile: first a count, then the place of the next

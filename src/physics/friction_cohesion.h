@@ -11,7 +11,7 @@ namespace frana {
 ///     R = c / (rho d)      [m/s2]
 ///
 /// c cohesion [Pa], rho density [kg/m3], d thickness [m]. Range: c >= 0. Limits: all of it is yield; for d -> 0 it
-/// holds all material, so that a film thinner than c / (rho g sin(theta)) stays on the slope. Source: Mohr-Coulomb
+/// stops all material, so that flow thinner than c / (rho g sin(theta)) stays on the slope. Source: Mohr-Coulomb
 /// strength; with Voellmy's friction e.g. Christen, Kowalski, Bartelt 2010, Cold Reg. Sci. Technol. 63, 1.
 struct CohesiveFriction {
     double density = k_flow_density;  ///< [kg/m3]

@@ -28,7 +28,7 @@ struct HerschelBulkleyExcess {
     double consistency = 1;           ///< K [Pa s^m]
     double flow_index = 1;            ///< m [-]
 
-    /// The yield part, tau_Y / (rho d).
+    /// Adds the yield part, tau_Y / (rho d).
     void operator()(BedState& bed, std::size_t) const noexcept {
         bed.yield += yield_stress / (density * bed.thickness);
     }

@@ -12,7 +12,7 @@ namespace frana {
 /// Everything that enters a flow after its start, in order of time: areas that fail later, and inflow.
 class Arrivals {
   public:
-    /// Takes over the areas that fail later. Throws as InflowSource.
+    /// Moves in the areas that fail later. Throws as InflowSource.
     Arrivals(const Scene& scene, std::vector<Entry> later);
 
     /// Returns the time of the next entry [s]; infinity: none.

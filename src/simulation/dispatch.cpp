@@ -169,7 +169,7 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
         laws.stress.wave_factor = std::max(1.0, law.compressed);
     }
     laws.resample.cell_size = nodes.cell_size();
-    // Splitting later loses a tenth of the accuracy on dry fronts, merging sooner some of it behind bores
+    // Splitting later loses a tenth of the accuracy on dry fronts, merging earlier some of it behind bores
     // (share/doc/numerics.md, "Speed").
     laws.resample.split_below = (3 * numerics.particles_per_cell + 1) / 2;
     laws.resample.max_per_cell =

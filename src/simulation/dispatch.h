@@ -25,7 +25,7 @@ voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& z
 /// Returns whether particles and nodes exchange velocities along the bed rather than in map view.
 bool follows_bed(const Numerics& numerics);
 
-/// Returns whether particles thrown off the bed fly.
+/// Returns whether particles can leave the bed and fly.
 bool flies(const Numerics& numerics);
 
 /// Returns the resolved transfer.

@@ -162,7 +162,7 @@ class FrictionBuilder {
     BedFriction friction_;
 };
 
-// Law by its word in params/keys/laws.cpp.
+// Adds a law by its word in params/keys/laws.cpp.
 void FrictionBuilder::add(const std::string& law) {
     const Material& m = material_;
     if (law == "coulomb") return sweep(CoulombFriction{coefficient(), 1, m.surface_pressure / m.density}, true);

@@ -6,11 +6,11 @@
 
 namespace frana {
 
-/// Returns whether a law of bed friction has an effect: Voellmy's parts without their parameter have none and are left
-/// out.
+/// Returns whether a law of bed friction has an effect: Voellmy's parts without their parameter have none and are
+/// omitted.
 bool acts(const std::string& law, const Material& material, const MaterialZones& zones);
 
-/// Returns whether a scene needs more at the bed than uniform Voellmy friction: other laws, parameters that vary, pore
+/// Returns whether a scene needs more than uniform Voellmy friction at the bed: other laws, parameters that vary, pore
 /// pressure, surface pressure, or the stress at the bed for erosion.
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment);
 

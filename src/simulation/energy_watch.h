@@ -9,14 +9,14 @@
 
 namespace frana {
 
-/// Checks that a flow gains no energy from the numerics. Motion under gravity and friction alone conserves
+/// Checks that a flow gains no energy by numerical errors. Motion under gravity and friction alone conserves
 ///
 ///     E = kinetic energy along the bed + potential energy + energy dissipated by friction so far;
 ///
-/// numerics may dissipate, never add. error() is the greatest rise of E over an earlier value, relative to the greatest
-/// kinetic energy plus the dissipation by then, which is the work of gravity. Velocities lag half a step behind
-/// positions: a step's kinetic energy is the mean of before and after, and half of its dissipation is counted before.
-/// Steps between which volume entered or left (release, inflow, open edges, erosion) are left out.
+/// numerical errors may dissipate, never add. error() is the greatest rise of E over an earlier value, relative to the
+/// greatest kinetic energy plus the dissipation by then, which is the work of gravity. Velocities lag half a step
+/// behind positions: a step's kinetic energy is the mean of before and after, and half of its dissipation is counted
+/// before. Steps between which volume entered or left (release, inflow, open edges, erosion) are excluded.
 class EnergyWatch {
   public:
     void add(const StepStatistics& statistics) {

@@ -40,7 +40,7 @@ void velocities_along_bed(const NodeGrid& nodes, std::size_t first, ParticleSet&
     double *u = particles[Field::u], *v = particles[Field::v];
     for (std::size_t p = first; p < particles.size(); ++p) {
         if (!nodes.bounds().contains(x[p], y[p])) continue;
-        nodes.cover_round({x[p], y[p]});  // they may come in where no flow was
+        nodes.cover_round({x[p], y[p]});  // particles may enter where no flow was
         const Point w = frame_at(nodes, x[p], y[p]).along_bed(u[p], v[p]);
         u[p] = w.x;
         v[p] = w.y;
@@ -53,8 +53,8 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
     return particles;
 }
 
-// Material that enters where there is some already makes it deeper: particles near the new ones reduce their area until
-// together they claim no more than the available area. Reads NodeForces area.
+// Material that enters where there is already some increases the depth: particles near the new ones reduce their area
+// until together they claim no more than the available area. Reads NodeForces area.
 void shrink_neighbours(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
     const NodeScale grid = nodes.scale();
     std::vector<std::size_t> near;

@@ -22,7 +22,7 @@ struct TiltedGravity {
 /// A flow that can be stepped: the engine without scenes, files and clocks. Used by `run` and by the benches.
 class Flow {
   public:
-    /// After a step the nodes show the state at its beginning.
+    /// After a step the nodes have the state at its beginning.
     static constexpr bool k_shows_end = false;
 
     /// @param ground elevation [m], NaN: no data; its grid specifies cell size and extent
@@ -43,7 +43,7 @@ class Flow {
         state_.nodes.lower_bed(depth);
         state_.active.activate(state_.order);
     }
-    /// From now on computes material at rest as well, for comparison.
+    /// From now on material at rest is computed as well, for comparison.
     void compute_what_rests() noexcept { laws_.skips_rest = false; }
 
     voellmy_bingham::StepReport advance(double dt_limit);

@@ -103,7 +103,7 @@ bool frames_show_more(const AnyFlow& flow) {
     return flow.particle_count() > 0;
 }
 
-// Returns the flow in the state after its last step; taking a frame does not change it: a Flow's velocities are those
+// Returns the flow in the state after its last step; making a frame does not change it: a Flow's velocities are those
 // of its last motion.
 template <class AnyFlow>
 Frame store_frame(AnyFlow& flow, int index, bool with_particles) {
@@ -135,7 +135,7 @@ void add_exchanges_to(const Scene& scene, const Flow& flow, RunResult& result) {
         scene.material.density * std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
 }
 
-void add_exchanges_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed does not change
+void add_exchanges_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed is constant
 
 void add_jumps_to(const Scene& scene, const Flow& flow, RunResult& result) {
     const JumpStatistics& jumps = flow.flights().statistics();
@@ -149,7 +149,7 @@ void add_jumps_to(const Scene& scene, const Flow& flow, RunResult& result) {
     result.jump_height = flow.jump_height();
 }
 
-void add_jumps_to(const Scene&, const StructuredFlow&, RunResult&) {}  // it stays on its bed
+void add_jumps_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its material stays on the bed
 
 double pressure_factor(const Flow& flow) {
     return flow.laws().stress.wave_factor;
@@ -317,11 +317,12 @@ void FlowRun<AnyFlow>::step() {
         result_.stop_reason = *reason;
         stopped_ = true;
     }
-    if (flow_.nodes().lacks_ground()) {  // what comes next cannot be computed; what was, can be saved
+    if (flow_.nodes().lacks_ground()) {  // the next step cannot be computed; the present state can be saved
         result_.stop_reason = StopReason::requested;
         stopped_ = true;
     }
-    // A run that ends here shows its end in finish(); one that only pauses must have the frames of a run that did not.
+    // A run that ends here records its last frame in finish(); a paused run must have the frames of an uninterrupted
+    // one.
     const bool pauses = stopped_ && result_.stop_reason == StopReason::requested && flow_.time() < scene_.time.end;
     if (flow_.time() >= next_frame_ && (continues() || pauses) && !flow_.nodes().lacks_ground()) write_frame_now();
 }

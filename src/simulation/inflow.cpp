@@ -64,7 +64,7 @@ void check_ground(const Scene& scene, Point local) {
 
 std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing, double end) {
     std::vector<InflowBatch> batches;
-    InflowBatch open;  // since the last cut
+    InflowBatch open;  // since the last row
     double since = hydrograph.empty() ? 0 : hydrograph.front().time;
     const auto close = [&](double time) {
         if (open.volume > 0) batches.push_back({time, open.volume, open.length, open.length / (time - since)});
@@ -76,8 +76,8 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
         const HydrographPoint b = hydrograph[i + 1];
         const double span = b.time - a.time;
         if (!(span > 0)) continue;
-        if (a.discharge == 0 && b.discharge == 0) {  // a pause: the part that has crossed enters without waiting for
-                                                     // more
+        if (a.discharge == 0 && b.discharge == 0) {  // a pause: the row ends with the part that has
+                                                     // crossed
             close(a.time);
             since = b.time;
             continue;
@@ -151,9 +151,9 @@ InflowSource::Piece InflowSource::piece_of(const Mouth& mouth, const InflowBatch
     piece.length = batch.length * mouth.map_fraction;
     piece.area = piece.length * mouth.width;
     piece.depth = batch.volume * mouth.fraction / piece.area;
-    // The flow upstream of the line is not computed but exerts pressure on it: the row brings that impulse with it, g
-    // h^2 / 2 per second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Below the critical speed a
-    // flow's depth is controlled from downstream, and more than one and a half times the speed would be a jet.
+    // The flow upstream of the line is not computed but exerts pressure on it: the row is given that impulse, g h^2 / 2
+    // per second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Below the critical speed a flow's depth
+    // is controlled from downstream, and more than one and a half times the speed would be a jet.
     piece.speed = batch.speed + 0.5 * batch.speed * std::min(1.0, gravity_ * piece.depth / (batch.speed * batch.speed));
     return piece;
 }

@@ -16,7 +16,7 @@ struct InflowBatch {
     double speed = 0;   ///< mean over the interval, along the bed [m/s]
 };
 
-/// Divides a hydrograph into rows `spacing` long, which join one behind the other with the depth given by discharge and
+/// Divides a hydrograph into rows of length `spacing`, contiguous along the flow, with the depth given by discharge and
 /// speed. Rows also end where the discharge is zero, and at `end`. The volumes add up to the hydrograph's integral
 /// until `end`: trapezoidal, exact for a discharge that is linear between its points.
 std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing, double end);

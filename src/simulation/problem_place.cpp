@@ -40,7 +40,7 @@ std::optional<Point> particle_in_gap(const ParticleSet& particles, const NodeGri
     return std::nullopt;
 }
 
-// The step that first exceeds the bound is the run's last: the greatest speed so far is the one to find.
+// The step that first exceeds the bound is the run's last: the place is that of the greatest speed so far.
 template <class AnyFlow>
 std::optional<Point> fastest(const AnyFlow& flow, const ParticleSet* particles) {
     std::optional<Point> at;

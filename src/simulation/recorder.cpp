@@ -98,7 +98,7 @@ SectionRow Recorder::row_of(const AnyFlow& flow, std::size_t section, double tim
         double flux_x = 0, flux_y = 0, depth = 0, speed = 0;
         for (const Fraction& fraction : piece.fractions) {
             const NodeState state = state_of(flow, fraction.node);
-            // The flux is that of the volume in the cell, not of the depth on maps.
+            // The flux uses the volume in the cell, not the depth on maps.
             flux_x += fraction.weight * state.volume_depth * state.u;
             flux_y += fraction.weight * state.volume_depth * state.v;
             depth += fraction.weight * state.depth;
@@ -166,7 +166,7 @@ void Recorder::move_to(const AnyFlow& flow, RunResult& result) {
     if (!intensity_) return;
     result.max_flux = flow.to_raster(flux_);
     result.max_head = flow.to_raster(head_);
-    // Reached but never moving is a flux of zero, not "no data"; a head is at least the depth.
+    // A cell reached without motion has a flux of zero, not "no data"; a head is at least the depth.
     result.max_depth.values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;
         double &flux = result.max_flux.values[cell], &head = result.max_head.values[cell];

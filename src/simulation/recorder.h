@@ -10,8 +10,8 @@
 
 namespace frana {
 
-/// Records the outputs of a scene besides the maxima, from the nodes after each step. Those of a Flow have the depth
-/// and the velocity gathered from the particles (as the maxima do), at the beginning of the step, so that the state
+/// Records the outputs of a scene besides the maxima, from the nodes after each step. For a Flow these are the depth
+/// and the velocity gathered from the particles (as for the maxima), at the beginning of the step, so that the state
 /// after the very last step is not recorded. A StructuredFlow's cells have the state at the end of the step.
 class Recorder {
   public:

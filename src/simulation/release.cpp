@@ -81,7 +81,7 @@ void refuse_walls(const Scene& scene, const ParticleSet& particles) {
     }
 }
 
-// Refuses a release that would be on no map and count as reached nowhere.
+// Refuses a release that would appear on no map and reach no cell.
 void refuse_thin(const Scene& scene, const Raster& depth) {
     double greatest = 0;
     depth.values.for_each_stored([&](std::size_t, double d) {
@@ -152,7 +152,7 @@ void scale_to(double volume, std::vector<ParticleSet>& filled, std::vector<Relea
     for (std::size_t i = 0; i < filled.size(); ++i) scale_by(volume / sum, filled[i], areas[i]);
 }
 
-// Seeds one area's particles and returns what was released.
+// Seeds one area's particles and returns the actual release.
 ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
     const GridSpec& grid = scene.grid;
     const auto thickness = [&](Point local) {

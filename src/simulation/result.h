@@ -264,8 +264,8 @@ struct RunEstimate {
     double thin_fraction = 0;       ///< of the release, in cells thinner than the minimum depth
     double untraced_fraction = 0;   ///< of the release, in cells thinner than the trace's threshold
     std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
-    /// Of the map that take memory in each raster: all of them, or, where the ground is read where the flow comes,
-    /// about those that a flow reaches which spreads as usual.
+    /// Cells of the map stored in each raster: all of them or, for terrain read on demand, approximately those reached
+    /// by a flow of usual spreading.
     std::int64_t stored_cells = 0;
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
     /// Memory of their fields, including the few that exist twice during sorting.

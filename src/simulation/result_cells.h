@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run does to the cells of its rasters before it hands them out.
+// Corrections of the rasters of a run before they are returned.
 #pragma once
 
 #include <cmath>
@@ -33,7 +33,7 @@ inline void hide_non_finite(Raster& raster) {
     });
 }
 
-/// Of ground that was read where the flow came, as much is shown: terrain and bed store what the nodes have taken.
+/// For terrain read on demand: reads the elevations under all cells that the nodes have covered.
 inline void read_ground_under(const NodeGrid& nodes, const Raster& terrain, const Raster& bed) {
     if (!nodes.is_on_demand()) return;
     nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {

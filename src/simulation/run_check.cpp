@@ -44,7 +44,7 @@ Start start_of(const Scene& scene, const Release& release, const Arrivals& arriv
         });
         start.deepest += deepest;
     }
-    // For an area smaller than a cell no cell shows the thickness.
+    // Areas smaller than a cell do not appear with their thickness in any cell.
     for (const ReleasedArea& area : release.areas)
         if (area.area > 0) start.deepest = std::max(start.deepest, area.volume / area.area);
     for (const ReleaseArea& area : scene.release) start.fastest = std::max(start.fastest, area.speed);

@@ -12,8 +12,8 @@
 
 namespace frana {
 
-/// Returns the greatest speed possible by a fall, even without friction [m/s]: free fall from the highest surface to
-/// the lowest ground and the front of a dam break of the greatest depth, sqrt(2 g drop) + 2 sqrt(g depth), besides the
+/// Returns the greatest speed possible by a fall without friction [m/s]: free fall from the highest surface to the
+/// lowest ground and the front of a dam break of the greatest depth, sqrt(2 g drop) + 2 sqrt(g depth), besides the
 /// initial speed or that of the elastic rebound of strong solids. `frana bench stability` uses it too.
 double speed_bound(double gravity, double drop, double depth, double speed_at_start);
 
@@ -21,20 +21,20 @@ double speed_bound(double gravity, double drop, double depth, double speed_at_st
 /// after an event.
 class RunCheck {
   public:
-    /// Error of the volume not explained by rounding, as a fraction of all that entered: a thousand times what sums
-    /// over 1e5 particles lose, and far less than visible on any map.
+    /// Error of the volume not explained by rounding, as a fraction of the volume that entered: a thousand times the
+    /// rounding error of sums over 1e5 particles, and far less than visible on any map.
     static constexpr double k_volume_drift = 1e-9;
 
     /// @param pressure_factor square of the ratio of pressure waves' speed to that in water
     RunCheck(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor);
 
     /// Returns the problems of the last step; none in a good run.
-    /// @param entered all that entered, including from the bed [m3]
+    /// @param entered volume that entered, including from the bed [m3]
     template <class AnyFlow>
     [[nodiscard]] std::vector<RunProblem> check(const AnyFlow& flow, const StepStatistics& statistics,
                                                 double entered) const;
 
-    /// Of ground that is taken on demand: on what was known at the start.
+    /// The bound for the terrain known at the start, where terrain is read on demand.
     [[nodiscard]] double greatest_speed() const noexcept { return greatest_speed(lowest_); }
 
   private:
@@ -42,7 +42,7 @@ class RunCheck {
 
     GridSpec grid_;
     bool gaps_matter_;
-    double gravity_, top_, depth_, at_start_;  // of what comes in: surface [m], depth for waves [m], speed [m/s]
+    double gravity_, top_, depth_, at_start_;  // of material that enters: surface [m], depth for waves [m], speed [m/s]
     double lowest_, erodible_;                 // bed known at the start, and how far it may be eroded [m]
 };
 

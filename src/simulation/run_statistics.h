@@ -17,7 +17,7 @@ struct RunStatistics {
     double final_depth_fraction = 0;  ///< fraction of the volume inside at the end that final_depth contains
 };
 
-/// One of them, with its texts for tables.
+/// One of these values, with its texts for tables.
 struct RunStatistic {
     const char *key, *title, *unit;  ///< key: as in summary.json
     double (*of)(const RunStatistics&);

@@ -13,7 +13,7 @@ struct OriginCell {
 };
 
 /// Sets the local origin to the cell that contains the south-western corner of all releases, inflows and initial fluid.
-/// The extent of the grid beyond it then changes no bit of a run.
+/// Results then do not depend on the extent of the grid beyond it.
 void place_origin(Scene& scene);
 
 /// Sets it to a cell of the grid. Throws Error(input) outside.

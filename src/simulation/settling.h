@@ -10,11 +10,11 @@
 
 namespace frana {
 
-/// Decides when the main results have stopped changing: the run-out, the area covered above the trace threshold, and
+/// Determines when the main results have stopped changing: the run-out, the area covered above the trace threshold, and
 /// the distribution of the volume. They are sampled at intervals, always after the same steps, and compared with their
-/// values a window ago: a fraction of the time since the last release or inflow, since a decelerating flow changes less
-/// and less in the same time, and a steady one does not. Nothing settles before the kinetic energy has fallen well
-/// below its peak: a mass that only begins to move changes little.
+/// values one window earlier. The window is a fraction of the time since the last release or inflow, since a
+/// decelerating flow changes less and less in the same time, and a steady one does not. Values cannot settle before the
+/// kinetic energy has fallen well below its peak: a mass that only begins to move changes little.
 class SettlingWatch {
   public:
     SettlingWatch(const TimeControl& time, const GridSpec& grid, const FrontOrigins& origins);

@@ -23,7 +23,7 @@ Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first
     return std::isnan(z) ? Ground(bed) : Ground(bed, z);
 }
 
-// Ground that is taken on demand is now found to be there, before anything is computed on it.
+// Reads terrain on demand before the first step, so that a read error is found before anything is computed.
 template <class AnyFlow>
 void require_ground(const AnyFlow& flow) {
     flow.nodes().require_ground();
@@ -49,7 +49,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
     return run.finish();
 }
 
-// Rasters, as doubles, that exist at the peak of a run: read, kept, in frames waiting for the disk, and about to be
+// Number of rasters, as doubles, at the peak of a run: read, stored, in frames waiting for the disk, and about to be
 // written. Measured.
 constexpr std::int64_t k_rasters = 16, k_rasters_of_fluid = 16, k_rasters_of_phases = 31;
 
@@ -61,8 +61,8 @@ std::int64_t rasters_at_once(const StructuredFlow& flow) {
     return flow.particle_count() > 0 ? k_rasters_of_phases : k_rasters_of_fluid;
 }
 
-// Measures the time of a flow's first steps and its size, with all later material on the ground at once: the trial
-// steps then cost as much as the most expensive ones.
+// Measures the time of a flow's first steps and its size, with all later material added at once: the trial steps then
+// cost as much as the most expensive ones.
 template <class AnyFlow>
 void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64_t released_cells, AnyFlow& flow,
                    RunEstimate& e) {
@@ -74,7 +74,7 @@ void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64
     constexpr std::int64_t k_spread = 4;  // nodes only where there is material
     const std::int64_t cells = scene.grid.cell_count();
     const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
-    // Tiles that the flow reaches in part count whole, and what is read round it; there are several flows at times.
+    // Partly reached tiles count whole, and so does the border read round them; a scene may have several flows.
     constexpr std::int64_t k_tiles_round = 64;
     e.stored_cells = flow.nodes().is_on_demand()
                          ? std::min(cells, 2 * reached + k_tiles_round * CellValues::k_side * CellValues::k_side)

@@ -10,9 +10,9 @@
 
 namespace frana {
 
-// Decides when a flow has come to rest: at once if nothing moves, otherwise when for a while neither a cell deeper than
-// the minimum nor the root of the whole flow's mean squared speed, however thin, was faster than a creep speed (a mass
-// that barely overcomes friction is faster than that within the same time).
+// Determines when a flow has come to rest: at once if nothing moves, otherwise if for some time neither a cell deeper
+// than the minimum nor the root of the whole flow's mean squared speed, however thin, exceeded a creep speed (a mass
+// that barely overcomes friction exceeds it within that time).
 class StillWatch {
   public:
     bool still(const StepStatistics& now) {
@@ -36,8 +36,8 @@ class StillWatch {
     double crawling_ = 0;
 };
 
-// Decides when a flow's motion has faded below a scene's limit: kinetic energy or moving volume below a fraction of its
-// peak. Both grow from zero, so neither ends a flow that has not begun.
+// Determines when a flow's motion has decreased below a scene's limit: kinetic energy or moving volume below a fraction
+// of its peak. Both grow from zero, so neither ends a flow that has not begun.
 class FadeWatch {
   public:
     explicit FadeWatch(const TimeControl& time) : time_(time) {}

@@ -15,7 +15,7 @@ using structured::SolidStages;
 
 NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
     NodeGrid nodes(ground);
-    nodes.cover({0, nodes.stride(), 0, nodes.padded_rows()});  // its fluid lies on all of it
+    nodes.cover({0, nodes.stride(), 0, nodes.padded_rows()});  // initial fluid may be anywhere on it
     if (walls) nodes.mark_walls(*walls);
     return nodes;
 }

@@ -20,7 +20,7 @@ namespace frana {
 /// totals of a cell, speeds those of its faster phase.
 class StructuredFlow {
   public:
-    /// After a step the cells show the state at its end.
+    /// After a step the cells have the state at its end.
     static constexpr bool k_shows_end = true;
 
     /// @param ground elevation [m], NaN: no data
@@ -90,7 +90,7 @@ class StructuredFlow {
             });
         }
     }
-    /// Contents of a cell: depth [m], and discharge per width of solids and fluid together [m2/s].
+    /// A cell: depth [m], and discharge per width of solids and fluid together [m2/s].
     struct Column {
         double depth = 0, qx = 0, qy = 0;
     };

@@ -18,7 +18,7 @@ bool selects(const std::vector<const Law*>& laws, LawKind kind, const std::strin
     return std::find(laws.begin(), laws.end(), &find_law(kind, word)) != laws.end();
 }
 
-/// Whether [zones] gives the same quantity as the key of another section: the default then applies outside the zones.
+/// Whether [zones] has the same quantity as the key of another section: the default then applies outside the zones.
 bool by_place(const std::set<std::string>& given, const std::string& name) {
     return given.count("zones." + name.substr(name.find('.') + 1)) > 0;
 }

@@ -9,7 +9,7 @@
 
 namespace frana {
 
-/// Checks what involves several keys: required keys and contradictions between keys. `given` contains every key present
+/// Checks conditions on several keys: required keys and contradictions between keys. `given` contains every key present
 /// in the input, valid or not, so that a key with an invalid value is not also reported as missing.
 void check_scene(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                  Problems& problems);

@@ -12,8 +12,8 @@ namespace frana {
 /// The key that selects a law.
 enum class LawKind { bed_friction, in_plane_stress, erosion, deposition };
 
-/// A law of the first model. This is the one list: the words of the keys, missing and unread keys, the zones used, laws
-/// that exclude each other, the list of terms and the energy line of a large terrain follow from it.
+/// A law of the first model. This is the one list, from which follow: the words of the keys, missing and unread keys,
+/// the zones used, laws that exclude each other, the list of terms and the energy line of a large terrain.
 struct Law {
     std::string word;  ///< of the key that selects it; "on" for deposition
     LawKind kind = LawKind::bed_friction;
@@ -28,7 +28,7 @@ struct Law {
     double greatest_friction = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] bool reads_key(const std::string& name) const;
-    /// Laws at the bed read every key of [zones] that they read elsewhere; stress in the plane does not vary by place.
+    /// Bed laws read every key of [zones] that they read elsewhere; in-plane stress does not vary by place.
     [[nodiscard]] bool reads_zone(const std::string& name) const;
     /// "material.bed-friction = chezy"
     [[nodiscard]] std::string selected_by() const;
@@ -38,9 +38,9 @@ const std::vector<Law>& laws();
 const Law& find_law(LawKind kind, const std::string& word);
 /// Returns every law of a scene; none for the structured model.
 std::vector<const Law*> laws_of(const SceneSpec& scene);
-/// Returns those of several laws that read a key.
+/// Returns those of the given laws that read a key.
 std::vector<const Law*> readers_of(const std::string& key, const std::vector<const Law*>& among);
-/// The same, of all laws.
+/// The same for all laws.
 std::vector<const Law*> readers_of(const std::string& key);
 /// Returns the keys that select the laws: "material.bed-friction = bingham or manning or entrainment.erosion = growth".
 std::string selected_by(const std::vector<const Law*>& some);

@@ -10,7 +10,7 @@
 
 namespace frana {
 
-/// The reason a text was refused; the reader adds file and key.
+/// The reason why a text is invalid; the reader adds file and key.
 struct Refusal {
     std::string what;    ///< "is not a number"
     std::string remedy;  ///< what to write instead; may be empty

@@ -14,7 +14,7 @@ constexpr bool k_progressive = true, k_even = false;
 
 class Table {
   public:
-    /// For the rasters that follow.
+    /// Sets the condition of the rasters that follow.
     void when(const std::string& sentence, bool (*is_produced_by)(const SceneSpec&)) {
         when_ = sentence;
         is_produced_by_ = is_produced_by;

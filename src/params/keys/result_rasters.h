@@ -8,9 +8,9 @@ namespace frana {
 
 struct SceneSpec;
 
-/// A raster that a result may contain as NAME.tif, or as one NAME_VALUE.tif for each of some values. The one list: the
-/// files written with their texts and styles, the maps that can be drawn, the names that output.maps and --map accept,
-/// what --overwrite may replace, and what share/doc/results.md explains follow from it.
+/// A raster that a result may contain as NAME.tif, or as one NAME_VALUE.tif for each of some values. The one list, from
+/// which follow: the files written with their texts and styles, the maps that can be drawn, the names that output.maps
+/// and --map accept, the files that --overwrite may replace, and the explanations in share/doc/results.md.
 struct ResultRaster {
     enum class Kind {
         given,    ///< known before the flow starts
@@ -24,7 +24,7 @@ struct ResultRaster {
     std::string description;  ///< of the band: "Maximum flow depth over time, vertical"
     std::string unit;         ///< "m"
     std::string palette;      ///< empty: of the ground; has no style and is drawn only on request
-    /// Classes 1, 2, 5, 10, ... rather than equal ones: for values that are small over most of the area.
+    /// Classes 1, 2, 5, 10, ... instead of equal ones: for values that are small over most of the area.
     bool progressive = false;
     std::string command = "run";  ///< that writes it
     std::string when;             ///< "with `[entrainment]`"; empty: always

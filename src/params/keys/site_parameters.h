@@ -7,7 +7,7 @@
 
 namespace frana {
 
-// Surveyed data of the site: the ground, the release and inflow, and where the ground differs.
+// Surveyed data of the site: the ground, the release and inflow, and values by place.
 
 void add_terrain(std::vector<Parameter>& list);
 void add_release(std::vector<Parameter>& list);

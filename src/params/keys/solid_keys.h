@@ -9,8 +9,8 @@
 
 namespace frana {
 
-/// A key of [structured] for a property of the solids, which a number, a column or a raster may give. The one list: its
-/// declaration, the uniform value and the values by place of simulation/scene.h follow from it.
+/// A key of [structured] for a property of the solids, given by a number, a column or a raster. The one list, from
+/// which follow: its declaration, the uniform value and the values by place of simulation/scene.h.
 struct SolidKey {
     std::string name;
     std::optional<SourceSpec> StructuredSpec::*source;
@@ -18,12 +18,12 @@ struct SolidKey {
     std::string unit;
     declare::Range range;
     std::string meaning;
-    std::string absent;        ///< what holds where it is not given, in words
-    std::string instead = {};  ///< key whose value it then is
+    std::string absent;        ///< default, in words, if the key is not given
+    std::string instead = {};  ///< key whose value is then used
 
-    /// An angle, of which the tangent is kept.
+    /// An angle, stored as its tangent.
     [[nodiscard]] bool degrees() const { return unit == "degrees"; }
-    /// The key that gives the value: this one, or the one instead.
+    /// Returns the key that defines the value: this one, or `instead`.
     [[nodiscard]] const SolidKey& giving(const StructuredSpec& spec) const;
 };
 const std::vector<SolidKey>& solid_keys();

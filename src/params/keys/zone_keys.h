@@ -9,8 +9,8 @@
 
 namespace frana {
 
-/// A key of [zones] that gives a quantity by place. The one list: declaration, columns of the zones' vector layer,
-/// reading, and the refusal of keys that no law reads follow from it. laws.cpp lists the laws that read it;
+/// A key of [zones] that gives a quantity by place. The one list, from which follow: declaration, columns of the zones'
+/// vector layer, reading, and the error for keys that no law reads. laws.cpp lists the laws that read it;
 /// k_zone_rasters of simulation/scene.h lists the rasters that receive it.
 struct ZoneKey {
     std::string name;  ///< "zones.friction-angle": the key without its section equals that of the quantity elsewhere

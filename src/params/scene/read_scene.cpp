@@ -74,7 +74,7 @@ void Reader::apply(Source source) {
         reading_.problems.add({"contradicts material.friction-coefficient: both give the bed friction",
                                source.where(k_angle), "", "", "Keep one of the two"});
     }
-    // The two are one quantity: a later source replaces the value that an earlier one gave under the other name.
+    // Both keys specify one quantity: a later source replaces the value that an earlier one gave under the other name.
     if (source.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
     if (source.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
 

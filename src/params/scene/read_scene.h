@@ -9,7 +9,7 @@
 
 namespace frana {
 
-/// A scene as far as it could be read, and all its problems.
+/// A scene as far as it could be read, with all its problems.
 struct SceneReading {
     SceneSpec scene;
     Problems problems;
