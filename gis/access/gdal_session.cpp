@@ -63,7 +63,8 @@ GdalSession::GdalSession() {
         // waits for ever for a thread that could not be started for lack of address space.
         if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
             CPLSetConfigOption("GDAL_NUM_THREADS", mapping_is_limited() ? "1" : "ALL_CPUS");
-        // A twentieth of the machine's memory for blocks that were read is more than reading needs.
+        // Cache for blocks that were read: GDAL's default, a twentieth of the machine's memory, is more than reading
+        // needs.
         constexpr GIntBig k_cache_bytes = 128 << 20;
         if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr) GDALSetCacheMax64(k_cache_bytes);
     });

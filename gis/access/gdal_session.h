@@ -7,8 +7,8 @@
 
 namespace frana::gis {
 
-/// While an instance exists, GDAL is ready and its messages on this thread are collected here instead of going to
-/// stderr. Sessions nest: each function of gis opens its own, and the innermost collects.
+/// While an instance exists, GDAL is initialised and its messages on this thread are collected here instead of being
+/// written to stderr. Sessions nest: each function of gis opens its own, and the innermost collects.
 class GdalSession {
   public:
     GdalSession();

@@ -13,8 +13,8 @@ struct JsonMember {
 };
 
 /// Finds the members of one name in JSON that is read in pieces and may be larger than the memory; those in objects
-/// under the member `besides` are left out. It accepts what GDAL reads and strict parsers refuse: NaN, texts that are
-/// not UTF-8, several documents in sequence.
+/// under the member `besides` are ignored. It accepts text that GDAL reads and strict parsers refuse: NaN, texts that
+/// are not UTF-8, several documents in sequence.
 class JsonMembers {
   public:
     JsonMembers(std::string name, std::string besides) : name_(std::move(name)), besides_(std::move(besides)) {}

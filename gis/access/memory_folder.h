@@ -9,8 +9,8 @@
 namespace frana::gis {
 
 /// A folder of GDAL's in memory. If the disk fails for a moment while GDAL writes its tiles, a wrong file can remain
-/// without an error; so files are made here, and frana itself writes their bytes to the disk and checks each write. A
-/// raster's file needs as much memory as its size on the disk, besides the raster itself.
+/// without an error; therefore files are made here, and frana itself writes their bytes to the disk and checks each
+/// write. A raster's file needs as much memory as its size on the disk, besides the raster itself.
 class MemoryFolder {
   public:
     MemoryFolder();

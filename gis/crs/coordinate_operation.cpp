@@ -25,13 +25,12 @@ ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const P
                                                          PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
     proj_operation_factory_context_set_grid_availability_use(context, factory.get(), grids);
     if (degrees) {
-        // For an area without extent PROJ takes every operation to be equally near, including those for other
-        // countries.
+        // For an area without extent PROJ considers every operation equally near, including those for other countries.
         degrees->west -= k_least_area_degrees;
         degrees->south -= k_least_area_degrees;
         degrees->east += k_least_area_degrees;
         degrees->north += k_least_area_degrees;
-        // PROJ marks an area across the antimeridian by west > east.
+        // PROJ represents an area across the antimeridian by west > east.
         if (degrees->east > 180) degrees->east -= 360;
         if (degrees->west < -180) degrees->west += 360;
         proj_operation_factory_context_set_area_of_interest(context, factory.get(), degrees->west, degrees->south,

@@ -126,7 +126,7 @@ FrameStack::~FrameStack() = default;
 
 void FrameStack::add(std::size_t index, const Raster& depth, const Raster& velocity) {
     Parts& p = *parts_;
-    // What is not written has no data.
+    // Parts not written have no data.
     const auto write_part = [&](const Array& array, const Raster& raster, const CellWindow& window) {
         std::vector<float> values(raster.values.size());
         std::transform(raster.values.begin(), raster.values.end(), values.begin(), [](double value) {

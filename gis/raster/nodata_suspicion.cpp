@@ -9,7 +9,7 @@
 namespace frana::gis {
 namespace {
 
-// Of the value itself: ground does not fall by a quarter of its height from one cell to the next.
+// Fraction of the value itself: ground does not fall by a quarter of its height from one cell to the next.
 constexpr double k_wall = 0.25;
 
 std::string undeclared(const std::string& path, std::int64_t cells, double value) {

@@ -8,14 +8,14 @@
 
 namespace frana::gis {
 
-/// Detects, while a raster is read, values meant as "no data" that the file does not declare.
+/// Detects, while a raster is read, values used as "no data" that the file does not declare.
 class NodataSuspicion {
   public:
     /// `values` as stored, row by row, NaN where the file declares "no data".
     void examine(const std::vector<double>& values, int columns);
 
     /// Returns the number of cells read with value 0 most of whose neighbours differ by more than `steep` (in the units
-    /// stored): a frame of zeros around a terrain model. None if zeros join their neighbours gently, as the sea does.
+    /// stored): a frame of zeros around a terrain model. None if the values approach zero gradually, as at the sea.
     [[nodiscard]] std::int64_t zero_rim(double steep) const;
 
     /// Returns a warning about a common value (-9999 and similar; 9999 and similar if they form walls), or an empty

@@ -41,7 +41,7 @@ Raster read_result_raster(const std::string& path) {
                                     info.vertical_scale_to_metres);
         return raster;
     }
-    // What the file does not hold is not read.
+    // Parts that the file does not contain are not read.
     constexpr std::int64_t k_at_once = 4 * CellValues::k_side;
     for (std::int64_t row = 0; row < grid.rows; row += k_at_once) {
         for (std::int64_t column = 0; column < grid.columns; column += k_at_once) {

@@ -84,7 +84,7 @@ Method method_for(Resampling wanted, Point source_cells_per_cell) {
     return ratio > k_average_from ? Method{GRA_Average, "average"} : Method{GRA_Bilinear, "bilinear"};
 }
 
-/// Errors inside a transform do not know the file; its name is added here.
+/// Adds the file's name to errors inside a transform, which do not contain it.
 [[noreturn]] void rethrow_naming(const std::string& path, const Error& error) {
     std::vector<Problem> problems = error.problems();
     for (Problem& problem : problems) {
@@ -106,13 +106,13 @@ std::string unit_warning(const RasterInfo& info, const VerticalUnit& unit, const
     return {};
 }
 
-/// The operation is chosen for the grid's surroundings, not for all the ground the file may cover.
+/// The operation is chosen for the grid's surroundings, not for the whole extent of the file.
 CrsTransform transform_to_grid(const std::string& source_crs, const GridSpec& grid) {
     if (grid.crs_wkt.empty()) return {"", ""};
     return {source_crs, grid.crs_wkt, CrsTransform(grid.crs_wkt, source_crs, grid.bounds()).around(grid.bounds())};
 }
 
-/// The file's CRS, or the one that stands in for it. Throws Error(input) where one is needed and there is none.
+/// The file's CRS, or the one that replaces it. Throws Error(input) if one is needed and there is none.
 std::string crs_of(const RasterSource& source, const GridSpec& target, const std::string& source_crs_override) {
     const std::string crs = source_crs_override.empty() ? source.info().crs_wkt : source_crs_override;
     if (crs.empty() && !target.crs_wkt.empty()) {

@@ -64,8 +64,8 @@ RasterRead read_raster_on(const std::string& path, const GridSpec& target, const
                           Resampling resampling, const std::string& vertical_unit = "auto",
                           std::optional<double> nodata_value = std::nullopt, const std::string& where = {});
 
-/// A raster of which parts are brought onto a grid when they are asked for, as read_raster_on would bring the whole.
-/// Between different CRS the places of cells are computed one by one, there interpolated within a hundredth of a cell.
+/// A raster of which parts are resampled onto a grid on demand, with the values of read_raster_on. Between different
+/// CRS the places of cells are computed one by one, there interpolated within a hundredth of a cell.
 class RasterOnDemand {
   public:
     /// Parameters and errors are those of read_raster_on.
@@ -76,9 +76,9 @@ class RasterOnDemand {
 
     /// Fills a window of the grid, row by row; NaN where the file has no data or does not reach. Throws Error(input).
     void read(const CellWindow& window, double* values) const;
-    /// What is known before anything is read: no raster, no counts.
+    /// Properties known before anything is read: no raster, no counts.
     [[nodiscard]] const RasterRead& known() const noexcept;
-    /// Warnings of customary "no data" that was read so far and that the file does not declare.
+    /// Warnings of common "no data" values that were read so far and that the file does not declare.
     [[nodiscard]] std::vector<std::string> suspicions() const;
 
   private:
@@ -89,7 +89,8 @@ class RasterOnDemand {
 /// Reads a whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input) otherwise.
 Raster read_result_raster(const std::string& path);
 
-/// Fills cells without data by interpolation from cells at most so many cells away. Returns the number of cells filled.
+/// Fills cells without data by interpolation from cells at most this many cells away. Returns the number of cells
+/// filled.
 std::int64_t fill_nodata(Raster& raster, double max_distance_cells);
 
 }  // namespace frana::gis

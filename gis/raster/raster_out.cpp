@@ -62,7 +62,7 @@ void set_texts(GDALDatasetH dataset, const BandText& text, int number = 1) {
         GDALSetMetadataItem(dataset, key.c_str(), valid_utf8(value).c_str(), nullptr);
 }
 
-/// Of the values in the file, not of those before rounding.
+/// Statistics of the values in the file, not of those before rounding.
 void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std::size_t cells, int number = 1) {
     double least = HUGE_VAL, greatest = -HUGE_VAL, sum = 0, squares = 0;
     std::size_t count = 0;
@@ -89,7 +89,7 @@ void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std:
     set("STATISTICS_VALID_PERCENT", 100.0 * static_cast<double>(count) / static_cast<double>(cells));
 }
 
-/// Halved until one block contains all. Made in memory, they need no temporary file.
+/// Halved until one block contains all cells. Made in memory, they need no temporary file.
 void build_overviews(GDALDatasetH dataset, const char* resampling, const std::string& path,
                      const GdalSession& session) {
     std::vector<int> factors;
@@ -155,7 +155,7 @@ GdalDataset in_memory(const std::string& path, const GridSpec& grid, const std::
     return dataset;
 }
 
-/// A large map's: only the blocks in which something lies are written, and there are no overviews.
+/// Writes a raster of a large map: only the blocks that contain data, and no overviews.
 void write_sparse(const std::string& path, const Raster& raster, GDALDataType type, double nodata,
                   const char* predictor, const std::function<void(GDALDatasetH)>& describe) {
     const GdalSession session;
@@ -216,7 +216,7 @@ void set_classes(GDALRasterBandH band, const std::vector<ClassEntry>& classes) {
     GDALDestroyColorTable(colours);
 }
 
-/// What a sparse file would hold, for its statistics.
+/// Values stored in a sparse file, for its statistics.
 std::vector<float> stored_values(const Raster& raster) {
     std::vector<float> values;
     raster.values.for_each_stored([&](std::size_t, double value) {

@@ -27,9 +27,9 @@ struct BandText {
 enum class RasterUse { result, frame };
 
 /// Writes a Float32 cloud-optimised GeoTIFF with nodata -9999, overviews, statistics and texts inside; no file beside
-/// it. Of a frame, blocks without data are left out (sparse; they read as nodata), and rasters of up to 1024 cells a
-/// side have no overviews: half the time. Made in memory, written aside, synced to the disk and renamed: on failure an
-/// older file remains, and an incomplete file never gets the name. Throws Error(environment), also for a full disk.
+/// it. In frames, blocks without data are omitted (sparse; they read as nodata), and rasters of up to 1024 cells a side
+/// have no overviews: half the time. Made in memory, written aside, synced to the disk and renamed: on failure an older
+/// file remains, and an incomplete file never gets the name. Throws Error(environment), also for a full disk.
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text,
                    RasterUse use = RasterUse::result);
 
@@ -42,7 +42,7 @@ struct RasterBand {
 void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands);
 
 /// Writes an ESRI ASCII grid (.asc, and .prj if there is a CRS), six significant digits, nodata -9999: for programs
-/// that read no GeoTIFF. Throws Error(environment).
+/// that do not read GeoTIFF. Throws Error(environment).
 void write_ascii_grid(const std::string& path, const Raster& raster);
 
 /// One class of a classified raster.
@@ -53,7 +53,7 @@ struct ClassEntry {
 };
 
 /// The same with one byte per cell (NaN becomes 0, which is nodata), the classes' names and colours inside. Throws
-/// Error(input) for a value that is no class.
+/// Error(input) for a value that is not a class.
 void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,
                          const BandText& text);
 

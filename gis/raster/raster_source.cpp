@@ -28,7 +28,7 @@ namespace {
     throw Error(ErrorKind::input, Problem{what, where, path, "", remedy});
 }
 
-/// A refusal while the file was read is the cause of all errors that follow.
+/// A refused access while the file was read is the cause of all errors that follow.
 void throw_if_refused(const std::string& where, const std::string& path) {
     if (const auto cause = pop_refusal()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
 }

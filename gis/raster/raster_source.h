@@ -41,11 +41,10 @@ class RasterSource {
     /// data. Throws Error(input) if the part cannot be read.
     [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
 
-    /// The same at a reduced number of columns and rows, each value that of one cell somewhere in its part of the
-    /// window.
+    /// The same at a reduced number of columns and rows; each value is that of one cell in its part of the window.
     [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows, double unit) const;
 
-    /// Returns whether the file contains anything of a window, as far as it says: files may leave out empty blocks.
+    /// Returns whether the file contains data in a window, as far as it declares: files may omit empty blocks.
     [[nodiscard]] bool holds_any(const Window& window) const noexcept;
 
     /// Adds a stored value that means "no data", besides the file's.

@@ -28,7 +28,7 @@ std::vector<NamedClass> classes_of(GDALRasterBandH band) {
         GDALColorEntry entry{};
         GDALGetColorEntryAsRGB(colours, value, &entry);
         const std::string label = label_of(band, value);
-        // A table has an entry for every byte; if any classes are named, the unnamed entries are no classes.
+        // A table has an entry for every byte; if any classes are named, unnamed entries are not classes.
         if (entry.c4 == 0 || (labelled && label == std::to_string(value))) continue;
         const auto byte = [](short c) { return static_cast<std::uint8_t>(c); };
         classes.push_back({value, label, {byte(entry.c1), byte(entry.c2), byte(entry.c3)}});

@@ -27,8 +27,8 @@ class RasterWarp {
     /// source cell times its slope.
     void fill(Raster& target) const;
 
-    /// The same for a part of a grid, row by row, with every cell's place computed: the values do not depend on how the
-    /// grid is cut into parts.
+    /// The same for a part of a grid, row by row, with every cell's place computed: the values do not depend on the
+    /// division of the grid into parts.
     /// @param scale source_cells_per_cell of the whole grid
     void fill_part(const GridSpec& part, Point scale, double* values) const;
 

@@ -79,7 +79,7 @@ MultiPolygon polygonise(const Raster& mask) {
         MultiPolygon outlines;
         for (const CellWindow& window : mask.values.stored_windows(mask.grid.columns)) {
             Raster part = part_of(mask, window);
-            static_cast<void>(part.values.dense());  // however large it is
+            static_cast<void>(part.values.dense());  // of any size
             const MultiPolygon more = polygonise(part);
             outlines.insert(outlines.end(), more.begin(), more.end());
         }
@@ -93,7 +93,7 @@ MultiPolygon polygonise(const Raster& mask) {
     const GdalDataset dataset = on_grid(inside);
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     const MemoryLayer shapes = memory_layer(wkbPolygon, "inside");
-    // The band serves as its own mask: zeros are left out.
+    // The band serves as its own mask: zeros are excluded.
     if (GDALPolygonize(band, band, OGRLayer::ToHandle(shapes.layer), 0, nullptr, nullptr, nullptr) != CE_None) {
         throw error_of("the area's outline cannot be traced", session);
     }

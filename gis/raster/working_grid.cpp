@@ -12,7 +12,7 @@
 namespace frana::gis {
 namespace {
 
-// Beyond this the rasters of a run alone need tens of gigabytes: almost surely an error of the cell size.
+// Beyond this the rasters of a run alone need tens of gigabytes: most probably an error of the cell size.
 constexpr double k_most_cells = 1e9;
 constexpr double k_same = 1e-6;  // relative; the tolerance of GridSpec::same_cells
 

@@ -11,7 +11,7 @@
 namespace frana::gis {
 namespace {
 
-// GEOS's message for a ring that crosses itself or its hole; with any other problem the inside is still certain.
+// GEOS's message for a ring that crosses itself or its hole; with any other problem the interior is still well defined.
 const std::string k_crossing = "Self-intersection";
 const std::string k_place = " at or near point ";
 
@@ -59,8 +59,8 @@ void repair(const OGRGeometry& geometry, const std::string& error_text, double a
     for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
 }
 
-/// For an outline of many vertices. GEOS compares all edges whose boxes overlap: long spikes make it compare each with
-/// each.
+/// For outlines of many vertices. GEOS compares all edges whose boxes overlap: with long spikes these are nearly all
+/// pairs.
 OutlineVerdict verdict_on(const OGRPolygon& polygon) {
     constexpr int k_many = 5000;
     const OGRLinearRing* outer = polygon.getExteriorRing();

@@ -12,16 +12,16 @@
 
 namespace frana::gis {
 
-/// The result of checking an outline. Either `crossing` is set or `polygons` is not empty, or neither if nothing with
-/// an area is left.
+/// The result of checking an outline. Either `crossing` is set or `polygons` is not empty, or neither if no area is
+/// left.
 struct OutlineCheck {
     std::vector<std::unique_ptr<OGRPolygon>> polygons;  ///< as given, or repaired
     std::optional<std::string> crossing;                ///< where it crosses itself: "at 526950.2, 5094120.7"
     std::vector<std::string> repairs;                   ///< list of repairs
 };
 
-/// Checks the polygons of one feature. One that crosses itself has no certain inside and is not repaired; one that only
-/// touches itself is, and so are parts that overlap (their union counts once).
+/// Checks the polygons of one feature. One that crosses itself has no well-defined interior and is not repaired; one
+/// that only touches itself is repaired, and so are parts that overlap (their union counts once).
 OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons);
 
 /// Returns the area common to two outlines [their units squared]; 0 if they only touch.

@@ -17,7 +17,7 @@ namespace frana::gis {
 std::unique_ptr<OGRPolygon> to_ogr(const Polygon& polygon);
 std::unique_ptr<OGRMultiPolygon> to_ogr(const MultiPolygon& polygons);
 
-/// Converts from GDAL's polygon; rings of fewer than three different points are left out.
+/// Converts from GDAL's polygon; rings of fewer than three different points are omitted.
 std::optional<Polygon> from_ogr(const OGRPolygon& polygon);
 
 /// No map extends further, whatever its unit.
@@ -27,10 +27,10 @@ inline constexpr double k_furthest = 1e9;
 struct PolygonParts {
     std::vector<std::unique_ptr<OGRPolygon>> polygons;
     int closed_lines = 0;   ///< read as polygons
-    int open_lines = 0;     ///< left out, including polygons with a ring that is not closed
+    int open_lines = 0;     ///< ignored, including polygons with a ring that is not closed
     double widest_gap = 0;  ///< of the open lines [CRS units]
     int others = 0;         ///< points and other geometries without area
-    int unbounded = 0;      ///< left out: a coordinate is NaN or beyond k_furthest
+    int unbounded = 0;      ///< ignored: a coordinate is NaN or beyond k_furthest
 };
 PolygonParts polygon_parts(const OGRGeometry& geometry);
 

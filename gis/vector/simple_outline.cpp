@@ -10,7 +10,7 @@
 namespace frana::gis {
 namespace {
 
-/// No verdict: edges touch, or rounding hides whether they do.
+/// Thrown without a verdict: edges touch, or rounding hides whether they do.
 struct Doubt {};
 
 /// West before east, south before north: the order of points in the sweep.
@@ -135,7 +135,7 @@ class Sweep {
     std::vector<Status::iterator> places_;
 };
 
-/// Of rings that do not meet: whether each hole is inside the outline and in no other hole.
+/// For rings that do not meet: whether each hole is inside the outline and in no other hole.
 bool nested_once(const Polygon& polygon) {
     for (const Ring& hole : polygon.holes) {
         if (!contains(polygon.outer, hole.front())) return false;

@@ -26,11 +26,11 @@ constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
 
 constexpr const char* k_crs_key = "perimeter-crs";
 
-constexpr double k_overlap_fraction = 1e-3;  // less results from separate digitising of neighbours
+constexpr double k_overlap_fraction = 1e-3;  // smaller overlaps result from separate digitising of neighbours
 
-constexpr std::size_t k_most_overlaps = 1'000'000;  // beyond it the layer is wrong as a whole
+constexpr std::size_t k_most_overlaps = 1'000'000;  // beyond it the whole layer is wrong
 
-constexpr std::size_t k_most_problems = 10;  // a layer of lines would fill the screen
+constexpr std::size_t k_most_problems = 10;  // a layer of lines would have one per feature
 
 /// Whether a layer can have areas: closed lines count, points do not.
 bool may_contain_areas(OGRLayer& layer) {

@@ -21,7 +21,7 @@ struct PolygonLayer {
     bool overlap = false;  ///< features overlap
 };
 
-/// What to read of a vector file; an empty text leaves the choice to the file.
+/// Options for reading a vector file; an empty text leaves the choice to the file.
 struct LayerChoice {
     std::string name;    ///< of the layer; empty: the only one with areas
     std::string filter;  ///< SQL condition on the attributes ("kind = 'release'")

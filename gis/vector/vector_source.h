@@ -21,7 +21,8 @@ struct VectorSource {
 
 VectorSource vector_source(const std::string& path, const std::string& where);
 
-/// Returns the problem of a source as Error(input); a refusal while it was read is the cause and comes first.
+/// Returns the problem of a source as Error(input); an access refused while it was read is the cause and is reported
+/// instead.
 Error vector_error(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy);
 
@@ -29,7 +30,7 @@ Error vector_error(const VectorSource& source, const std::string& what, const st
 /// it.
 GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours = false);
 
-/// Throws Error(input) if reading its features met a problem or a refusal.
+/// Throws Error(input) if reading its features caused a problem or a refused access.
 void require_sound(const GdalSession& session, const VectorSource& source,
                    const std::string& remedy = "Export it again");
 

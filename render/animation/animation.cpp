@@ -23,8 +23,8 @@ const Spec& with_fixed_scale(const Spec& base) {
     return base;
 }
 
-/// A value without a colour would disappear from the picture: no animation is better than one that hides the highest
-/// flow.
+/// A value without a colour would disappear from the picture: an animation that hides the greatest values is worse than
+/// none.
 void check_value(double value, const ColourScale& scale) {
     if (scale.categorical() || scale.find(value) != nullptr) return;
     throw Error(ErrorKind::input,

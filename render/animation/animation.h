@@ -16,8 +16,8 @@ namespace frana::render {
 class MapAnimator {
   public:
     /// The colour scale follows from the base's classes or maximum, else from its raster, ideally the maximum over
-    /// time; so does the window. Rasters and texts are copied or drawn here: nothing of `base` is kept. Throws as
-    /// draw_map, and Error(input) if nothing defines the scale.
+    /// time; so does the window. Rasters and texts are copied or drawn here: `base` may be destroyed afterwards. Throws
+    /// as draw_map, and Error(input) if nothing defines the scale.
     explicit MapAnimator(const MapSpec& base);
     ~MapAnimator();
     MapAnimator(MapAnimator&&) noexcept;

@@ -140,7 +140,7 @@ class MovieWriter::Encoder {
             // "animation" suits flat colours with sharp edges; at quality 20 letters have no visible blur.
             check(av_opt_set(codec_->priv_data, "preset", "veryfast", 0), "an animation's encoder refuses an option");
             check(av_opt_set(codec_->priv_data, "tune", "animation", 0), "an animation's encoder refuses an option");
-            // Without long look-ahead it needs a fifth of the memory, and flat pictures lose nothing.
+            // Without long look-ahead it needs a fifth of the memory, and flat pictures are as good.
             check(av_opt_set(codec_->priv_data, "x264-params",
                              "rc-lookahead=3:sync-lookahead=0:bframes=1:ref=2:cpu-independent=1", 0),
                   "an animation's encoder refuses an option");

@@ -120,7 +120,7 @@ double foot_height(const Drawing& drawing, const PageStyle& style, const std::ve
                    double width) {
     const std::vector<std::string> lines = drawing.wrapped(foot_text(parts), style.small, width);
     if (lines.empty()) return 0;
-    // The last line's descenders stay above the bottom.
+    // Keeps the last line's descenders above the bottom.
     return 0.3 * style.small.size_px + Drawing::line_height(style.small) * static_cast<double>(lines.size() - 1) +
            Lettering::capital_height(style.small) + style.gap / 2;
 }

@@ -39,7 +39,7 @@ struct LegendEntry {
     double lower = 0, upper = 0;  ///< bounds of the class; for a category both are its value
 };
 
-/// Where things were drawn, for tests and for placing further things on a map.
+/// Places of everything drawn, for tests and for placing further things on a map.
 struct MapLayout {
     PageBox page;
     PageBox map;                  ///< inside of the frame

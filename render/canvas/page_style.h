@@ -21,7 +21,7 @@ struct PageStyle {
     [[nodiscard]] double line(double at_full_size) const;
 };
 
-/// Ways of fitting more on a page, tried one after the other until everything fits.
+/// Ways of reducing the size of parts of a page, tried one after the other until everything fits.
 struct Crowding {
     double density = 1;          ///< of letters and gaps
     bool notes_at_foot = false;  ///< side notes at the foot of the page, where they need far less height than beside

@@ -16,7 +16,7 @@ class VtkErrors::Collector : public vtkOutputWindow {
     void DisplayText(const char* text) override { keep(text); }
     void DisplayErrorText(const char* text) override { keep(text); }
     void DisplayGenericWarningText(const char* text) override { keep(text); }
-    // Warnings and debug text are no errors of the picture.
+    // Warnings and debug texts are not errors of the picture.
     void DisplayWarningText(const char*) override {}
     void DisplayDebugText(const char*) override {}
 

@@ -9,9 +9,9 @@
 
 namespace frana::render {
 
-/// Collects VTK's messages during its lifetime: VTK reports an error as text and continues, so a wrong picture would
-/// look like success. Nothing reaches the terminal. A scope object: may be nested, must not outlive its block; messages
-/// go to the innermost.
+/// Collects VTK's messages during its lifetime: VTK reports an error as text and continues, so that a wrong picture
+/// would appear to be right. Nothing is written to the terminal. A scope object: may be nested, must not outlive its
+/// block; the innermost collects.
 class VtkErrors {
   public:
     VtkErrors();

@@ -53,7 +53,7 @@ struct Chart {
     bool alike = false;  ///< all panels have the first one's quantities, and kinds of series: named once for the page
 };
 
-/// Where things were drawn, for tests.
+/// Places of everything drawn, for tests.
 struct ChartLayout {
     std::vector<PageBox> panels;             ///< the insides of the frames
     std::vector<TextBox> texts;              ///< of a picture

@@ -16,7 +16,8 @@ struct Segment {
     Edge from, to;
 };
 
-/// Marching squares: where one level crosses the square of four centres whose upper left one is (row, column).
+/// Marching squares: the crossings of a level with the edges of the square of four centres whose upper left one is
+/// (row, column).
 class Squares {
   public:
     explicit Squares(const Raster& raster) : raster_(raster) {}
@@ -67,7 +68,7 @@ class Squares {
 
 /// Joins segments that share an edge into runs as long as possible.
 std::vector<std::vector<Edge>> joined(const std::vector<Segment>& segments) {
-    std::unordered_map<Edge, std::array<std::int64_t, 2>> at;  // which segments end on an edge
+    std::unordered_map<Edge, std::array<std::int64_t, 2>> at;  // segments ending on each edge
     for (std::size_t i = 0; i < segments.size(); ++i) {
         for (const Edge edge : {segments[i].from, segments[i].to}) {
             auto& ends = at.try_emplace(edge, std::array<std::int64_t, 2>{-1, -1}).first->second;

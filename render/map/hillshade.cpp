@@ -15,7 +15,7 @@ struct Light {
     double weight;
 };
 
-/// The north-west is the main light, as viewers expect; the others show slopes parallel to it.
+/// The main light is in the north-west, as viewers expect; the others show slopes parallel to it.
 constexpr std::array<Light, 4> k_lights{{{315, 42, 0.55}, {270, 45, 0.17}, {0, 45, 0.17}, {225, 50, 0.11}}};
 
 }  // namespace

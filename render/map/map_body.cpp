@@ -28,7 +28,7 @@ ReliefTones::ReliefTones(const Raster& shade) {
 }
 
 double ReliefTones::fit(std::vector<double>& values) {
-    // One cell in a hundred may be a cliff or a wall; it must not determine the tones of the rest.
+    // One cell in a hundred may be a cliff or a wall; these must not determine the tones of the others.
     const auto quantile = [&values](double fraction) {
         const auto place =
             values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));

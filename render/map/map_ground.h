@@ -12,9 +12,9 @@
 namespace frana::render {
 
 /// The parts of a map below and above its raster that do not depend on it: relief or picture, contour lines, outlines,
-/// frame and coordinates. They are most of a map's work.
+/// frame and coordinates. Drawing them is most of a map's work.
 struct MapGround {
-    /// Conditions for which it was drawn.
+    /// Parameters for which it was drawn.
     int width = 0, height = 0;
     double density = 1;
     MapFrame frame;

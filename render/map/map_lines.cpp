@@ -35,7 +35,7 @@ bool layer_lies_under(const PageBox& box, const MapFrame& frame, const Raster& l
     return false;
 }
 
-/// Where a contour's label of a given length fits: the straightest part free of everything else.
+/// Possible places of a contour's label of a given length: the straightest part free of everything else.
 class LabelPlaces {
   public:
     LabelPlaces(const PageStyle& style, const MapFrame& frame, const Raster* layer,
@@ -54,7 +54,7 @@ class LabelPlaces {
 
     void put(const Polyline& line, const std::string& words, const TextStyle& label, Sheet& sheet) {
         const double length = sheet.lettering().width(words, label), wanted = length + 1.2 * label.size_px;
-        double best_straight = 0.97;  // chord over arc; less looks placed across the line
+        double best_straight = 0.97;  // chord over arc; with less the label does not seem to follow the line
         std::optional<PageBox> best;
         TextStyle best_style = label;
         Point best_at;
@@ -116,7 +116,7 @@ class LabelPlaces {
         const double rim = style_.gap;
         const PageBox wide{box.left - rim, box.top - rim, box.right + rim, box.bottom + rim};
         if (!wide.inside(frame_.box())) return false;
-        // Labels of neighbouring lines stacked like rungs are worse than few labels.
+        // Labels of neighbouring lines one above the other are worse than few labels.
         const double apart = 5 * style_.gap;
         const PageBox lonely{box.left - apart, box.top - apart, box.right + apart, box.bottom + apart};
         if (std::any_of(occupied_.begin(), occupied_.end(), [&](const PageBox& t) { return lonely.overlaps(t); }))

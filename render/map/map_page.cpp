@@ -112,7 +112,7 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         const double column_width =
             std::clamp(step * std::ceil(wanted / step), k_least_of_page * page.width(), k_most_of_page * page.width());
         const double band = tick_band(style), graticule_band = spec.longitude_latitude ? band : 0;
-        // The contours' interval is determined later; any needs about the same room.
+        // The contours' interval is determined later; every interval needs about the same room.
         const auto foot_parts = [&](double interval) {
             const std::string remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
             std::vector<std::string> parts = notes_at_foot ? spec.side_notes : nothing;

@@ -52,7 +52,7 @@ struct ViewSpec {
     std::optional<Camera> camera;  ///< default: from the front of the flow, obliquely uphill
 };
 
-/// Where things of a view were drawn.
+/// Places of the parts of a view.
 struct ViewLayout {
     PageBox page;
     PageBox picture;             ///< area of the terrain

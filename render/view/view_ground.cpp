@@ -130,7 +130,7 @@ std::vector<std::uint8_t> ViewGround::colours(const Raster* layer, const ColourS
             std::uint8_t* p =
                 bytes.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(texture_columns_) +
                                     static_cast<std::size_t>(column));
-            // Where the relief is dark the colour is darkened too, but less, to resemble that of the legend.
+            // On dark relief the colour is darkened too, but less, to resemble that of the legend.
             constexpr double k_least_light = 0.88;
             const double light =
                 std::clamp(k_least_light + (1 - k_least_light) * (p[1] - 138) / 90.0, k_least_light, 1.0);

@@ -207,7 +207,7 @@ class ViewScene::Parts {
         renderer_->AddActor(actor);
     }
 
-    /// Builds walls from the edge of the terrain down to a common floor, so that it looks cut and not torn.
+    /// Builds walls from the edge of the terrain down to a common floor, so that its edge is a clean cut.
     void build_walls() {
         const GridSpec& grid = ground_.heights().grid;
         const Bounds box = grid.bounds();
@@ -239,8 +239,8 @@ class ViewScene::Parts {
             vtkNew<vtkActor> actor;
             actor->SetMapper(mapper);
             colour(*actor, along_row ? Rgb{186, 179, 170} : Rgb{168, 161, 152});
-            // Terrain whose data touch the rectangle's side only in places is irregular anyway; a fragment of wall
-            // looks odd.
+            // Terrain whose data reach the rectangle's side only in places is irregular anyway; no fragment of a wall
+            // is drawn.
             if (cells->GetNumberOfCells() > count / 5) renderer_->AddActor(actor);
         }
     }

@@ -127,8 +127,8 @@ class ViewSession::Scene {
         first_camera_ = layout_.camera;
     }
 
-    // From behind a slope or below it a given camera would show the ground's other side: raises it until half of the
-    // flow is visible.
+    // From behind a slope or below it a given camera would show the ground from below: raises it until half of the flow
+    // is visible.
     void raise_over_ground(const std::vector<ScenePoint>& flow, double aspect) {
         constexpr double k_steepest_deg = 85, k_raise_deg = 5;
         const std::size_t step = std::max<std::size_t>(1, flow.size() / 200);
