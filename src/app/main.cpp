@@ -51,7 +51,7 @@ constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_chec
                                   {"converge", cmd_converge}, {"ensemble", cmd_ensemble}, {"bench", cmd_bench}};
 
 int dispatch(Arguments words) {
-    // Decided by the user who starts the program, never by a scene.
+    // Only the user who starts the program can allow it, never a scene.
     if (std::erase(words, "--allow-network") > 0) gis::allow_network();
     const bool quiet = std::any_of(words.begin(), words.end(),
                                    [](const std::string& word) { return word == "--quiet" || word == "-q"; });
@@ -86,7 +86,7 @@ int report(const Error& error) {
         std::cerr << "frana: " << describe(problems.front()) << '\n';
     } else {
         std::cerr << "frana: " << problems.size() << " problems:\n";
-        // One per feature: ten thousand would push the first, which are as informative, off the screen.
+        // One per feature: with ten thousand, the first, which are as informative, would scroll off the screen.
         constexpr std::size_t k_printed = 50;
         for (std::size_t i = 0; i < std::min(problems.size(), k_printed); ++i)
             std::cerr << "  - " << describe(problems[i]) << '\n';
@@ -128,12 +128,12 @@ int main(int count, char** words) {
              frana::Problem{"out of memory", "", "", frana::app::bytes_text(bound.bytes) + ", which " + bound.what,
                             frana::system_remedy(ENOMEM)}});
     } catch (const std::filesystem::filesystem_error& error) {
-        // An impossible path is invalid input, whatever was done with it.
+        // An impossible path is invalid input, whatever it was used for.
         const bool word = error.code() == std::errc::filename_too_long || error.code() == std::errc::invalid_argument;
         return frana::app::report({word ? frana::ErrorKind::input : frana::ErrorKind::environment,
                                    frana::Problem{error.code().message(), error.path1().string(), "", "",
                                                   word ? "" : frana::system_remedy(error.code().value())}});
-    } catch (const std::system_error& error) {  // a thread that could not be created
+    } catch (const std::system_error& error) {  // a thread could not be created
         return frana::app::report(
             {frana::ErrorKind::environment,
              frana::Problem{error.code().message(), "the system", "", "", frana::system_remedy(error.code().value())}});

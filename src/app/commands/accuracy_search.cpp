@@ -13,13 +13,14 @@
 namespace frana::app {
 namespace {
 
-// With fewer cells across, a release flows unlike itself.
+// With fewer cells across, the flow of a release differs too much.
 constexpr double k_least_cells = 9;
-// Whole numbers of cells: their means of the terrain are all made alike. Each has its half and its double, near 4 h.
+// Whole numbers of cells, so that the means of the terrain are all made alike. Each has its half and its double, near 4
+// h.
 constexpr int k_factors[] = {24, 16, 12, 8, 6, 4, 3, 2};
 constexpr int k_coarsest_inflow = 8;
 
-/// What first order would leave of each error on cells half as large.
+/// Whether each error is within its limit if first-order convergence halves it on cells half as large.
 bool halving_suffices(const std::vector<ValueEstimate>& estimates) {
     return std::all_of(estimates.begin(), estimates.end(),
                        [](const ValueEstimate& e) { return e.is_zero || e.error / 2 <= e.allowed; });

@@ -11,11 +11,11 @@
 
 namespace frana::app {
 
-/// How a level's scene is run: to its end, or until a signal stops it.
+/// Runs a level's scene to its end, or until a signal stops it.
 using RunLevel = std::function<RunResult(const Scene&)>;
 
 /// Cell sizes of the coarser levels [m], coarsest first: 24, 16, 12, 8, 6, 4, 3 and 2 times the scene's own, beginning
-/// with the first that puts at least nine cells on the release; without a release, with 8 times.
+/// with the first that has at least nine cells across the release; without a release, with 8 times.
 std::vector<double> coarse_cell_sizes(const Prepared& finest);
 
 /// The scene on larger cells over the same ground; its identity for --resume is unchanged. Throws Error(input) if the
@@ -34,8 +34,8 @@ AccuracyLevel level_of(const RunResult& result, const Prepared& level, const Ras
 
 /// Chooses the cell size for a scene with numerics.accuracy: computes coarser levels, coarsest first, until the
 /// estimated errors of all reported_values() are within the requested accuracy. Chooses the scene's own cells only if
-/// half the remaining errors, as a first-order method would leave, are within it, or if there are too few coarser
-/// levels for an estimate. Skips a level that fails. Writes nothing. Returns nothing if a signal stopped it.
+/// half the remaining errors, as for a first-order method, are within it, or if there are too few coarser levels for an
+/// estimate. Skips a level that fails. Writes nothing. Returns nothing if a signal stopped it.
 std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Prepared& finest, const RunLevel& run,
                                            RunLog& log);
 

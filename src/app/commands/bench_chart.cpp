@@ -31,7 +31,7 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
     for (const bench::AccuracyRow& row : rows) {
         if (row.case_name != name || row.scheme != scheme) continue;
         const double error = momentum ? row.statistics.l1_momentum : row.statistics.l1_depth;
-        // At rest up to rounding: would only stretch the axis.
+        // Zero except for rounding: would only stretch the axis.
         constexpr double k_nothing = 1e-18;
         if (error > k_nothing) series.points.push_back({row.statistics.wall_seconds, error});
     }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* k_csv = "estimate.csv";
 
-/// What all levels up to one say of it, against the finest.
+/// Estimates from all levels up to one, and true changes against the finest.
 struct LevelCheck {
     double cell_size = 0;
     double seconds = 0;  ///< of this level and all coarser ones, and of this one again as the result
@@ -31,7 +31,7 @@ struct LevelCheck {
     std::vector<double> changes;  ///< |value - finest's|, as estimates
 
     [[nodiscard]] bool contains(std::size_t i) const { return changes[i] <= estimates[i].error; }
-    /// Of those that are not zero on all levels.
+    /// Number of values that are not zero on all levels.
     [[nodiscard]] std::size_t estimated() const {
         std::size_t count = 0;
         for (const ValueEstimate& e : estimates) count += e.is_zero ? 0 : 1;

@@ -22,7 +22,7 @@ class BenchOutput {
         return (std::filesystem::path(folder_) / name).string();
     }
     [[nodiscard]] const std::vector<std::string>& files() const noexcept { return files_; }
-    /// Call before the first is written.
+    /// Call before the first file is written.
     void begin() const { begin_own(folder_, files_); }
     /// Call after the last.
     void list() const { record_files(files_); }
@@ -34,7 +34,7 @@ class BenchOutput {
 
 /// Returns the output of --out, if given; the folder is made before anything is computed, so that an invalid one is
 /// reported first.
-/// @param inputs files that must not be among them
+/// @param inputs files that must not be among the outputs
 /// Throws Error(input) if a file would replace one that frana did not write, Error(environment).
 std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
                                         const std::vector<const char*>& names,

@@ -93,8 +93,8 @@ void print_site(const Scene& scene) {
     std::printf("\nWalls on %s cells\n", grouped(walls).c_str());
 }
 
-/// What numerics.accuracy may compute before the scene's own cells; cost as the third power of the cells' number a
-/// side.
+/// Prints the levels that numerics.accuracy may compute before the scene's own cells; cost as the third power of the
+/// number of cells per side.
 void print_levels(const Prepared& prepared, const std::optional<TimeEstimate>& trial) {
     if (!prepared.spec.numerics.accuracy) return;
     const double own = prepared.scene.grid.cell_size;
@@ -155,7 +155,7 @@ int cmd_check(const Arguments& arguments) {
     }
     SceneReading reading =
         read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
-    // Whether an existing result may be replaced is decided when the scene is run.
+    // Whether an existing result may be replaced is checked when the scene is run.
     const auto out = text_option(*values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));
     const std::optional<Problem> place_problem = check_result_directory(

@@ -50,7 +50,7 @@ CommandForm converge_form() {
     return form;
 }
 
-/// One resolution's values and cost.
+/// Values and cost at one resolution.
 struct Level {
     double cell_size = 0;
     std::int64_t particles = 0, steps = 0;
@@ -119,7 +119,7 @@ std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) 
     return json_text(json);
 }
 
-/// The table a person reads, and the sentences kept for later runs.
+/// The table for the terminal, and the sentences stored for later runs.
 std::string table_text(const std::vector<Level>& levels) {
     char line[160];
     std::string text =
@@ -152,7 +152,7 @@ std::string sentences(const std::vector<Level>& levels) {
            "the estimate is a caution\n";
 }
 
-/// Distance of each level's values from their extrapolated values, over those, against the cell size.
+/// Difference of each level's values from their extrapolated values, relative to those, against the cell size.
 render::Image chart_of(const std::vector<Level>& levels) {
     render::Chart chart{"Convergence",
                         "distance from the extrapolated value, if a value converges; otherwise from the finest",
@@ -228,7 +228,7 @@ int cmd_converge(const Arguments& arguments) {
     const bool quiet = values->count("quiet") > 0;
     const std::string file = (*values)["operand"].as<std::string>();
 
-    // Every level is read before any is computed: all problems at once, nothing half done.
+    // Every level is read before any is computed: all problems are reported at once, and no study stops half-way.
     SceneVariants variants(file, text_options(*values, "set"), threads, quiet);
     std::vector<Prepared> scenes;
     scenes.push_back(variants.read({}));

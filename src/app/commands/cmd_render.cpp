@@ -175,7 +175,7 @@ void make_folder(const std::string& folder) {
     }
 }
 
-/// Reports to the user, and to the result that contains the files.
+/// Logs the files for the user, and lists them in the result that contains them.
 void log_written(const std::vector<std::string>& files) {
     record_files(files);
     for (const std::string& file : files) std::cout << file << '\n';

@@ -56,7 +56,7 @@ CommandForm run_form() {
 
 ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
     switch (result.stop_reason) {
-        // The map ends where the terrain does: a script must not treat it as complete.
+        // The map ends at the edge of the terrain: a script must not treat it as complete.
         case StopReason::reached_no_data:
         case StopReason::non_finite:
         case StopReason::impossible_speed:
@@ -106,7 +106,7 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     }
 }
 
-// Adds to the problem what can be saved of a run stopped by the disk.
+// Adds to the problem the parts that can be saved of a run stopped by the disk.
 [[noreturn]] void explain_problem(const Error& error, const std::string& folder) {
     if (error.kind() != ErrorKind::environment) throw error;
     std::vector<Problem> problems = error.problems();
@@ -121,7 +121,7 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     throw Error(error.kind(), problems);
 }
 
-// Frames that the disk could not store before.
+// Adds the frames that the disk could not store before.
 void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& frames) {
     const auto complete = [&](Raster& raster) {
         StateReader::require(raster.values.size() == static_cast<std::size_t>(grid.cell_count()));
@@ -152,8 +152,8 @@ std::vector<std::string> overrides(const boost::program_options::variables_map& 
     return all;
 }
 
-// Puts the scene on the cells that numerics.accuracy asks for: those that an interrupted run had chosen, or by coarser
-// runs. None: a signal stopped it.
+// Chooses the scene's cells for numerics.accuracy: those that an interrupted run had chosen, or by coarser runs. None:
+// a signal stopped it.
 std::optional<AccuracyRecord> put_on_cells(const SceneReading& reading, const CheckpointFile* from, int threads,
                                            bool quiet, Prepared& prepared, RunLog& log) {
     const SceneVariants runs(reading.scene.file, {}, threads, quiet);
@@ -164,12 +164,12 @@ std::optional<AccuracyRecord> put_on_cells(const SceneReading& reading, const Ch
         record = choose_cells(
             reading, prepared, [&](const Scene& scene) { return runs.run(scene); }, log);
     }
-    RunLog silent(true);  // all of it was said of the scene's own cells
+    RunLog silent(true);  // messages were given for the scene's own cells
     if (record && !record->is_finest()) prepared = prepare_level(reading, prepared, record->chosen_cell_size, silent);
     return record;
 }
 
-// With what the run adds: the finest level itself. None where the run did not come to its end.
+// Completes the record with the finest level, from the run. None if the run did not end.
 std::optional<AccuracyRecord> completed_record(const std::optional<AccuracyRecord>& before, const Prepared& prepared,
                                                const RunResult& result) {
     if (!before || result.stop_reason == StopReason::requested || !result.run_problems.empty()) return std::nullopt;
@@ -236,7 +236,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
         publish({prepared, result, session.threads, session.input_seconds, session.earlier_seconds, session.since_start,
                  accuracy ? &*accuracy : nullptr},
                 directory, frames, log);
-    // An exit code other than 0 leaves what --resume needs to complete the run.
+    // An exit code other than 0 keeps everything that --resume needs to complete the run.
     const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
     const int code =
         stopped ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result, pictures));
@@ -244,7 +244,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const std::vector<Problem> of_the_older =
         directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
     if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
-    // That of a study is of the scene's own cells.
+    // The estimate of a study applies to the scene's own cells.
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !session.accuracy)
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());

@@ -19,7 +19,7 @@ namespace options = boost::program_options;
 
 namespace {
 
-/// An empty word, from an unset variable of a script, would replace the intended folder or file.
+/// An empty argument, from an unset variable of a script, would replace the intended folder or file.
 void refuse_empty_words(const options::variables_map& values, const CommandForm& form) {
     Problems problems;
     const auto check = [&](const std::string& name, const std::string& word) {

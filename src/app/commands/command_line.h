@@ -21,7 +21,7 @@ struct CommandForm {
     bool repeats = false;  ///< the positional argument may be given more than once
 };
 
-/// Reads the arguments of a command. None: help was requested and printed, nothing else is to be done. Throws
+/// Reads the arguments of a command. None: help was requested and printed, and nothing else is to be done. Throws
 /// Error(input) for anything not in the form, or if the operand is missing.
 std::optional<boost::program_options::variables_map> parse_arguments(const CommandForm& form,
                                                                      const std::vector<std::string>& arguments);

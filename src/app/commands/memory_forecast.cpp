@@ -26,9 +26,9 @@ constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart
 constexpr std::int64_t k_computing_bytes = 22'000'000;
 // Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
 constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
-// Of a large map's cells, in all rasters together, where nothing is stored.
+// Per cell of a large map, in all rasters together, where nothing is stored.
 constexpr std::int64_t k_table_millibytes = 100;
-// Particles split where the flow spreads thin; a trial without splitting does not predict it.
+// Particles split where the flow is thin; a trial without splitting does not predict it.
 constexpr double k_unseen_growth = 1.5;
 
 std::int64_t pixels(Size size) {
@@ -39,7 +39,7 @@ bool draws_maps(const Prepared& prepared) {
     return prepared.spec.output.maps.front() != "off";
 }
 
-// Returns what publish() draws.
+// Returns the pictures that publish() draws.
 Drawing drawing_of(const Prepared& prepared, std::int64_t cells) {
     const OutputSpec& output = prepared.spec.output;
     const Size page = size_from_text(output.map_size).value_or(Size{});
@@ -81,7 +81,7 @@ std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunE
     return in_use + k_computing_bytes + tables + std::max({engine, writing, drawing});
 }
 
-// Nothing moves faster than its fall: a step is at least the time to cross a cell at that speed plus the waves'.
+// No speed exceeds that of free fall: a step is at least the time to cross a cell at that speed plus the waves'.
 double most_steps(const Prepared& prepared, const RunEstimate& expected) {
     const Scene& scene = prepared.scene;
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
@@ -125,8 +125,8 @@ std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const 
 }
 
 std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected) {
-    if (prepared.scene.terrain.values.is_tiled()) return std::numeric_limits<std::int64_t>::max();  // nobody knows
-    // The number that merging leaves in every cell of the map.
+    if (prepared.scene.terrain.values.is_tiled()) return std::numeric_limits<std::int64_t>::max();  // no bound is known
+    // Particles that merging leaves in every cell of the map.
     constexpr std::int64_t k_crowd = 3;
     const std::int64_t crowded =
         prepared.scene.structured

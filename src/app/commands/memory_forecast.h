@@ -22,7 +22,7 @@ std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const 
 /// [bytes].
 std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected);
 
-/// What is drawn, as far as it affects memory.
+/// Properties of pictures that affect memory.
 struct Drawing {
     Size page{};  ///< of maps, views and charts; 0: none
     bool maps = true, views = false;

@@ -23,7 +23,7 @@ void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepa
 /// The same for a run whose memory is known [bytes].
 void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared);
 
-/// Throws Error(input) if pictures that need so much besides the memory in use exceed the memory available.
+/// Throws Error(input) if pictures that need this much besides the memory in use exceed the memory available.
 void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size);
 
 }  // namespace frana::app

@@ -57,7 +57,7 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
 std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
                                           const RunEstimate& start, int threads) try {
     if (prepared.scene.structured) return std::nullopt;                 // it counts particle steps
-    if (prepared.scene.terrain.values.is_tiled()) return std::nullopt;  // larger cells would take all of the DTM
+    if (prepared.scene.terrain.values.is_tiled()) return std::nullopt;  // larger cells would cover the whole DTM
     const GridSpec& grid = prepared.scene.grid;
     const bool large = prepared.release.area_m2 >= k_least_cells * 64 * grid.cell_area();
     const int factor = large ? 4 : 2;
@@ -75,7 +75,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     estimate.coarsening = use_fine ? factor : 2 * factor;
     estimate.trial_end = base.reached;
     estimate.cut_short = base.cut_short;
-    // With few particles each is expensive (the trial), and so are the first steps (the scene itself).
+    // With few particles each is expensive (as in the trial), and so are the first steps (of the scene itself).
     const double start_cost =
         start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);
     estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *

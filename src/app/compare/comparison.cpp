@@ -59,7 +59,7 @@ PathRunout path_runout(const ComparisonInput& input, const ComparedFlow& flow) {
         flow.observed_end.horizontal_m > flow.simulated_end.horizontal_m ? flow.observed_end : flow.simulated_end;
     Raster depth = input.depth;
     flow.observed.values.for_each_stored([&](std::size_t cell, double inside) {
-        // Surveyed area without flow is preferred to area that nothing touched.
+        // A path over surveyed area without flow is preferred to one over area outside both.
         if (inside != 0 && !(input.depth.values[cell] > input.threshold)) depth.values[cell] = input.threshold;
     });
     const Polyline path = flow_path(depth, farthest.top, farthest.tip);

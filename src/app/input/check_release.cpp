@@ -13,12 +13,12 @@
 namespace frana::app {
 namespace {
 
-// A few cells show where the problem is; all would hide the message.
+// A few cells suffice to locate the problem; all would hide the message.
 constexpr int k_cells_named = 5;
 
 // The largest known releases are some hundred metres thick.
 constexpr double k_most_thickness = 2000;
-// Thinner is no mass; at far smaller values volume and depths underflow.
+// Less is not a mass; at far smaller values volume and depths underflow.
 constexpr double k_least_thickness = 1e-6;
 
 /// Counts the covered cells that satisfy a test, and lists the first few by row, column and coordinates.
@@ -98,7 +98,8 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
     return areas;
 }
 
-/// More than any landslide's thickness: a raster of elevations, nodata that no file declares, a volume in other units.
+/// Refuses a thickness greater than that of any landslide: a raster of elevations, nodata that no file declares, a
+/// volume in other units.
 void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
                     const Raster& cover, Problems& problems) {
     const auto refuse_beyond = [&](double thickness, const std::string& key) {

@@ -27,7 +27,7 @@ class Checksum {
         add(static_cast<double>(text.size()));
         add_bytes(text.data(), text.size());
     }
-    /// Of what is stored of it.
+    /// Adds the stored cells of a raster.
     void add(const Raster& raster) {
         raster.values.for_each_run([this, &raster](std::size_t first, const double* values, std::size_t count) {
             if (raster.values.is_tiled()) add(static_cast<double>(first));

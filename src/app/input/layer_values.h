@@ -12,8 +12,8 @@ namespace frana::app {
 /// Returns the working CRS; geographic coordinates if the terrain is missing, so that a file is still checked.
 std::string target_crs(const SceneReading& reading, const TerrainInput* ground);
 
-/// Returns the value of `key` for one feature of a vector layer: the scene's number, or the feature's in the column it
-/// names, checked against the key's limits. None, with a problem added, if there is no such number.
+/// Returns the value of `key` for one feature of a vector layer: the scene's number, or the feature's value in the
+/// column named by the key, checked against the key's limits. None, with a problem added, if there is no such number.
 std::optional<double> value_of(const SceneReading& reading, const std::string& key, const SourceSpec& source,
                                const gis::PolygonLayer& layer, std::size_t feature, Problems& problems);
 

@@ -25,7 +25,7 @@ struct Prepared {
     std::vector<UsedFile> files;                  ///< all files read
     double convergence_deg = 0;                   ///< true north from grid north at the grid's centre, clockwise
     std::map<std::string, std::string> resolved;  ///< values chosen by frana for keys not given
-    /// What --resume knows the data by, where numerics.accuracy has chosen another grid than the scene's own; else
+    /// Identity of the data for --resume, if numerics.accuracy has chosen another grid than the scene's own; else
     /// empty.
     std::vector<std::string> identity;
 };

@@ -23,9 +23,9 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
 std::vector<ReleaseArea> areas_of_raster(const SceneReading& reading, const gis::PolygonLayer& layer,
                                          const Raster& thickness, Problems& problems);
 
-/// Returns one area per feature, down to a slip surface fitted to it: of the depth release.slip-depth, or of that which
-/// gives release.volume; a volume for several polygons is divided over similar surfaces, their depths proportional to
-/// the square roots of their areas. Logs shape and depth of each.
+/// Returns one area per feature, down to a slip surface fitted to it: of the depth release.slip-depth, or of the depth
+/// that gives release.volume; a volume for several polygons is divided over similar surfaces, their depths proportional
+/// to the square roots of their areas. Logs shape and depth of each.
 std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, const gis::PolygonLayer& layer,
                                                    const Raster& ground, RunLog& log, Problems& problems);
 

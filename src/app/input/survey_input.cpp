@@ -127,7 +127,7 @@ UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::s
     try {
         info = gis::inspect_raster(file, where);
     } catch (const Error&) {
-        info.reset();  // polygons, then
+        info.reset();  // polygons: read by the next call
     }
     if (!info) {
         const gis::PolygonLayer layer = gis::read_polygons(file, grid.crs_wkt, where);

@@ -14,7 +14,7 @@
 namespace frana::app {
 
 /// An input file of a scene, for the tables of the check and of the report, and for the comparison by --resume. Made
-/// from what was read of it. Texts may contain line breaks.
+/// from the data read. Texts may contain line breaks.
 struct UsedFile {
     std::string role;  ///< "Release perimeter"
     std::string path;

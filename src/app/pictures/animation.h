@@ -25,7 +25,8 @@ struct AnimationSource {
     std::string quantity;  ///< "depth", "velocity" or "particles"
 };
 
-/// Returns that of a result, with its frames of "depth", "velocity" or "particles". Throws Error(input) if it has none.
+/// Returns the source for a result, with its frames of "depth", "velocity" or "particles". Throws Error(input) if it
+/// has none.
 AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity);
 
 /// An animation; 2-D or 3-D, of one result or of two beside each other (with the colours, the window and the camera of
@@ -39,7 +40,7 @@ struct AnimationRequest {
     std::function<bool()> stop_requested = {};  ///< polled before every frame; empty: never
 };
 
-/// Returns the files of an animation of so many frames.
+/// Returns the files of an animation of a number of frames.
 std::vector<std::string> animation_files(const std::string& path, std::size_t frames);
 /// Returns whether a file of this name is one of those in a folder of pictures.
 bool is_animation_picture(const std::string& name);

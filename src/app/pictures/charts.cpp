@@ -234,7 +234,7 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     const auto table = [&](const std::string& name, const auto& draw) {
         if (!result.has(name)) return;
         try {
-            // Without a row nothing flowed, or no line was found.
+            // A table without rows means no flow, or no line found.
             if (has_rows(result.path(name))) draw(Columns(result.path(name)));
         } catch (const Error& error) {
             problems.add(error);
@@ -265,7 +265,7 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
 
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder) {
     std::vector<std::string> files;
-    Problems drawn_later;  // and reported then
+    Problems drawn_later;  // repeated and reported at that time
     for (const NamedChart& one : result_charts(result, source, drawn_later)) {
         const auto more = picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
         files.insert(files.end(), more.begin(), more.end());

@@ -8,7 +8,7 @@
 
 namespace frana::app {
 
-/// A raster of any program with the known facts for its map.
+/// A raster of any program with its known properties for a map.
 struct ForeignMap {
     MapSource source;
     MapLayer layer;
@@ -16,7 +16,7 @@ struct ForeignMap {
 
 /// Reads a raster (square cells, north up, in metres; no flow where 0 and nodata) and the terrain to draw it on, which
 /// may have other cells and another CRS. `unit` is used if the file names none; values that are not `above` a limit are
-/// left out, with a note on the map (some programs leave a film of almost nothing everywhere). Throws Error(input).
+/// omitted, with a note on the map (some programs leave tiny depths everywhere). Throws Error(input).
 ForeignMap read_foreign_map(const std::string& file, const std::optional<std::string>& dtm,
                             const std::optional<std::string>& unit, const std::optional<double>& above);
 

@@ -74,7 +74,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
         for (const gis::NamedClass& one : text.classes)
             layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
         layer.notes = class_areas(layer);
-        if (kind == "hazard")  // a map is passed on without its log
+        if (kind == "hazard")  // on the map itself, since maps are passed on without the log
             layer.notes.insert(layer.notes.begin(), {"Intensity of one scenario,", "not a hazard level"});
     }
     return layer;

@@ -23,8 +23,8 @@ struct MapLayer {
     bool is_surface = false;           ///< thickness: a view shows the surface of the flow
     std::optional<double> time;        ///< of a raster at one instant [s]
     std::string source;                ///< "max_depth.tif, band 1"
-    std::vector<std::string> notes;    ///< beside the map, below the result's own
-    bool notes_alone = false;          ///< without those of the result
+    std::vector<std::string> notes;    ///< beside the map, below those of the result
+    bool notes_alone = false;          ///< omits those of the result
 };
 
 /// Reads the first band of a raster. How it is drawn depends on the known names of frana's own files and on the file's

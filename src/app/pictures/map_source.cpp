@@ -44,7 +44,7 @@ std::string time_words(double seconds) {
     return "t = " + number_text(seconds, 6) + " s";
 }
 
-/// Map and view have the same furniture.
+/// Map and view have the same legend and texts.
 template <class Spec>
 Spec furnished(const MapSource& source, const MapLayer& layer) {
     Spec spec;
@@ -135,7 +135,7 @@ std::vector<std::string> map_notes(const MapFacts& facts) {
                       "Angle of reach " + number_text(run_out.reach_angle_deg, 3) + "°"});
         if (flows > 1) notes.push_back("(longest of " + std::to_string(flows) + " flows)");
     }
-    // Warnings on the map itself: it is passed on without its log.
+    // Warnings on the map itself, since maps are passed on without the log.
     if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
     if (facts.volume_left > 0) notes.push_back(grouped(facts.volume_left) + " m³ left the map");
     return notes;

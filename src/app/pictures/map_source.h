@@ -63,7 +63,7 @@ struct MapSource {
     MapStyle style;
 };
 
-/// Returns a page's title: the result's own title, shortened if long, and what is shown.
+/// Returns a page's title: the result's own title, shortened if long, and the quantity shown.
 std::string page_title(const MapSource& source, const std::string& shown);
 /// Returns sources of data and author, shortened if long.
 std::string page_attribution(const MapSource& source);

@@ -7,14 +7,14 @@
 
 namespace frana::app {
 
-/// A quantity that particles are coloured by, as --map names it.
+/// A quantity for the colours of particles, by its name in --map.
 struct ParticleQuantity {
     const char* name;
     const char* attribute;  ///< in their files
     const char* colours;    ///< raster of the frames whose colours they have
     const char* title;
 };
-/// Null if the name is none of them.
+/// Null for other names.
 const ParticleQuantity* find_particle_quantity(const std::string& name);
 
 /// Returns the particles of a frame, a file particles_NNNN.gpkg of a result, valued by a quantity, the greatest values

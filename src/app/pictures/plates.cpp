@@ -22,7 +22,7 @@ namespace {
 constexpr const char *k_initial_state = "initial_state", *k_snapshots = "snapshots", *k_stresses = "stresses",
                      *k_comparison = "comparison";
 
-/// Draws a map without the parts that a plate has once for all.
+/// Draws a map without the parts that a plate has only once.
 render::Image lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
                        int height) {
     render::MapSpec spec = map_spec(source, layer);

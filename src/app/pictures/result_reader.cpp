@@ -54,7 +54,7 @@ Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
                     "up to " + std::to_string(known), "Update frana"}};
 }
 
-// Results without a format are older than formats.
+// Results without a format number were written before formats had one.
 void refuse_newer_summary(const std::string& path) {
     const std::optional<Json> json = read_json_file(path);
     const auto format = json ? value_in<std::int64_t>(*json, "/format") : std::nullopt;
@@ -272,7 +272,7 @@ MapStyle ResultReader::style() const {
     return style;
 }
 
-/// Places and lines of the run; files that no longer exist are left out.
+/// Places and lines of the run; files that no longer exist are omitted.
 std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) const {
     constexpr Rgb k_zones{110, 70, 20}, k_obstacles{90, 90, 90}, k_lines{70, 50, 120}, k_gauges{150, 0, 60};
     std::vector<render::Outline> all;

@@ -14,7 +14,7 @@
 
 namespace frana::app {
 
-/// A result directory, read from its files alone. Parts missing in an older or foreign result are left out; an
+/// A result directory, read from its files alone. Parts missing in an older or foreign result are omitted; an
 /// unfinished run has its terrain and its frames so far.
 class ResultReader {
   public:
@@ -42,17 +42,16 @@ class ResultReader {
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const;
     /// Returns the names of the run's rasters that can be drawn; terrain and bed are under all maps and not included.
     [[nodiscard]] std::vector<std::string> drawable() const;
-    /// As listed at the first call, at least one: of an unfinished run without those that come later. Throws
-    /// Error(input).
+    /// As listed at the first call, at least one; for an unfinished run those written so far. Throws Error(input).
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;
     /// Whether its run is unfinished: it has frames, no maxima, and no summary, which comes last.
     [[nodiscard]] bool under_way() const { return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list); }
-    /// Whether it is what many runs say together (`frana ensemble`).
+    /// Whether it is the combined result of many runs (`frana ensemble`).
     [[nodiscard]] bool is_of_study() const;
-    /// Of a raster of the frames: the maximum over time; if no max_NAME.tif gives it, over the frames so far. Throws
-    /// Error(input).
+    /// The maximum over time of a raster of the frames: max_NAME.tif, or else the greatest values of the frames so far.
+    /// Throws Error(input).
     [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;
-    /// Of its rasters, from the first of them.
+    /// The grid of its rasters, from the first of them.
     [[nodiscard]] const GridSpec& grid() const;
 
     /// Returns the common data of all maps; terrain and outlines only if the result has them.

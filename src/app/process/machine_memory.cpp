@@ -40,8 +40,8 @@ double limit_in(const fs::path& file) {
     return in >> value && value < 0x1p60 ? value : k_none;
 }
 
-// Returns what a group may still allocate: its limit minus its usage, without the files cached in memory, which are
-// released.
+// Returns the memory that a group may still allocate: its limit minus its usage, without the files cached in memory,
+// which are released.
 double room_in(const fs::path& group, const char* limit_file, const char* usage_file, const char* prefix) {
     const double limit = limit_in(group / limit_file);
     if (limit == k_none) return k_none;

@@ -18,8 +18,7 @@ struct MemoryBound {
 MemoryBound machine_memory(const std::string& root = "/");
 
 /// Returns the addresses that this process may still map, whether it touches them or not [bytes]: the shell's limits
-/// (ulimit -v, -d), and what the system grants where it promises no more than it has (vm.overcommit_memory = 2).
-/// Infinity: any.
+/// (ulimit -v, -d), and the system's where it grants no more than it has (vm.overcommit_memory = 2). Infinity: any.
 double address_room(const std::string& root = "/");
 
 /// Returns the memory in use by this process [bytes].

@@ -43,7 +43,7 @@ std::string error_text(const ValueEstimate& estimate) {
     return number_text(estimate.percent(), 2) + " %";
 }
 
-/// Which ground the result's cells stand on.
+/// States the cell size of the result and of its terrain.
 std::string cells_sentence(const AccuracyRecord& record) {
     std::string text = "the result is on cells of " + cells(record.chosen_cell_size);
     if (record.is_finest()) text += ", the scene's own";
@@ -53,7 +53,7 @@ std::string cells_sentence(const AccuracyRecord& record) {
     return text;
 }
 
-/// "all 6 values", and of how many there is no estimate.
+/// "all 6 values", and the number of values without an estimate.
 std::string claimed_values(const std::vector<ValueEstimate>& estimates) {
     const auto zeros =
         std::count_if(estimates.begin(), estimates.end(), [](const ValueEstimate& e) { return e.is_zero; });

@@ -16,13 +16,13 @@ struct AccuracyLevel {
     double cell_size = 0;  ///< [m]
     std::int64_t particles = 0, steps = 0;
     double wall_seconds = 0;       ///< time of the engine
-    double curvature = 0;          ///< ground_curvature where the flow was, on this level's terrain [1/m]
+    double curvature = 0;          ///< ground_curvature under the flow, on this level's terrain [1/m]
     double finest_curvature = 0;   ///< the same on the finest terrain [1/m]
     std::vector<RunValue> values;  ///< empty if there is a `problem`
-    std::string problem;           ///< why there are no values
+    std::string problem;           ///< reason why there are no values
 };
 
-/// The cell size chosen for numerics.accuracy and the levels that led to it. Estimates are computed from it, not
+/// The cell size chosen for numerics.accuracy and the levels it was chosen from. Estimates are computed from it, not
 /// stored.
 struct AccuracyRecord {
     double asked = 0;                   ///< allowed error, as a fraction of each value

@@ -39,7 +39,7 @@ void serialise_values(Archive& archive, Raster& raster) {
         if constexpr (Archive::k_reads) raster.values.assign(values.begin(), values.end());
         return;
     }
-    // What is stored of a large map.
+    // Only the stored values of a large map.
     std::vector<std::uint64_t> firsts, counts;
     if constexpr (!Archive::k_reads) {
         raster.values.for_each_run([&](std::size_t first, const double* run, std::size_t count) {

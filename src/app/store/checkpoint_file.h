@@ -30,7 +30,7 @@ struct CheckpointHead {
     std::vector<std::string> log;            ///< lines so far
     std::optional<OriginCell> origin;        ///< cell of its local origin; none: as set by place_origin
     std::vector<FrameRecord> frame_records;  ///< of the files of frame_times
-    std::string accuracy{};                  ///< record_text of what numerics.accuracy chose; empty: not asked for
+    std::string accuracy{};                  ///< record_text of the choice by numerics.accuracy; empty: not used
 };
 
 /// This program, in the form of CheckpointHead::build.

@@ -28,7 +28,7 @@ std::string file_name(std::int64_t step) {
     return std::string(k_beginning) + digits + k_ending;
 }
 
-// Does not create those above it: a result's folder that was moved away is not created again.
+// Does not create folders above it: a result's folder that was moved away is not created again.
 void make_folder(const std::string& folder) {
     std::error_code error;
     fs::create_directory(folder, error);
@@ -112,8 +112,8 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
     next_check_ = 0;
 }
 
-// Checks are made at growing intervals: the flow has not grown by half since the last one, and all together cost almost
-// nothing.
+// Checks are made at growing intervals, before the flow can have grown by half since the last one; all together cost
+// almost nothing.
 void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
     constexpr double k_growth = 1.5, k_fraction_of_time = 0.2, k_longest = 10, k_times_cost = 50;
     constexpr std::uint64_t k_least = 1'000'000;

@@ -32,8 +32,8 @@ class Checkpoints {
     Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
                 const Stopwatch& since_start, double earlier, std::string accuracy, RunLog& log);
 
-    /// Writes a checkpoint when it is due and at the run's last step. One that cannot be written is a warning: the run
-    /// continues.
+    /// Writes a checkpoint when it is due and at the run's last step. If one cannot be written, there is a warning and
+    /// the run continues.
     void after_step(const Progress& now, const SaveState& state);
     /// Releases the reserved space.
     void release() { space_.release(); }

@@ -20,7 +20,7 @@ std::uint64_t hash(const std::string& text) {
     return h;
 }
 
-// The values of a scene's text without its comments, which tell where a value came from.
+// Returns a scene's text without its comments, which state the source of each value.
 std::string values_only(const std::string& text) {
     std::istringstream lines(text);
     std::string line, values;

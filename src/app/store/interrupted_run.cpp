@@ -94,7 +94,7 @@ InterruptedRun::InterruptedRun(const std::string& directory) {
             beside_ = folder;
         }
     }
-    // Of two at the same step the one in its own folder comes first: it needs no links.
+    // Of two at the same step, the one in its own folder is first: it needs no links.
     std::stable_sort(checkpoints_.begin(), checkpoints_.end(), [](const std::string& a, const std::string& b) {
         return fs::path(a).filename() > fs::path(b).filename();
     });

@@ -11,7 +11,7 @@
 
 namespace frana::app {
 
-/// What incomplete runs have left of one result: checkpoints in the result directory (stopped by a signal) and in
+/// The remains of incomplete runs of one result: checkpoints in the result directory (stopped by a signal) and in
 /// folders beside it in which it was being built (killed).
 class InterruptedRun {
   public:

@@ -12,7 +12,7 @@
 namespace frana::app {
 namespace {
 
-// A file that does not exist or is not accessible is none; a read error of the disk is a problem.
+// A file that does not exist or is not accessible counts as absent; a read error of the disk is a problem.
 bool is_not_there(int reason) {
     return reason == ENOENT || reason == ENOTDIR || reason == EISDIR || reason == EACCES || reason == EPERM ||
            reason == ELOOP || reason == ENAMETOOLONG || reason == EINVAL;

@@ -8,7 +8,7 @@
 
 namespace frana::app {
 
-/// Returns none if the file does not exist, is not accessible, or is no JSON. Throws Error(environment) for a read
+/// Returns none if the file does not exist, is not accessible, or is not JSON. Throws Error(environment) for a read
 /// error of the disk.
 std::optional<Json> read_json_file(const std::string& path);
 

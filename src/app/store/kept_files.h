@@ -20,7 +20,7 @@ std::vector<std::string> spellings(const std::string& source);
 class KeptFiles {
   public:
     /// Adds the file named by a key or an option, which may use GDAL's syntax ("file|layer=a", "DRIVER:file:part",
-    /// "/vsizip/file/part"). A name that is no file on this disk is ignored.
+    /// "/vsizip/file/part"). A name that is not a file on this disk is ignored.
     void add(const std::string& source);
     /// Adds everything in a result's folder except the pictures and animations drawn from it, and the files that its
     /// scene names.

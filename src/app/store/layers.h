@@ -12,7 +12,7 @@ namespace frana::app {
 /// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
 const Raster* find_raster(const RunResult& result, const ResultRaster& row);
 
-/// Returns those of every run's flow.
+/// Returns the rasters that every run produces from the flow.
 std::vector<ResultRaster> main_rasters();
 
 /// Returns class bounds of a legend, the same in the GIS style and on the maps. `maximum` may be NaN (nothing flowed).

@@ -21,7 +21,7 @@ bool lists_files(const fs::path& folder) {
     return is_listed_result(folder.string());
 }
 
-// Of a run, complete or unfinished; comparisons and studies list their files too, but belong to no scene.
+// Whether it is of a run, complete or unfinished; comparisons and studies list their files too, but belong to no scene.
 bool is_result(const fs::path& folder) {
     const std::optional<Manifest> manifest = read_manifest(folder.string());
     if (manifest && !manifest->scene_hash.empty()) return true;

@@ -12,9 +12,9 @@ namespace frana::app {
 /// For commands that write to a folder which need not be a result: they replace only files written by frana. These are
 /// listed in the manifest of the result that is or contains the folder, or in one of the folder.
 
-/// Adds a problem for a folder that is, or is in, a result other than those read, for files of different results would
-/// mix; and for every output that exists in a folder without a list of frana's files: it belongs to the user. If there
-/// is a list, keep_changed_files() keeps those that were changed.
+/// Adds a problem for a folder that is, or is in, a result other than those read, since files of different results
+/// would mix; and for every output that exists in a folder without a list of frana's files, since it belongs to the
+/// user. If there is a list, keep_changed_files() keeps those that were changed.
 /// @param where the option that specifies the place
 /// @param reads results, or files in them, that the command reads and may write into
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,

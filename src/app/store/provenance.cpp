@@ -12,7 +12,7 @@ std::string echoed_scene(const Prepared& prepared) {
     SceneSpec spec = prepared.spec;
     // The echo is in another folder: values derived from the scene file's own name must be written out.
     spec.output.title = spec.output.title.value_or(scene_name(spec));
-    // The directory contains this result now; a repetition uses its own unless specified.
+    // The directory contains this result now; a repeated run uses its own unless specified.
     spec.output.directory.reset();
     return scene_text(spec, prepared.resolved);
 }

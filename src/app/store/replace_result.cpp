@@ -69,7 +69,7 @@ class Replacement {
 
     std::vector<Problem> run() {
         walk("");
-        // Nothing is removed from a folder of which something could not be read or moved.
+        // Nothing is removed from a folder if a part of it could not be read or moved.
         if (problems_.empty()) remove_listed();
         report();
         return std::move(problems_);
@@ -141,8 +141,8 @@ class Replacement {
     }
 
     void remove_listed() {
-        // List and note are removed after all that they describe: after a kill or a problem the next run can complete
-        // this.
+        // List and note are removed after everything that they describe: after a kill or a problem the next run can
+        // complete the removal.
         const std::vector<std::string> last{k_manifest_file, k_replaced_file};
         std::erase_if(listed_, [&](const std::string& name) { return name == last.front() || name == last.back(); });
         std::sort(folders_.rbegin(), folders_.rend());  // subfolders first

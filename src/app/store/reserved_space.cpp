@@ -12,7 +12,7 @@ namespace frana::app {
 
 bool ReservedSpace::grow(std::uint64_t bytes) {
     if (bytes <= bytes_) return true;
-    // Otherwise the results would lack the reserved space, and a run with enough for them would end.
+    // Without this the results would lack the reserved space, and a run with enough for them would end.
     std::error_code error;
     const std::uint64_t free = std::filesystem::space(std::filesystem::path(path_).parent_path(), error).available;
     if (!error && free < 2 * bytes - bytes_) {

@@ -16,8 +16,8 @@ class ReservedSpace {
     ReservedSpace& operator=(const ReservedSpace&) = delete;
 
     [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
-    /// Enlarges it to at least this size; if there is no space, or not as much again for the results, it is unchanged
-    /// and false is returned, with errno.
+    /// Enlarges it to at least this size; if there is no space, or not the same amount again for the results, it is
+    /// unchanged and false is returned, with errno.
     bool grow(std::uint64_t bytes);
     /// Renames it to `path`, with its size, to be overwritten; false: there is none.
     bool become(const std::string& path);

@@ -64,7 +64,7 @@ ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, c
     if (made_) {
         make_sibling();
     } else {
-        // Another run's check of the lock takes a moment.
+        // Another run's check of the lock may hold it for a moment.
         for (int tries = 0; lock_ < 0 && tries < 10; ++tries) {
             if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
             lock_ = lock_folder(aside_, false);
@@ -87,7 +87,7 @@ void ResultDirectory::make_sibling() {
     struct stat older {};
     const bool is_there = ::stat(directory_.c_str(), &older) == 0;
     fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), error);
-    lock_ = lock_folder(aside_, true);  // another run's check of the lock takes a moment
+    lock_ = lock_folder(aside_, true);  // another run's check of the lock may hold it for a moment
     try {
         note_building(aside_, directory_);
     } catch (const Error&) {
@@ -109,7 +109,7 @@ ResultDirectory::~ResultDirectory() {
     try {
         if (!published_ && !has_saved_work(aside_)) remove_unfinished(aside_);
     } catch (const Error&) {
-        published_ = true;  // what cannot be read remains for the next run
+        published_ = true;  // files that cannot be read remain for the next run
     }
     if (lock_ >= 0) ::close(lock_);
 }
@@ -135,7 +135,7 @@ std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& 
         } catch (const Error&) {  // only a kill in the next moments would lose it
         }
     }
-    // The two are exchanged atomically: at no moment is there none.
+    // The two are exchanged atomically: a result exists at every moment.
     const bool exchanged =
         replaces && ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0;
     if (!exchanged) replace_in_steps(replaces);  // not supported by the file system, or there is no older result

@@ -37,8 +37,9 @@ class ResultDirectory {
     /// Makes a folder inside the sibling. Throws Error(environment).
     void make_folder(const std::string& name) const;
     /// Lists the sibling's files in its manifest and renames it to the directory. An older result is removed, see
-    /// replace_result(), and so are remains of killed runs of the same result. Returns what could not be moved of the
-    /// older result. Throws Error(environment) if the result cannot be renamed; it is kept beside the directory.
+    /// replace_result(), and so are remains of killed runs of the same result. Returns the files of the older result
+    /// that could not be moved. Throws Error(environment) if the result cannot be renamed; it is kept beside the
+    /// directory.
     [[nodiscard]] std::vector<Problem> publish(const ResultFacts& facts, RunLog& log);
 
   private:
@@ -57,14 +58,14 @@ class ResultDirectory {
     int lock_ = -1;  ///< descriptor of the locked sibling
 };
 
-/// Beside a published result: removes the older result in `replaced` (empty: none) and those that killed runs left
-/// unprocessed, and removes the remains of killed runs. Returns what could not be moved. Throws Error(environment) if
-/// the place cannot be read.
+/// For a published result: removes the older result in `replaced` (empty: none) and those that killed runs left
+/// unprocessed, and removes the remains of killed runs. Returns the files that could not be moved. Throws
+/// Error(environment) if the place cannot be read.
 std::vector<Problem> clear_place_of(const std::string& result, const std::string& replaced, RunLog& log);
 
-/// Removes from a complete result what only an unfinished run needs: checkpoints, frames that were only made for an
-/// animation, and unfinished files of killed programs. What cannot be removed remains listed, with a warning. Throws
-/// Error(environment) if the list cannot be read or written.
+/// Removes from a complete result the files that only an unfinished run needs: checkpoints, frames that were only made
+/// for an animation, and unfinished files of killed programs. Files that cannot be removed remain listed, with a
+/// warning. Throws Error(environment) if the list cannot be read or written.
 void remove_working_files(const std::string& result, bool frames, RunLog& log);
 
 }  // namespace frana::app

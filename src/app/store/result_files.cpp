@@ -26,7 +26,7 @@ class Table {
         for (const char* ending : k_style_endings) add(FileKind::style, {file.substr(0, file.rfind('.')) + ending});
         return *this;
     }
-    /// Those written by the command.
+    /// Adds the rasters written by the command.
     Table& add_rasters() {
         for (const ResultRaster& row : result_rasters()) {
             if (row.command != command_) continue;
@@ -37,7 +37,7 @@ class Table {
         }
         return *this;
     }
-    /// In every format of output.map-formats.
+    /// Adds a picture in every format of output.map-formats.
     Table& add_picture(const std::string& stem) {
         for (const std::string& format : picture_formats()) add(FileKind::picture, {stem + "." + format});
         return *this;

@@ -8,10 +8,10 @@ namespace frana::app {
 
 enum class FileKind { text, table, vector, raster, style, picture, page, animation, stack, working };
 
-/// A file that frana writes to a result directory. The one list: what a result's manifest may name, what may be
-/// replaced, what an unfinished folder may contain and what the documents and tests refer to.
+/// A file that frana writes to a result directory. The one list of files that a result's manifest may name, that may be
+/// replaced, that an unfinished folder may contain, and that documents and tests refer to.
 struct ResultFile {
-    /// Of the path inside the result: "*" matches any text within a name, "/**" at the end everything below.
+    /// Pattern of the path inside the result: "*" matches any text within a name, "/**" at the end everything below.
     std::string pattern;
     FileKind kind;
     std::string written_by;  ///< the first command that writes it: "run", "render"

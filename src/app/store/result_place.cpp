@@ -70,13 +70,13 @@ bool is_sticky(const fs::path& path) {
     return (above.st_mode & S_ISVTX) != 0 && own.st_uid != ::geteuid() && above.st_uid != ::geteuid();
 }
 
-/// Of a result, which is built beside its place under a longer name.
+/// Returns the greatest length of a result's name: it is built beside its place under a longer name.
 long longest_name(const fs::path& path) {
     const long most = ::pathconf(existing_parent(path).c_str(), _PC_NAME_MAX);
     return (most > 0 ? most : 255) - static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
 }
 
-/// Returns what permissions or the disk do not allow; none if the folder can be made, or replaced.
+/// Returns the problem if permissions or the disk do not allow the folder to be made, or replaced; else none.
 std::optional<std::string> refusal(const fs::path& path) {
     const fs::path parent = existing_parent(path);
     if (::faccessat(AT_FDCWD, parent.c_str(), W_OK | X_OK, AT_EACCESS) != 0) return std::strerror(errno);

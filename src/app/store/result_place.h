@@ -10,12 +10,12 @@
 namespace frana::app {
 
 /// Returns the real place of a result directory: absolute, without trailing slashes, and the target of a symbolic link,
-/// for the result is built beside that and the link remains.
+/// since the result is built beside that and the link remains.
 std::string result_path(const std::string& directory);
 
 /// Checks, before anything is computed, whether a result can be written to a directory. Adds to `problems`: an existing
-/// result without permission to overwrite it, a folder that is no result (never overwritten), inputs inside the folder
-/// that would be replaced, a place that is a mount point or has too long a name. Returns the problem of the
+/// result without permission to overwrite it, a folder that is not a result (never overwritten), inputs inside the
+/// folder that would be replaced, a place that is a mount point or has too long a name. Returns the problem of the
 /// environment: a place that has another owner, or cannot be written.
 [[nodiscard]] std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
                                                             const std::vector<std::string>& inputs,

@@ -15,7 +15,7 @@
 namespace frana::app {
 namespace {
 
-// Of a scene's text: "section.key = value" lines.
+// Returns the "section.key = value" lines of a scene's text.
 std::string keys(const std::string& text) {
     std::istringstream lines(text);
     std::string section, all;

@@ -10,8 +10,8 @@
 namespace frana::app {
 
 /// Returns everything that determines a run, one fact per line: every resolved key except those for the times of
-/// checkpoints, the working grid, and a checksum of what was read of each file (Prepared::files). Two runs with the
-/// same identity give the same bits.
+/// checkpoints, the working grid, and a checksum of the data read from each file (Prepared::files). Two runs with the
+/// same identity have the same bits.
 std::string scene_identity(const Prepared& prepared);
 
 /// The key of data_identity in summary.json.

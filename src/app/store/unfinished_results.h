@@ -21,7 +21,7 @@ void note_replaced(const std::string& result, const std::string& later_name);
 bool is_being_replaced(const std::string& folder);
 
 /// Locks a folder until the returned descriptor is closed; the system releases the lock when the program ends, however
-/// it ends. Returns -1, with errno, if another process has the lock; `wait`: waits until none has.
+/// it ends. Returns -1, with errno, if another process has the lock; `wait`: waits until none has it.
 int lock_folder(const std::string& folder, bool wait);
 
 /// Returns the folders beside a result in which one is or was being built, the latest first: they have a note, or

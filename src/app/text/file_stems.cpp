@@ -12,7 +12,7 @@ std::string with_hash(const std::string& stem, const std::string& name) {
     return stem + "_" + text_hash(name).substr(0, 8);
 }
 
-// Not by the locale, which must not affect names of files.
+// Independent of the locale, which must not affect names of files.
 bool is_plain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
 }

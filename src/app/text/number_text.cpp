@@ -10,7 +10,7 @@ std::string number_text(double value, int digits) {
     if (value == 0) return "0";
     char text[64];
     const double size = std::abs(value);
-    // From the value that rounds to as many digits before the point.
+    // For values that round to as many digits before the point.
     if (size >= std::pow(10.0, digits) - 0.5 && size < 1e15)
         std::snprintf(text, sizeof text, "%.0f", value);
     else
@@ -30,7 +30,7 @@ std::string grouped(std::int64_t value) {
 }
 
 std::string grouped(double value) {
-    if (std::abs(value) < 10) return number_text(value, 2);  // of a flume, not of a hillside
+    if (std::abs(value) < 10) return number_text(value, 2);  // small volumes, as of a flume
     return std::isfinite(value) && std::abs(value) < 9e18 ? grouped(static_cast<std::int64_t>(std::llround(value)))
                                                           : number_text(value);
 }

@@ -14,7 +14,7 @@ class RunLog {
     explicit RunLog(bool quiet) : quiet_(quiet) {}
 
     void note(const std::string& text);
-    /// Logs something the user must know before trusting the result.
+    /// Logs a fact that the user must know before relying on the result.
     void warn(const std::string& text);
     /// Writes a line to the terminal and the log.
     void info(const std::string& text);

@@ -25,7 +25,7 @@ struct AccuracyRow {
 struct AccuracyOptions {
     bool quick = false;                              ///< two resolutions instead of all
     std::vector<std::string> only;                   ///< names of cases; empty: all
-    std::optional<Raster> sample_terrain;            ///< for lake-dtm, which is left out without it
+    std::optional<Raster> sample_terrain;            ///< for lake-dtm, which is omitted without it
     std::function<void(const std::string&)> report;  ///< called with one line for each finished row
 };
 

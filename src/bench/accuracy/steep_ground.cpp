@@ -69,7 +69,7 @@ class FilmRun {
         }
         return film;
     }
-    /// Fraction of the volume where a condition is true; material that has left is nowhere.
+    /// Fraction of the volume where a condition is true; material that has left counts as not true.
     [[nodiscard]] double fraction(const std::function<bool(Point)>& where) {
         const ParticleSet& particles = run_->flow().particles();
         double there = 0, all = run_->flow().volume_left();
@@ -185,7 +185,7 @@ double climb(double cell_size, Scheme scheme, double down_deg, double up_deg, do
     FilmRun run = along(profile, ahead + 3.5 * beyond, 0, k_fall, angle_deg, cell_size, scheme);
     const double time =
         std::sqrt(2 * k_fall / k_gravity) * (0.5 / std::sin(down_deg * k_degree) + 1 / std::sin(up_deg * k_degree));
-    // Where the foremost turn they meet those behind: the film is measured before.
+    // The foremost particles turn and meet those behind: the film is measured before.
     Film climbing;
     double lowest = k_fall;
     run.advance_to(2 * time, [&](const Film& now) {

@@ -106,7 +106,7 @@ double free_memory() {
 
 std::vector<double> usual_sizes(bool quick, std::vector<std::string>& notes) {
     std::vector<double> sizes{1e4, 1e5, 1e6};
-    // Fields, their copy during sorting, seeds and nodes.
+    // Memory for fields, their copy during sorting, seeds and nodes.
     constexpr double k_large = 1e7, k_bytes_at_most = 600;
     if (quick) {
         notes.emplace_back("1e7 particles left out (--quick)");

@@ -43,7 +43,7 @@ struct SpeedResult {
     std::vector<SpeedRow> rows;
     std::vector<TermRow> terms;
     std::vector<std::pair<int, double>> bandwidth;  ///< threads, bytes per second
-    std::vector<std::string> notes;                 ///< sizes left out, with the reason
+    std::vector<std::string> notes;                 ///< sizes omitted, with the reason
     std::string kernels;                            ///< those that the processor runs
     /// Greatest difference of depth between the fast kernels and the plain ones after ten steps of `slide` and `mud`,
     /// over the greatest depth; zero where the processor runs the plain ones.

@@ -17,7 +17,7 @@ namespace {
 // Rounding errors grow in ten steps, but not to this: only another formula does.
 constexpr double k_same_answer = 1e-10;
 
-// Of a stage in the whole run; the runs of sort and resample are spread over all steps.
+// Time of a stage in the whole run; sort and resample are averaged over all steps.
 double nanoseconds_of(const SpeedRow& row, std::size_t stage) {
     double all = 0;
     for (const double seconds : row.stages) all += seconds;

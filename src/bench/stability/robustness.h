@@ -29,7 +29,7 @@ std::vector<Disturbance> disturbances();
 /// A scene's values under one disturbance.
 struct RobustnessRow {
     Disturbance disturbance;
-    std::string refusal;      ///< why it was not run; empty: it was
+    std::string refusal;      ///< reason why it was not run; empty: it was
     std::string run_problem;  ///< what ended the run early; empty: nothing did
     RunStatistics statistics;
     double simulated_seconds = 0;

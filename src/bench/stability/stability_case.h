@@ -36,7 +36,7 @@ struct HardCase {
     double end = 0;  ///< [s]
     std::function<Setup()> make;
     std::function<StabilityStatistic(const Setup&, Flow&)> statistic = {};
-    /// For cases that compare several runs: does everything itself.
+    /// For cases that compare several runs: runs and compares them.
     std::function<StabilityStatistic(int threads, Soundness&)> compare = {};
 };
 
@@ -61,7 +61,7 @@ std::vector<HardCase> hard_release_cases();
 std::vector<HardCase> hard_material_cases();
 std::vector<HardCase> hard_numerics_cases();
 
-/// Returns the scene in which most cases change one thing: a slope of 1 : 2 that ends in level ground at x = 80 m, a
+/// Returns the scene of which most cases change one property: a slope of 1 : 2 that ends in level ground at x = 80 m, a
 /// grid of 160 m x 80 m in cells of 2 m, a cap 3 m deep and 15 m in radius at (30, 40) m, phi = 15 degrees, xi = 500
 /// m/s2, open sides, slope correction `normal`.
 Setup usual_slide();
