@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <string>
 
-#include "gis/access/refusal.h"
+#include "gis/access/access_problem.h"
 
 namespace frana::gis {
 namespace {
@@ -58,7 +58,7 @@ class LocalFiles : public VSIFilesystemHandler {
 class NoStream : public VSIFilesystemHandler {
   public:
     VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
-        note_refusal({"a stream is not a regular file", path, "Copy its content into a file"});
+        note_access_problem({"a stream is not a regular file", path, "Copy its content into a file"});
         errno = EINVAL;
         return nullptr;
     }
@@ -83,7 +83,7 @@ void guard_local_files() {
 bool refuse_special_file(const char* path) {
     struct stat status {};
     if (::stat(path, &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)) return false;
-    note_refusal({"a FIFO, a device or a socket is not a regular file", path, "Copy its content into a file"});
+    note_access_problem({"a FIFO, a device or a socket is not a regular file", path, "Copy its content into a file"});
     errno = EINVAL;
     return true;
 }

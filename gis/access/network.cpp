@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <vector>
 
-#include "gis/access/refusal.h"
+#include "gis/access/access_problem.h"
 
 namespace frana::gis {
 namespace {
@@ -44,7 +44,7 @@ constexpr const char* k_drivers[] = {"AmigoCloud", "Carto",    "Cloudant",      
 constexpr const char* k_remedy = "Copy it to this machine, or start frana with --allow-network";
 
 void note_refused_place(const std::string& place) {
-    note_refusal({"the file refers to data on the network", place, k_remedy});
+    note_access_problem({"the file refers to data on the network", place, k_remedy});
 }
 
 /// Contains no files: replaces a network file system.

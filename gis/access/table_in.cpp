@@ -5,10 +5,10 @@
 #include <ogrsf_frmts.h>
 
 #include "core/error.h"
+#include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/network.h"
-#include "gis/access/refusal.h"
 #include "gis/access/time_limit.h"
 
 namespace frana::gis {
@@ -21,7 +21,7 @@ constexpr std::size_t k_most_rows = 10'000'000;
 Table read_table(const std::string& path, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
-    (void)pop_refusal();
+    (void)pop_access_problem();
     const std::string place = where + ": " + path;
     if (const auto remedy = network_remedy(path))
         throw Error(ErrorKind::input, Problem{"the file is read over the network", place, "", "", *remedy});
@@ -53,7 +53,7 @@ Table read_table(const std::string& path, const std::string& where) {
             for (int i = 0; i < fields.GetFieldCount(); ++i) row.push_back(feature->GetFieldAsString(i));
         }
     }
-    if (const auto cause = pop_refusal())
+    if (const auto cause = pop_access_problem())
         throw Error(ErrorKind::input, Problem{cause->what, place, cause->value, "", cause->remedy});
     if (table.rows.empty()) {
         throw Error(ErrorKind::input, Problem{"the file is not a table with a header and rows", place, "", "",

@@ -16,11 +16,11 @@
 
 #include "core/error.h"
 #include "core/shortest_text.h"
+#include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/memory_dataset.h"
 #include "gis/access/network.h"
-#include "gis/access/refusal.h"
 #include "gis/access/time_limit.h"
 
 namespace frana::gis {
@@ -32,10 +32,10 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
                             const std::string& remedy) {
         return Error(ErrorKind::input, Problem{what, where + ": " + path, value, limit, remedy});
     };
-    (void)pop_refusal();
+    (void)pop_access_problem();
     if (const auto remedy = network_remedy(path)) throw refuse("the file is read over the network", "", "", *remedy);
     GdalDataset dataset(GDALOpen(path.c_str(), GA_ReadOnly));
-    if (const auto cause = pop_refusal()) throw refuse(cause->what, cause->value, "", cause->remedy);
+    if (const auto cause = pop_access_problem()) throw refuse(cause->what, cause->value, "", cause->remedy);
     if (!dataset) {
         throw refuse(
             std::filesystem::exists(path) ? "the file is not a raster that can be read" : "the file does not exist", "",

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/network.h"
-#include "gis/access/refusal.h"
 #include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/vertical_unit.h"
@@ -30,13 +30,13 @@ namespace {
 
 /// A refused access while the file was read is the cause of all errors that follow.
 void throw_if_refused(const std::string& where, const std::string& path) {
-    if (const auto cause = pop_refusal()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
+    if (const auto cause = pop_access_problem()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
 }
 
 GdalDataset open(const std::string& path, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
-    (void)pop_refusal();
+    (void)pop_access_problem();
     const TimeLimit limit(where + ": " + path);
     if (const auto remedy = network_remedy(path)) refuse("the file is read over the network", where, path, *remedy);
     GdalDataset dataset(

@@ -6,9 +6,9 @@
 
 #include <cctype>
 
+#include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/network.h"
-#include "gis/access/refusal.h"
 
 namespace frana::gis {
 namespace {
@@ -61,7 +61,7 @@ bool has_query(const std::string& condition) {
     return false;
 }
 
-Error refused(const VectorSource& source, const Refusal& cause) {
+Error refused(const VectorSource& source, const AccessProblem& cause) {
     return {ErrorKind::input, Problem{cause.what, source.where, cause.value, "", cause.remedy}};
 }
 
@@ -77,13 +77,13 @@ VectorSource vector_source(const std::string& path, const std::string& where) {
 
 Error vector_error(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy) {
-    if (const auto cause = pop_refusal()) return refused(source, *cause);
+    if (const auto cause = pop_access_problem()) return refused(source, *cause);
     return {ErrorKind::input, Problem{what, source.where, value, "", remedy}};
 }
 
 GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours) {
     const GdalSession session;
-    (void)pop_refusal();
+    (void)pop_access_problem();
     if (const auto remedy = network_remedy(source.file))
         throw vector_error(source, "the file is read over the network", "", *remedy);
     GDALDatasetUniquePtr dataset(
@@ -102,7 +102,7 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours) {
 }
 
 void require_sound(const GdalSession& session, const VectorSource& source, const std::string& remedy) {
-    if (const auto cause = pop_refusal()) throw refused(source, *cause);
+    if (const auto cause = pop_access_problem()) throw refused(source, *cause);
     if (session.failed()) throw vector_error(source, "the file is damaged: " + session.last_message(), "", remedy);
 }
 

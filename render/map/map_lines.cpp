@@ -278,9 +278,9 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
             if (p.x < box.left + arm || p.x > box.right - arm || p.y < box.top + arm || p.y > box.bottom - arm)
                 continue;
             const std::array<Point, 2> level{{{p.x - arm, p.y}, {p.x + arm, p.y}}};
-            const std::array<Point, 2> plumb{{{p.x, p.y - arm}, {p.x, p.y + arm}}};
+            const std::array<Point, 2> vertical{{{p.x, p.y - arm}, {p.x, p.y + arm}}};
             canvas.line(level, cross);
-            canvas.line(plumb, cross);
+            canvas.line(vertical, cross);
         }
     }
 }

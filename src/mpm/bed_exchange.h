@@ -52,14 +52,15 @@ void serialise(Archive& archive, ExchangeReport& report) {
 /// @param density [kg/m3]  @param dt [s]  @param least_depth depth that deposition leaves [m]
 template <bool Metric, class Erosion, class Deposition>
 void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
-                       double dt, double film, const BedState* states, const NodeGrid& nodes, ErodibleBed* beds) {
+                       double dt, double least_depth, const BedState* states, const NodeGrid& nodes,
+                       ErodibleBed* beds) {
     const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const std::uint8_t* solid = nodes.solid();
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         const NodeMotion& node = nodes.motion()[i];
-        ErodibleBed& bed_layer = beds[i];
-        bed_layer.gain = bed_layer.loss = bed_layer.change = 0;
+        ErodibleBed& erodible_bed = beds[i];
+        erodible_bed.gain = erodible_bed.loss = erodible_bed.change = 0;
         if (!(node.mass > 0) || column < k_ghost || row < k_ghost || column >= stride - k_ghost ||
             row >= rows - k_ghost || (solid && solid[i]))
             return;
@@ -71,26 +72,26 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
                                  speed,
                                  mass * bed.resistance,
                                  mass * bed.normal_gravity,
-                                 bed_layer.eroded,
+                                 erodible_bed.eroded,
                                  dt};
         const double to_fraction = cell_area / node.mass;
         if constexpr (Erosion::active) {
-            const double left = bed_layer.erodible + bed_layer.deposited - bed_layer.eroded;
+            const double left = erodible_bed.erodible + erodible_bed.deposited - erodible_bed.eroded;
             const double depth = std::min(erosion(contact) * dt * fraction, left);
             if (depth > 0) {
-                bed_layer.eroded += depth;
-                bed_layer.gain = depth * to_fraction;
-                bed_layer.change = -depth;
+                erodible_bed.eroded += depth;
+                erodible_bed.gain = depth * to_fraction;
+                erodible_bed.change = -depth;
                 return;
             }
         }
         if constexpr (Deposition::active) {
-            const double most = node.mass / cell_area - film * fraction;
+            const double most = node.mass / cell_area - least_depth * fraction;
             const double depth = std::min(deposition(contact) * dt * fraction, most);
             if (depth > 0) {
-                bed_layer.deposited += depth;
-                bed_layer.loss = depth * to_fraction;
-                bed_layer.change = depth;
+                erodible_bed.deposited += depth;
+                erodible_bed.loss = depth * to_fraction;
+                erodible_bed.change = depth;
             }
         }
     });

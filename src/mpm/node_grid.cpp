@@ -143,7 +143,7 @@ void NodeGrid::fill(const Raster& terrain, const Beds& beds) const {
 }
 
 // Reads one block; the lock is held.
-void NodeGrid::take(std::int64_t a, std::int64_t b) const {
+void NodeGrid::read_block(std::int64_t a, std::int64_t b) const {
     Demand& d = *demand_;
     const Block wanted{a * Demand::k_side, std::min((a + 1) * Demand::k_side, stride()), b * Demand::k_side,
                        std::min((b + 1) * Demand::k_side, padded_rows())};
@@ -178,7 +178,7 @@ void NodeGrid::cover(const Block& block) const noexcept {
             const std::lock_guard lock(d.taking);
             if (d.is_covered(a, b) != 0) continue;
             try {
-                take(a, b);
+                read_block(a, b);
                 std::atomic_ref(d.is_covered(a, b)).store(1, std::memory_order_release);
             } catch (...) {
                 if (!d.failure) d.failure = std::current_exception();

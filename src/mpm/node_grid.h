@@ -206,7 +206,7 @@ class NodeGrid {
     struct Beds;
     struct Demand;
     void fill(const Raster& terrain, const Beds& beds) const;
-    void take(std::int64_t block_column, std::int64_t block_row) const;
+    void read_block(std::int64_t block_column, std::int64_t block_row) const;
     void extend_beyond_edges(const Beds& beds) const;
     [[nodiscard]] Beds all_beds() const;
 

@@ -14,11 +14,11 @@ namespace frana {
 struct ParticleUpdate {
     double dt = 0;  ///< time of the positions' motion [s]
     double gravity = 0;
-    double film = 0;    ///< depth below which a particle is not split [m]
-    bool wall = false;  ///< particles are kept inside; otherwise they may leave
-    Point origin;       ///< release centroid, for the front distance, local metres
-    double pull = 0;    ///< gravity times the duration of the forces [m/s]; for velocities along the bed
-    double shift = 0;   ///< particle shifting: s of shifting.h, 0 in steps without it
+    double split_depth = 0;  ///< depth below which a particle is not split [m]
+    bool wall = false;       ///< particles are kept inside; otherwise they may leave
+    Point origin;            ///< release centroid, for the front distance, local metres
+    double pull = 0;         ///< gravity times the duration of the forces [m/s]; for velocities along the bed
+    double shift = 0;        ///< particle shifting: s of shifting.h, 0 in steps without it
 };
 
 /// Results of a tile's particles in a step; combined tile by tile in their order.
@@ -171,7 +171,7 @@ struct ParticleSweep {
             const auto [xx, xy, yy] =
                 deformed<Number>(old, 1 + k.dt * g.u_x, k.dt * g.u_y, k.dt * g.v_x, 1 + k.dt * g.v_y);
             const Number trace = xx + yy;
-            longest = select(real & (mass > k.film * old_area), max(longest, trace), longest);
+            longest = select(real & (mass > k.split_depth * old_area), max(longest, trace), longest);
             const double largest = k_largest_claim * cell_area;
             Number fit(1.0);
             if (L::any(trace > largest)) fit = min(fit, largest / trace);

@@ -93,10 +93,10 @@ Law law_of(const BedExchange& laws) {
 }
 
 template <bool Metric, class Erosion, class Deposition>
-void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film, const BedState* states,
-                    const NodeGrid& nodes, ErodibleBed* beds) {
-    exchange_at_nodes<Metric>(range, law_of<Erosion>(laws), law_of<Deposition>(laws), laws.density, dt, film, states,
-                              nodes, beds);
+void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double least_depth,
+                    const BedState* states, const NodeGrid& nodes, ErodibleBed* beds) {
+    exchange_at_nodes<Metric>(range, law_of<Erosion>(laws), law_of<Deposition>(laws), laws.density, dt, least_depth,
+                              states, nodes, beds);
 }
 
 // 2 metrics x 4 laws of erosion x 2 of deposition = 16.

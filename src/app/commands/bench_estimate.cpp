@@ -37,7 +37,7 @@ struct LevelCheck {
         for (const ValueEstimate& e : estimates) count += e.is_zero ? 0 : 1;
         return count;
     }
-    [[nodiscard]] std::size_t honest() const {
+    [[nodiscard]] std::size_t contained() const {
         std::size_t count = 0;
         for (std::size_t i = 0; i < changes.size(); ++i) count += !estimates[i].is_zero && contains(i) ? 1 : 0;
         return count;
@@ -71,7 +71,7 @@ std::string table_text(const std::vector<LevelCheck>& checks, const AccuracyLeve
     for (const LevelCheck& check : checks) {
         std::snprintf(line, sizeof line,
                       "cells of %s m: %zu of %zu true changes within the estimate, %.2f of the time of %s m\n",
-                      number_text(check.cell_size).c_str(), check.honest(), check.estimated(),
+                      number_text(check.cell_size).c_str(), check.contained(), check.estimated(),
                       check.seconds / finest.wall_seconds, number_text(finest.cell_size).c_str());
         text += line;
         for (std::size_t i = 0; i < check.changes.size(); ++i) {

@@ -78,9 +78,9 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
 }
 
 std::vector<RunStatistic> reported_statistics() {
-    std::vector<RunStatistic> told;
-    std::copy_if(std::begin(k_run_statistics), std::end(k_run_statistics), std::back_inserter(told), is_reported);
-    return told;
+    std::vector<RunStatistic> reported;
+    std::copy_if(std::begin(k_run_statistics), std::end(k_run_statistics), std::back_inserter(reported), is_reported);
+    return reported;
 }
 
 GridConvergence convergence_of(const std::vector<Level>& levels, const RunStatistic& statistic) {
@@ -251,16 +251,16 @@ int cmd_converge(const Arguments& arguments) {
     begin_own(folder.string(), files_of(folder));
     std::vector<Raster> depths;
     for (Level& level : levels) depths.push_back(std::move(level.depth));
-    const std::string told = sentences(levels);
+    const std::string text = sentences(levels);
     const ResultRaster& row = *find_result_raster(k_uncertainty);
     gis::write_geotiff((folder / k_uncertainty).string() + ".tif", field_uncertainty(depths),
                        {row.name, row.description, row.unit, {{"PROGRAM", k_program}, {"VERSION", k_version}}});
     render::write_png((folder / k_chart).string(), chart_of(levels));
     write_text_file((folder / k_table).string(), csv_text(levels));
-    write_error_estimate(folder.string(), spec, told);
+    write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(levels, spec));
     record_files(files_of(folder));
-    std::cout << table_text(levels) << '\n' << told;
+    std::cout << table_text(levels) << '\n' << text;
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
     return static_cast<int>(ExitCode::done);
 }

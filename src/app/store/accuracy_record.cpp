@@ -198,8 +198,8 @@ std::string accuracy_verdict(const AccuracyRecord& record) {
         return asked + " is not claimed: there are too few coarser levels for an estimate of error; " +
                cells_sentence(record);
     if (is_reached(estimates))
-        return asked + " holds by estimate for " + claimed_values(estimates) + "; " + cells_sentence(record) + ". " +
-               k_caution;
+        return asked + " is met according to the estimate for " + claimed_values(estimates) + "; " +
+               cells_sentence(record) + ". " + k_caution;
     constexpr std::size_t k_named = 4;
     std::vector<std::string> named;
     std::size_t unmet = 0;

@@ -26,7 +26,7 @@ const std::vector<ZoneKey>& zone_keys() {
         zone("cohesion", &Zones::cohesion, "cohesion", "Pa", Range{0, 1e6}, Words{"cohesion"},
              "Bed cohesion by place."),
         zone("erodible-depth", &Zones::erodible_depth, "erodible depth", "m", Range{0, 1000}, Words{"erodible_depth"},
-             "Thickness of the erodible layer by place.")};
+             "Erodible depth by place, vertical.")};
     return keys;
 }
 

@@ -99,7 +99,8 @@ TEST_F(AccuracyRun, StopsAtTheCoarsestCellsThatAreGoodEnough) {
     // Nothing finer was computed.
     EXPECT_EQ(accuracy.at("levels").back().at("cell_size_m"), accuracy.at("cell_size_m"));
     EXPECT_GT(accuracy.at("cell_size_m").get<double>(), 2);
-    EXPECT_NE(accuracy.at("verdict").get<std::string>().find("holds by estimate for all 6 values"), std::string::npos);
+    EXPECT_NE(accuracy.at("verdict").get<std::string>().find("is met according to the estimate for all 6 values"),
+              std::string::npos);
 }
 
 TEST_F(AccuracyRun, WithoutCoarserLevelsClaimsNothing) {

@@ -124,7 +124,7 @@ TEST(StructuredStep, WhatRestsSleepsToTheSameBits) {
         c.material.grain_density = 2400;
         c.material.cohesion = 2e4;
         c.material.bed_friction = std::tan(12 * k_degree);
-        c.laws.solid.sleeps = sleeps;
+        c.laws.solid.skips_rest = sleeps;
         c.laws.solid.elastic = Elasticity::from_young_and_bulk(5e6, 5e6 / 1.5);
         c.laws.fluid.wall = true;
         c.fill(10, 20, 18, 12, [](Point) { return bench::Seed{3, 8, 0}; });
@@ -135,7 +135,7 @@ TEST(StructuredStep, WhatRestsSleepsToTheSameBits) {
         for (std::int64_t i = 28; i < 32; ++i) water.push_back({state.grid.index(i, 12), 0.2, 0, 0});
         receive(water, *state.fluid, c.laws.fluid);
         slept = 0;
-        for (int i = 0; i < 60; ++i) slept += step(state, c.laws, 0.05, pool).solids.slept;
+        for (int i = 0; i < 60; ++i) slept += step(state, c.laws, 0.05, pool).solids.skipped;
         return state;
     };
     const State awake = run(false);

@@ -46,7 +46,7 @@ class Rest {
         return static_cast<std::size_t>(row * columns_ + column);
     }
     /// Report of a cell when it was last active.
-    [[nodiscard]] const SolidReport& seen(std::size_t cell) const noexcept { return reports_[cell]; }
+    [[nodiscard]] const SolidReport& report_of(std::size_t cell) const noexcept { return reports_[cell]; }
     void record(std::size_t cell, const SolidReport& report) {
         reports_[cell] = report;
         now_[cell] = report.rests;

@@ -13,7 +13,7 @@ struct SolidReport {
     double acceleration2 = 0;  ///< before friction [m2/s4]
     double approach = 0;       ///< greatest |phi| of the artificial viscosity [m/s]
     std::int64_t non_finite = 0;
-    std::int64_t slept = 0;    ///< particles that were not computed because nothing changed
+    std::int64_t skipped = 0;  ///< particles that were not computed because nothing changed
     bool rests = true;         ///< nothing moves, and friction exceeds the forces by a margin; of the substep alone
     std::int64_t clamped = 0;  ///< particles whose area would have changed by more than half in a step
 
@@ -24,14 +24,14 @@ struct SolidReport {
         approach = std::max(approach, o.approach);
         non_finite += o.non_finite;
         clamped += o.clamped;
-        slept += o.slept;
+        skipped += o.skipped;
         rests = rests && o.rests;
     }
 };
 
 template <class Archive>
 void serialise(Archive& archive, SolidReport& report) {
-    [[maybe_unused]] auto& [speed2, apart2, acceleration2, approach, non_finite, slept, rests, clamped] = report;
+    [[maybe_unused]] auto& [speed2, apart2, acceleration2, approach, non_finite, skipped, rests, clamped] = report;
     archive(speed2, apart2, acceleration2, approach, non_finite, clamped);
 }
 

@@ -79,9 +79,9 @@ void find_neighbours(SolidState& state, ThreadPool& pool);
 double stable_substep(const SolidState& state, const SolidLaws& laws);
 
 /// Advances the solids by dt in as many substeps as necessary, under the push of the grid. Returns their number; the
-/// report of the last is in state.last, maxima over all of them in `seen`.
+/// report of the last is in state.last, maxima over all of them in `maxima`.
 int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
-                 const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool);
+                 const Obstacles& obstacles, double dt, SolidReport& maxima, ThreadPool& pool);
 
 /// Clears the nodes and sums all solids on them.
 void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,

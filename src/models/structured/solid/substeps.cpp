@@ -67,15 +67,15 @@ class Substeps {
                 if (run.begin == run.end)
                     rest_.record(cell, {});
                 else if (Rest::resting(state_.work, cell))
-                    report.slept += static_cast<std::int64_t>(run.end - run.begin);
+                    report.skipped += static_cast<std::int64_t>(run.end - run.begin);
                 else
                     rest_.record(
                         cell, move_particles(run, dt, obstacles_, widest_, state_.mean, state_.particles, state_.work));
-                report.merge(rest_.seen(cell));
+                report.merge(rest_.report_of(cell));
             }
             return report;
         });
-        if (laws_.sleeps) rest_.end_substep(state_.work);
+        if (laws_.skips_rest) rest_.end_substep(state_.work);
         state_.last.approach = approach_;
         state_.drift += dt * std::sqrt(state_.last.apart2);
         state_.moved += dt * std::sqrt(state_.last.speed2);
@@ -123,14 +123,14 @@ double stable_substep(const SolidState& state, const SolidLaws& laws) {
 }
 
 int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
-                 const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool) {
+                 const Obstacles& obstacles, double dt, SolidReport& maxima, ThreadPool& pool) {
     constexpr double k_least_fraction = 1e-6;  // least stable fraction of a step; elastic waves need some hundred
     Substeps now(state, stages, laws, grid, obstacles, pool);
     int count = 0;
-    for (double left = dt; left > 0 && seen.non_finite == 0; ++count) {
+    for (double left = dt; left > 0 && maxima.non_finite == 0; ++count) {
         const double stable = stable_substep(state, laws);
         if (!(stable > k_least_fraction * dt)) {  // a non-finite speed or force
-            ++seen.non_finite;
+            ++maxima.non_finite;
             break;
         }
         // Equal substeps for the remaining time, so that none is tiny.
@@ -139,7 +139,7 @@ int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& 
         now.strain_and_stress(part);  // grad u; dA/dt = A tr(grad u); stress, its return to the yield surface, damage
         now.accelerations();          // m a = sum over neighbours of stress and artificial viscosity
         now.move(part);               // u += dt (a + push), less bed friction; x += dt u
-        seen.merge(state.last);
+        maxima.merge(state.last);
         left = left - part > 1e-9 * dt ? left - part : 0;
     }
     return count;

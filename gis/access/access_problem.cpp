@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/access/refusal.h"
+#include "gis/access/access_problem.h"
 
 #include <mutex>
 #include <utility>
@@ -9,16 +9,16 @@ namespace {
 
 // Libraries also read on their own threads.
 std::mutex guard;
-std::optional<Refusal> first;
+std::optional<AccessProblem> first;
 
 }  // namespace
 
-void note_refusal(Refusal refusal) {
+void note_access_problem(AccessProblem problem) {
     const std::lock_guard lock(guard);
-    if (!first) first = std::move(refusal);
+    if (!first) first = std::move(problem);
 }
 
-std::optional<Refusal> pop_refusal() {
+std::optional<AccessProblem> pop_access_problem() {
     const std::lock_guard lock(guard);
     return std::exchange(first, std::nullopt);
 }
