@@ -89,8 +89,9 @@ class NodeGrid {
     void cover(const Block& block) const noexcept;
     /// Covers the nodes within stencil reach of a local point.
     void cover_round(Point place) const noexcept;
-    /// Calls fill(nodes) for all nodes; if terrain is read on demand, for each block when it is covered, from the thread
-    /// that covers it, one at a time, as long as the grid exists. Exceptions of `fill` are stored for require_ground.
+    /// Calls fill(nodes) for all nodes; if terrain is read on demand, for each block when it is covered, from the
+    /// thread that covers it, one at a time, as long as the grid exists. Exceptions of `fill` are stored for
+    /// require_ground.
     void fill_with_ground(std::function<void(const Block&)> fill);
     /// Whether a terrain read failed since the last call of require_ground.
     [[nodiscard]] bool lacks_ground() const noexcept;

@@ -52,55 +52,56 @@ std::string without_quotes(const std::string& text) {
 }
 
 /// The weight follows the last colon outside quotes: values themselves may contain one ("raster:depth.tif").
-std::optional<Refusal> add_choice(const std::string& part, Distribution& choice) {
+std::optional<ValueProblem> add_choice(const std::string& part, Distribution& choice) {
     const auto colon = part.rfind(':'), quote = part.rfind('"');
     const bool outside = colon != std::string::npos && (quote == std::string::npos || colon > quote);
     const auto given = number_from_text(outside ? trimmed(part.substr(colon + 1)) : "");
     const bool weighted = given.has_value();
     const double weight = given.value_or(1);
     const std::string value = without_quotes(weighted ? trimmed(part.substr(0, colon)) : part);
-    if (value.empty()) return Refusal{"has an empty value", "Write for example choice(a: 0.7, b: 0.3)"};
-    if (!(weight > 0)) return Refusal{"has a weight that is not greater than 0", ""};
+    if (value.empty()) return ValueProblem{"has an empty value", "Write for example choice(a: 0.7, b: 0.3)"};
+    if (!(weight > 0)) return ValueProblem{"has a weight that is not greater than 0", ""};
     if (std::find(choice.values.begin(), choice.values.end(), value) != choice.values.end())
-        return Refusal{"has the value " + value + " twice", ""};
+        return ValueProblem{"has the value " + value + " twice", ""};
     choice.values.push_back(value);
     if (weighted) choice.weights.push_back(weight);
     return std::nullopt;
 }
 
-std::variant<Distribution, Refusal> choice_of(const std::vector<std::string>& parts, Distribution choice) {
+std::variant<Distribution, ValueProblem> choice_of(const std::vector<std::string>& parts, Distribution choice) {
     for (const std::string& part : parts)
         if (const auto refusal = add_choice(part, choice)) return *refusal;
     if (choice.weights.empty()) choice.weights.assign(choice.values.size(), 1);
     if (choice.weights.size() != choice.values.size())
-        return Refusal{"has weights for some of its values only", "Give each value a weight, or none"};
+        return ValueProblem{"has weights for some of its values only", "Give each value a weight, or none"};
     const double sum = std::accumulate(choice.weights.begin(), choice.weights.end(), 0.0);
     for (double& weight : choice.weights) weight /= sum;
     return choice;
 }
 
 /// What is wrong with the numbers; none: nothing.
-std::optional<Refusal> contradiction(Law law, const std::vector<double>& n) {
+std::optional<ValueProblem> contradiction(Law law, const std::vector<double>& n) {
     const bool positive = law == Law::log_uniform || law == Law::log_normal;
-    if (positive && !(n[0] > 0)) return Refusal{"needs a first number greater than 0", ""};
+    if (positive && !(n[0] > 0)) return ValueProblem{"needs a first number greater than 0", ""};
     switch (law) {
         case Law::uniform:
         case Law::log_uniform:
-            if (!(n[0] < n[1])) return Refusal{"needs a rising pair of limits", ""};
+            if (!(n[0] < n[1])) return ValueProblem{"needs a rising pair of limits", ""};
             break;
         case Law::normal:
         case Law::log_normal:
-            if (!(n[1] > 0)) return Refusal{"needs a standard deviation greater than 0", ""};
-            if (n.size() == 4 && !(n[2] < n[3])) return Refusal{"needs rising limits after the deviation", ""};
+            if (!(n[1] > 0)) return ValueProblem{"needs a standard deviation greater than 0", ""};
+            if (n.size() == 4 && !(n[2] < n[3])) return ValueProblem{"needs rising limits after the deviation", ""};
             if (n.size() == 4 && !(n[2] < n[0] && n[0] < n[3]))
-                return Refusal{"needs limits on both sides of the mean", ""};
+                return ValueProblem{"needs limits on both sides of the mean", ""};
             break;
         case Law::triangular:
             if (!(n[0] <= n[1] && n[1] <= n[2] && n[0] < n[2]))
-                return Refusal{"needs a least, a likeliest and a greatest value in this order", ""};
+                return ValueProblem{"needs a least, a likeliest and a greatest value in this order", ""};
             break;
         case Law::gaussian_field:
-            if (!(n[0] > 0 && n[1] > 0)) return Refusal{"needs a standard deviation and a range greater than 0", ""};
+            if (!(n[0] > 0 && n[1] > 0))
+                return ValueProblem{"needs a standard deviation and a range greater than 0", ""};
             break;
         case Law::choice:
             break;
@@ -116,24 +117,24 @@ std::string counts_text(const Form& form) {
 
 }  // namespace
 
-std::variant<Distribution, Refusal> distribution_from_text(const std::string& text) {
+std::variant<Distribution, ValueProblem> distribution_from_text(const std::string& text) {
     const auto open = text.find('(');
     if (open == std::string::npos || text.back() != ')')
-        return Refusal{"is not a distribution", "To keep one value, set the key in the scene"};
+        return ValueProblem{"is not a distribution", "To keep one value, set the key in the scene"};
     const std::string word = trimmed(text.substr(0, open));
     const auto form = std::find_if(forms().begin(), forms().end(), [&](const Form& one) { return one.word == word; });
-    if (form == forms().end()) return Refusal{"'" + word + "' is not a distribution", ""};
+    if (form == forms().end()) return ValueProblem{"'" + word + "' is not a distribution", ""};
     const auto parts = parts_of(text.substr(open + 1, text.size() - open - 2));
-    if (!parts) return Refusal{"has a quote that is not closed", ""};
+    if (!parts) return ValueProblem{"has a quote that is not closed", ""};
     Distribution distribution{form->law, {}, {}, {}, text};
     if (form->law == Law::choice) return choice_of(*parts, distribution);
     for (const std::string& part : *parts) {
         const auto number = number_from_text(part);
-        if (!number) return Refusal{"'" + part + "' is not a number", ""};
+        if (!number) return ValueProblem{"'" + part + "' is not a number", ""};
         distribution.numbers.push_back(*number);
     }
     if (std::find(form->counts.begin(), form->counts.end(), parts->size()) == form->counts.end())
-        return Refusal{
+        return ValueProblem{
             "has " + std::to_string(parts->size()) + " numbers, and " + word + " needs " + counts_text(*form), ""};
     if (const auto refusal = contradiction(form->law, distribution.numbers)) return *refusal;
     return distribution;

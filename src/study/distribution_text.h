@@ -17,7 +17,7 @@ inline constexpr const char* k_distributions =
 
 /// Reads "uniform(0.1, 0.3)", "choice(a.shp: 0.7, \"b, c.shp\": 0.3)": a value with a comma is in quotes; without
 /// weights all values are alike.
-std::variant<Distribution, Refusal> distribution_from_text(const std::string& text);
+std::variant<Distribution, ValueProblem> distribution_from_text(const std::string& text);
 
 /// Least and greatest value; infinite where there is none. Not for choices and fields.
 struct Support {

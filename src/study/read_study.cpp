@@ -37,14 +37,14 @@ constexpr const char* k_table_word = "table:";
 /// One key of [study]; the parser, the messages and the echo follow from it.
 struct StudyKey {
     const char *name, *limits, *meaning;
-    std::function<std::optional<Refusal>(StudySpec&, const std::string& text, const std::string& folder)> read;
+    std::function<std::optional<ValueProblem>(StudySpec&, const std::string& text, const std::string& folder)> read;
     std::function<std::optional<std::string>(const StudySpec&)> write;
 };
 
-std::optional<Refusal> read_sampling(StudySpec& study, const std::string& text, const std::string& folder) {
+std::optional<ValueProblem> read_sampling(StudySpec& study, const std::string& text, const std::string& folder) {
     if (text.starts_with(k_table_word)) {
         const std::string file = trimmed(text.substr(std::string(k_table_word).size()));
-        if (file.empty()) return Refusal{"names no file", "Write table:FILE.csv"};
+        if (file.empty()) return ValueProblem{"names no file", "Write table:FILE.csv"};
         study.sampling = Sampling::table;
         study.table = absolute_path(file, folder);
         return std::nullopt;
@@ -54,22 +54,22 @@ std::optional<Refusal> read_sampling(StudySpec& study, const std::string& text, 
         study.sampling = one.sampling;
         return std::nullopt;
     }
-    return Refusal{"is not one of the choices", ""};
+    return ValueProblem{"is not one of the choices", ""};
 }
 
 const std::vector<StudyKey>& study_keys() {
     static const std::vector<StudyKey> k_keys{
         {"scene", "a scene file", "The scene whose keys vary.",
-         [](StudySpec& study, const std::string& text, const std::string& folder) -> std::optional<Refusal> {
+         [](StudySpec& study, const std::string& text, const std::string& folder) -> std::optional<ValueProblem> {
              study.scene = absolute_path(text, folder);
              return std::nullopt;
          },
          [](const StudySpec& study) { return study.scene; }},
         {"samples", "2 to 1000000", "Number of members; with sampling = grid, and with until, the most.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
              const auto count = integer_from_text(text);
-             if (!count) return Refusal{"is not a whole number", ""};
-             if (*count < 2 || *count > k_most_samples) return Refusal{"is out of range", ""};
+             if (!count) return ValueProblem{"is not a whole number", ""};
+             if (*count < 2 || *count > k_most_samples) return ValueProblem{"is out of range", ""};
              study.samples = *count;
              return std::nullopt;
          },
@@ -83,20 +83,20 @@ const std::vector<StudyKey>& study_keys() {
              return study.sampling == Sampling::table ? k_table_word + study.table : name_of(study.sampling);
          }},
         {"seed", "0 to 2147483647", "The same seed gives the same members.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
              const auto seed = integer_from_text(text);
-             if (!seed) return Refusal{"is not a whole number", ""};
-             if (*seed < 0 || *seed > 2147483647) return Refusal{"is out of range", ""};
+             if (!seed) return ValueProblem{"is not a whole number", ""};
+             if (*seed < 0 || *seed > 2147483647) return ValueProblem{"is out of range", ""};
              study.seed = *seed;
              return std::nullopt;
          },
          [](const StudySpec& study) { return std::to_string(study.seed); }},
         {"until", "greater than 0, less than 0.5",
          "Standard error of the probabilities, anywhere on the map, below which no more members are run.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
              const auto error = number_from_text(text);
-             if (!error) return Refusal{"is not a number", ""};
-             if (!(*error > 0 && *error < 0.5)) return Refusal{"is out of range", ""};
+             if (!error) return ValueProblem{"is not a number", ""};
+             if (!(*error > 0 && *error < 0.5)) return ValueProblem{"is out of range", ""};
              study.until = *error;
              return std::nullopt;
          },
@@ -105,8 +105,9 @@ const std::vector<StudyKey>& study_keys() {
              return shortest_text(*study.until);
          }},
         {"keep", "none, failed, all", "Members whose scene and maps are written to members/.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<Refusal> {
-             if (text != "none" && text != "failed" && text != "all") return Refusal{"is not one of the choices", ""};
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
+             if (text != "none" && text != "failed" && text != "all")
+                 return ValueProblem{"is not one of the choices", ""};
              study.keep = text == "none" ? Keep::none : text == "all" ? Keep::all : Keep::failed;
              return std::nullopt;
          },
@@ -227,7 +228,7 @@ void Reader::add_variation(const std::string& key, const IniEntry& entry) {
         return;
     }
     auto read = distribution_from_text(entry.value);
-    if (const auto* refusal = std::get_if<Refusal>(&read)) {
+    if (const auto* refusal = std::get_if<ValueProblem>(&read)) {
         refuse(refusal->what, entry, k_distributions, refusal->remedy);
         return;
     }

@@ -10,9 +10,9 @@ namespace frana::study {
 
 /// Returns why a key of the scene cannot vary in a study; none: it can. Members must have the same cells and the same
 /// outputs, otherwise their maps could not be combined.
-std::optional<Refusal> refusal_to_vary(const Parameter& key);
+std::optional<ValueProblem> refusal_to_vary(const Parameter& key);
 
 /// Returns why a key cannot have a distribution: no number, a support beyond its range, a value it does not accept.
-std::optional<Refusal> refusal_of(const Parameter& key, const Distribution& distribution);
+std::optional<ValueProblem> refusal_of(const Parameter& key, const Distribution& distribution);
 
 }  // namespace frana::study

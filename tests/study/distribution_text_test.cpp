@@ -8,14 +8,14 @@ namespace {
 
 Distribution good(const std::string& text) {
     const auto read = distribution_from_text(text);
-    const auto* refusal = std::get_if<Refusal>(&read);
+    const auto* refusal = std::get_if<ValueProblem>(&read);
     EXPECT_EQ(refusal, nullptr) << text << ": " << (refusal != nullptr ? refusal->what : "");
     return refusal == nullptr ? std::get<Distribution>(read) : Distribution{};
 }
 
 std::string refusal(const std::string& text) {
     const auto read = distribution_from_text(text);
-    const auto* one = std::get_if<Refusal>(&read);
+    const auto* one = std::get_if<ValueProblem>(&read);
     EXPECT_NE(one, nullptr) << text;
     return one == nullptr ? "" : one->what;
 }

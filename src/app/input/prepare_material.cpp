@@ -59,7 +59,7 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     m.solids = s.phases == "solids-and-fluid";
     static_cast<StructuredValues&>(m) = s;
     for (const SolidKey& key : solid_keys()) {
-        const std::optional<double> value = constant(s.*key.giving(s).source);
+        const std::optional<double> value = constant(s.*key.in_use(s).source);
         if (key.degrees())
             set_tangent(m.*key.value, value);
         else

@@ -32,8 +32,8 @@ std::vector<Property> properties(const StructuredSpec& spec, bool solids) {
     std::vector<Property> list{{"structured.initial-fluid-depth", &spec.initial_fluid_depth}};
     if (!solids) return list;
     for (const SolidKey& key : solid_keys()) {
-        const SolidKey& giving = key.giving(spec);
-        list.push_back({giving.name, &(spec.*giving.source), key.value, key.degrees()});
+        const SolidKey& used = key.in_use(spec);
+        list.push_back({used.name, &(spec.*used.source), key.value, key.degrees()});
     }
     return list;
 }

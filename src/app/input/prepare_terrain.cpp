@@ -21,9 +21,9 @@
 namespace frana::app {
 namespace {
 
-// Up to here a run takes the whole DTM; beyond, rasters nobody looks at would cost more than the flow.
+// Up to here a run takes the whole DTM; beyond, unused rasters would cost more than the flow.
 constexpr auto k_large = static_cast<double>(CellValues::k_most_dense);
-// Of ground that is read where the flow comes, cells cost addresses: of nodes and their maxima, and tables of tiles.
+// With terrain read on demand a cell costs addresses (of nodes and their maxima) and tables of tiles.
 // A map of 20 000 x 20 000 cells is the largest that tests run.
 constexpr double k_most_cells_on_demand = 4e8, k_addresses_per_cell = 320, k_table_bytes_per_cell = 0.3;
 // A large DTM is looked at in so many places along each side before a run.

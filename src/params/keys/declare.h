@@ -43,7 +43,7 @@ auto given(const Value& value) {
         return std::optional<Value>(value);
 }
 
-/// Common to all kinds; `from_text` returns a Refusal or stores the value, `to_text` formats the plain value.
+/// Common to all kinds; `from_text` returns a ValueProblem or stores the value, `to_text` formats the plain value.
 template <class Member, class Read, class Write>
 Parameter parameter(const std::string& name, const std::string& type, Member member, Read from_text, Write to_text) {
     Parameter result;
@@ -71,13 +71,13 @@ Parameter number(const std::string& name, Member member, const std::string& unit
                  const std::string& meaning, const std::string& absent = {}) {
     Parameter result = parameter(
         name, "number", member,
-        [range](auto& target, const std::string& text) -> std::optional<Refusal> {
+        [range](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = number_from_text(text);
             if (!value) {
                 const bool comma = text.find(',') != std::string::npos;
-                return Refusal{"is not a number", comma ? "Write the decimals after a point, not a comma" : ""};
+                return ValueProblem{"is not a number", comma ? "Write the decimals after a point, not a comma" : ""};
             }
-            if (!range.has(*value)) return Refusal{"is out of range", ""};
+            if (!range.has(*value)) return ValueProblem{"is out of range", ""};
             target = *value;
             return std::nullopt;
         },
@@ -94,9 +94,9 @@ template <class Member>
 Parameter on_off(const std::string& name, Member member, const std::string& meaning, const std::string& absent = {}) {
     Parameter result = parameter(
         name, "on | off", member,
-        [](auto& target, const std::string& text) -> std::optional<Refusal> {
+        [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = boolean_from_text(text);
-            if (!value) return Refusal{"is not on or off", ""};
+            if (!value) return ValueProblem{"is not on or off", ""};
             target = *value;
             return std::nullopt;
         },
@@ -113,11 +113,11 @@ Parameter choice(const std::string& name, Member member, const std::vector<std::
                  const std::string& meaning, const std::vector<std::string>& not_yet = {}) {
     Parameter result = parameter(
         name, "choice", member,
-        [choices, not_yet](auto& target, const std::string& text) -> std::optional<Refusal> {
+        [choices, not_yet](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             if (std::find(not_yet.begin(), not_yet.end(), text) != not_yet.end())
-                return Refusal{"is not available in this version", "Choose " + joined(choices, " or ")};
+                return ValueProblem{"is not available in this version", "Choose " + joined(choices, " or ")};
             if (std::find(choices.begin(), choices.end(), text) == choices.end())
-                return Refusal{"is not one of the choices", ""};
+                return ValueProblem{"is not one of the choices", ""};
             target = text;
             return std::nullopt;
         },
@@ -135,13 +135,13 @@ template <class Member, class Value>
 Parameter option(const std::string& name, Member member, const Words<Value>& words, const std::string& meaning) {
     Parameter result = parameter(
         name, "choice", member,
-        [words](auto& target, const std::string& text) -> std::optional<Refusal> {
+        [words](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             for (const auto& [word, value] : words) {
                 if (word != text) continue;
                 target = value;
                 return std::nullopt;
             }
-            return Refusal{"is not one of the choices", ""};
+            return ValueProblem{"is not one of the choices", ""};
         },
         [words](const Value& value) {
             const auto found =
@@ -167,7 +167,7 @@ Parameter text(const std::string& name, Member member, const std::string& type, 
                const std::string& absent = {}) {
     Parameter result = parameter(
         name, type, member,
-        [](auto& target, const std::string& given_text) -> std::optional<Refusal> {
+        [](auto& target, const std::string& given_text) -> std::optional<ValueProblem> {
             target = given_text;
             return std::nullopt;
         },
@@ -197,10 +197,10 @@ Parameter source(const std::string& name, Member member, const std::string& unit
     if (allowed(Kind::raster)) forms.push_back("raster:FILE");
     Parameter result = parameter(
         name, "text", member,
-        [range, allowed](auto& target, const std::string& text) -> std::optional<Refusal> {
+        [range, allowed](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = source_from_text(text);
-            if (!value || !allowed(value->kind)) return Refusal{"is not understood", ""};
-            if (value->kind == Kind::number && !range.has(value->number)) return Refusal{"is out of range", ""};
+            if (!value || !allowed(value->kind)) return ValueProblem{"is not understood", ""};
+            if (value->kind == Kind::number && !range.has(value->number)) return ValueProblem{"is out of range", ""};
             target = *value;
             return std::nullopt;
         },
@@ -225,16 +225,16 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
                     const std::vector<std::string>& words, const std::string& meaning) {
     Parameter result = parameter(
         name, "list", member,
-        [=](std::vector<std::string>& target, const std::string& value) -> std::optional<Refusal> {
+        [=](std::vector<std::string>& target, const std::string& value) -> std::optional<ValueProblem> {
             const auto is_in = [](const std::vector<std::string>& list, const std::string& word) {
                 return std::find(list.begin(), list.end(), word) != list.end();
             };
             const std::vector<std::string> given = words_of(value);
-            if (given.empty()) return Refusal{"is an empty list", ""};
+            if (given.empty()) return ValueProblem{"is an empty list", ""};
             for (const std::string& word : given) {
                 if (is_in(alone, word) && given.size() > 1)
-                    return Refusal{"'" + word + "' cannot be combined with others", ""};
-                if (!is_in(alone, word) && !is_in(words, word)) return Refusal{"'" + word + "' is not known", ""};
+                    return ValueProblem{"'" + word + "' cannot be combined with others", ""};
+                if (!is_in(alone, word) && !is_in(words, word)) return ValueProblem{"'" + word + "' is not known", ""};
             }
             target = given;
             return std::nullopt;

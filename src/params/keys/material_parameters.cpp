@@ -19,7 +19,7 @@ Parameter turbulence_parameter() {
                               "Voellmy turbulence coefficient xi; off: friction alone.", "off");
     result.limits += ", or off";
     const auto read_number = result.read;
-    result.read = [read_number](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
+    result.read = [read_number](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
         if (value != "off") return read_number(scene, value);
         scene.material.turbulence.reset();
         return std::nullopt;

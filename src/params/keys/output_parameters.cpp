@@ -18,13 +18,13 @@ template <class Member>
 Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning) {
     Parameter result = declare::parameter(
         name, "list", member,
-        [](std::vector<double>& target, const std::string& value) -> std::optional<Refusal> {
+        [](std::vector<double>& target, const std::string& value) -> std::optional<ValueProblem> {
             std::vector<double> numbers;
             for (const std::string& word : words_of(value)) {
                 const auto number = number_from_text(word);
-                if (!number) return Refusal{"'" + word + "' is not a number", ""};
+                if (!number) return ValueProblem{"'" + word + "' is not a number", ""};
                 if (!(*number > (numbers.empty() ? 0 : numbers.back())))
-                    return Refusal{"does not rise from above 0", "Write for example 0.5 2"};
+                    return ValueProblem{"does not rise from above 0", "Write for example 0.5 2"};
                 numbers.push_back(*number);
             }
             target = numbers;
@@ -46,9 +46,9 @@ Parameter scheme_parameter() {
     const std::vector<std::string> schemes{"swiss-debris-flow", "swiss-flood", "austrian-torrent", "custom"};
     Parameter result = declare::parameter(
         "hazard.scheme", "choice", FRANA_MEMBER(hazard.scheme),
-        [schemes](std::optional<std::string>& target, const std::string& value) -> std::optional<Refusal> {
+        [schemes](std::optional<std::string>& target, const std::string& value) -> std::optional<ValueProblem> {
             if (std::find(schemes.begin(), schemes.end(), value) == schemes.end())
-                return Refusal{"is not one of the choices", ""};
+                return ValueProblem{"is not one of the choices", ""};
             target = value;
             return std::nullopt;
         },

@@ -11,7 +11,7 @@
 namespace frana {
 
 /// The reason why a text is invalid; the reader adds file and key.
-struct Refusal {
+struct ValueProblem {
     std::string what;    ///< "is not a number"
     std::string remedy;  ///< what to write instead; may be empty
 };
@@ -29,7 +29,7 @@ struct Parameter {
     std::string limits;   ///< allowed values, for messages
     std::string absent;   ///< the effect if the key is not given and has no fixed default
     std::string meaning;  ///< one sentence
-    std::function<std::optional<Refusal>(SceneSpec&, const std::string&)> read;
+    std::function<std::optional<ValueProblem>(SceneSpec&, const std::string&)> read;
     std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
     std::function<void(SceneSpec&)> reset;                              ///< restores the default
     std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a numeric key

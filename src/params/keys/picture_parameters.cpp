@@ -20,8 +20,9 @@ Parameter understood_text(const std::string& name, Member member, const std::str
                           const std::string& meaning, Understood understood, const std::string& absent = {}) {
     Parameter result = text(name, member, "text", meaning, absent);
     result.limits = limits;
-    result.read = [member, remedy, understood](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
-        if (!understood(value)) return Refusal{"is not understood", remedy};
+    result.read = [member, remedy, understood](SceneSpec& scene,
+                                               const std::string& value) -> std::optional<ValueProblem> {
+        if (!understood(value)) return ValueProblem{"is not understood", remedy};
         member(scene) = value;
         return std::nullopt;
     };

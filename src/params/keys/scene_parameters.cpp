@@ -25,11 +25,11 @@ using declare::word_list;
 Parameter particles_per_cell_parameter() {
     Parameter result = declare::parameter(
         "numerics.particles-per-cell", "integer", FRANA_MEMBER(numerics.particles_per_cell),
-        [](std::int64_t& target, const std::string& value) -> std::optional<Refusal> {
+        [](std::int64_t& target, const std::string& value) -> std::optional<ValueProblem> {
             const auto count = integer_from_text(value);
-            if (!count) return Refusal{"is not a whole number", ""};
+            if (!count) return ValueProblem{"is not a whole number", ""};
             if (*count != 1 && *count != 4 && *count != 9 && *count != 16)
-                return Refusal{"is not a square number from 1 to 16", "4 is a good choice, 9 where fronts matter"};
+                return ValueProblem{"is not a square number from 1 to 16", "4 is a good choice, 9 where fronts matter"};
             target = *count;
             return std::nullopt;
         },
@@ -44,14 +44,14 @@ Parameter accuracy_parameter() {
     constexpr Range k_range{0.001, 1};
     Parameter result = declare::parameter(
         "numerics.accuracy", "number", FRANA_MEMBER(numerics.accuracy),
-        [k_range](std::optional<double>& target, const std::string& value) -> std::optional<Refusal> {
+        [k_range](std::optional<double>& target, const std::string& value) -> std::optional<ValueProblem> {
             const bool is_percent = value.ends_with('%');
             const auto number = number_from_text(trimmed(is_percent ? value.substr(0, value.size() - 1) : value));
-            if (!number) return Refusal{"is not a number", "Write for example 5 % or 0.05"};
+            if (!number) return ValueProblem{"is not a number", "Write for example 5 % or 0.05"};
             const double fraction = is_percent ? *number / 100 : *number;
             if (!k_range.has(fraction))
-                return Refusal{"is out of range",
-                               !is_percent && *number > 1 ? "Write " + value + " % for percent" : ""};
+                return ValueProblem{"is out of range",
+                                    !is_percent && *number > 1 ? "Write " + value + " % for percent" : ""};
             target = fraction;
             return std::nullopt;
         },
@@ -161,11 +161,11 @@ void add_rest(std::vector<Parameter>& list) {
 void add_scene(std::vector<Parameter>& list) {
     Parameter format = declare::parameter(
         "scene.format", "integer", FRANA_MEMBER(format),
-        [](std::int64_t& target, const std::string& text) -> std::optional<Refusal> {
+        [](std::int64_t& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = integer_from_text(text);
-            if (!value || *value < 1) return Refusal{"is not a format", ""};
+            if (!value || *value < 1) return ValueProblem{"is not a format", ""};
             if (*value > k_scene_format)
-                return Refusal{"the file was written for a newer frana than this one", "Update frana"};
+                return ValueProblem{"the file was written for a newer frana than this one", "Update frana"};
             target = *value;
             return std::nullopt;
         },

@@ -21,17 +21,17 @@ Parameter bounds_parameter() {
              "Part of the DTM to compute on: west south east north in the working CRS.", "the whole DTM");
     result.unit = "m";
     result.limits = "four numbers, west < east and south < north";
-    result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
+    result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
         std::vector<double> numbers;
         for (const std::string& word : words_of(value)) {
             const auto number = number_from_text(word);
-            if (!number) return Refusal{"'" + word + "' is not a number", ""};
+            if (!number) return ValueProblem{"'" + word + "' is not a number", ""};
             numbers.push_back(*number);
         }
-        if (numbers.size() != 4) return Refusal{"does not have four numbers", ""};
+        if (numbers.size() != 4) return ValueProblem{"does not have four numbers", ""};
         const Bounds box{numbers[0], numbers[1], numbers[2], numbers[3]};
         if (!(box.west < box.east) || !(box.south < box.north))
-            return Refusal{"is an empty rectangle", "Write west south east north, in this order"};
+            return ValueProblem{"is an empty rectangle", "Write west south east north, in this order"};
         scene.terrain.bounds = box;
         return std::nullopt;
     };
@@ -48,11 +48,11 @@ Parameter bounds_parameter() {
 Parameter thickness_parameter() {
     Parameter result = declare::parameter(
         "release.thickness", "text", FRANA_MEMBER(release.thickness),
-        [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<Refusal> {
+        [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<ValueProblem> {
             const auto spec = thickness_from_text(value);
-            if (!spec) return Refusal{"is not understood", ""};
+            if (!spec) return ValueProblem{"is not understood", ""};
             if (spec->kind == ThicknessSpec::Kind::number && !(spec->metres > 0))
-                return Refusal{"is not a thickness", "It must be greater than 0 m"};
+                return ValueProblem{"is not a thickness", "It must be greater than 0 m"};
             target = spec;
             return std::nullopt;
         },
@@ -80,17 +80,17 @@ Parameter error_parameter() {
     constexpr Range k_deviation{0, 100}, k_range{0, 1e5, true};
     Parameter result = declare::parameter(
         "terrain.error", "list", FRANA_MEMBER(terrain.error),
-        [=](std::optional<TerrainErrorSpec>& target, const std::string& value) -> std::optional<Refusal> {
+        [=](std::optional<TerrainErrorSpec>& target, const std::string& value) -> std::optional<ValueProblem> {
             const std::vector<std::string> words = words_of(value);
-            const Refusal not_understood{"is not a standard deviation, a range and a whole number",
-                                         "Write for example 0.5, 50, 1"};
+            const ValueProblem not_understood{"is not a standard deviation, a range and a whole number",
+                                              "Write for example 0.5, 50, 1"};
             if (words.size() != 3) return not_understood;
             const auto deviation = number_from_text(words[0]), range = number_from_text(words[1]);
             const auto seed = integer_from_text(words[2]);
             if (!deviation || !range || !seed) return not_understood;
             TerrainErrorSpec error{*deviation, *range, seed.value_or(0)};
             if (!k_deviation.has(error.standard_deviation) || !k_range.has(error.range) || error.seed < 0)
-                return Refusal{"is out of range", ""};
+                return ValueProblem{"is out of range", ""};
             target = error;
             return std::nullopt;
         },

@@ -27,7 +27,7 @@ const std::vector<SolidKey>& solid_keys() {
     return keys;
 }
 
-const SolidKey& SolidKey::giving(const StructuredSpec& spec) const {
+const SolidKey& SolidKey::in_use(const StructuredSpec& spec) const {
     if (instead.empty() || spec.*source) return *this;
     return *std::find_if(solid_keys().begin(), solid_keys().end(),
                          [this](const SolidKey& other) { return other.name == instead; });

@@ -24,7 +24,7 @@ struct SolidKey {
     /// An angle, stored as its tangent.
     [[nodiscard]] bool degrees() const { return unit == "degrees"; }
     /// Returns the key that defines the value: this one, or `instead`.
-    [[nodiscard]] const SolidKey& giving(const StructuredSpec& spec) const;
+    [[nodiscard]] const SolidKey& in_use(const StructuredSpec& spec) const;
 };
 const std::vector<SolidKey>& solid_keys();
 
