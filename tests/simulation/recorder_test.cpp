@@ -27,7 +27,7 @@ class AtTheDam : public ::testing::Test {
             bench::fill_lattice(grid_, 2, 0, [](Point p) { return bench::Seed{p.x < 500 ? 10.0 : 0}; });
         const Numerics n = numerics(Scheme::standard, SlopeCorrection::none, Boundary::wall);
         Flow flow(bench::sample_raster(grid_, [](Point) { return 0.0; }), seeds, water(), n, 1);
-        flow.keep_brought_velocities();
+        flow.record_gathered_velocities();
         Recorder recorder(recording, grid_, n);
         while (flow.time() < k_end) {
             const double began = flow.time();
