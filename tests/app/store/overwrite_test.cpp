@@ -50,8 +50,14 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run(k_voellmy + k_entrainment + k_every_output, "old");
     render_all();
     run(k_structured + k_every_output, "other");
+    write_scene(k_numbers_only);
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n[vary]\n"
+          "material.friction-angle = uniform(18, 24)\nmaterial.turbulence = uniform(200, 400)\n");
+    const Outcome study = frana({"ensemble", "study.ini", "--out", "range", "--quiet"});
+    ASSERT_EQ(study.exit_code, 0) << study.err;
     std::map<std::string, int> rows;
-    for (const std::string result : {"old", "other"}) {
+    for (const std::string result : {"old", "other", "range"}) {
         const auto manifest = app::read_manifest(path(result));
         ASSERT_TRUE(manifest);
         for (const std::string& name : files_below(path(result))) {
@@ -66,7 +72,7 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
         }
         EXPECT_EQ(manifest->files.size() + 1, files_below(path(result)).size());
     }
-    // Requested by neither of the two scenes: notes of an unfinished run, other formats of the same.
+    // Requested by none of the scenes: notes of an unfinished run, other formats of the same.
     const auto needs_luck = [](const app::ResultFile& row) {
         const ResultRaster* const raster = find_result_raster(row.pattern.substr(0, row.pattern.find('.')));
         return raster != nullptr && raster->if_it_happens;
