@@ -138,8 +138,8 @@ TEST_F(MemoryOfMachine, RefusesTooLargeRunsBeforeAnythingIsComputed) {
             "--memory-limit 9GB is more than");
 }
 
-// Libraries wait for ever for a thread that the shell's limit does not allow. To be loaded they need 0.6 GB of addresses;
-// with less the system's loader ends the program before it begins.
+// Libraries wait for ever for a thread that the shell's limit does not allow. To be loaded they need 0.6 GB of
+// addresses; with less the system's loader ends the program before it begins.
 TEST_F(MemoryOfMachine, MayBeAlmostNone) {
     if (k_sanitized) GTEST_SKIP() << "a sanitizer reserves more addresses than that";
     write_scene();
