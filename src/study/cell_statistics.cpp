@@ -21,18 +21,6 @@ MemberRecord require_record(const std::string& path) {
     return *std::move(record);
 }
 
-/// Calls visit(row, column, index) for the cells of a record, by rows and columns of the grid.
-template <class Visit>
-void visit_cells(const MemberRecord& record, const GridSpec& grid, const Visit& visit) {
-    const CellWindow place = record.place_in(grid);
-    std::size_t next = 0;
-    for (const CellRun& run : record.runs) {
-        for (std::uint64_t cell = run.first; cell < run.first + run.count; ++cell, ++next)
-            visit(static_cast<std::int64_t>(cell) / record.columns + place.row,
-                  static_cast<std::int64_t>(cell) % record.columns + place.column, next);
-    }
-}
-
 CellWindow inside(const CellWindow& window, const GridSpec& grid) {
     const std::int64_t top = std::max<std::int64_t>(0, window.row), left = std::max<std::int64_t>(0, window.column);
     return {top, left, std::min(window.row + window.rows, grid.rows) - top,
@@ -54,7 +42,7 @@ CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) 
     constexpr std::int64_t k_far = std::numeric_limits<std::int64_t>::max();
     std::int64_t top = k_far, bottom = -k_far, left = k_far, right = -k_far;
     for (const std::string& file : members.records) {
-        visit_cells(require_record(file), grid, [&](std::int64_t row, std::int64_t column, std::size_t) {
+        require_record(file).for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t) {
             top = std::min(top, row);
             bottom = std::max(bottom, row);
             left = std::min(left, column);
@@ -81,7 +69,7 @@ void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, co
         for (std::size_t m = 0; m < count; ++m) {
             const MemberRecord record = require_record(members.records[m]);
             const std::vector<float>& of_member = record.of(quantity);
-            visit_cells(record, grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+            record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
                 const bool is_inside =
                     row >= first && row < last && column >= window.column && column < window.column + window.columns;
                 if (!is_inside) return;

@@ -27,13 +27,7 @@ void add_bytes(std::string& bytes, const void* from, std::size_t count) {
 }
 
 std::uint32_t crc_of(const char* bytes, std::size_t count) {
-    uLong crc = ::crc32(0, nullptr, 0);
-    for (std::size_t at = 0; at < count;) {
-        const std::size_t part = std::min<std::size_t>(count - at, 1U << 30);
-        crc = ::crc32(crc, reinterpret_cast<const Bytef*>(bytes + at), static_cast<uInt>(part));
-        at += part;
-    }
-    return static_cast<std::uint32_t>(crc);
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes), count));
 }
 
 /// Why a run's figures are those of another event than its scene; empty: they are good.
@@ -79,34 +73,32 @@ CellWindow MemberRecord::place_in(const GridSpec& grid) const {
 
 Raster MemberRecord::raster(Quantity quantity, const GridSpec& grid) const {
     Raster raster(grid, k_no_data);
-    const CellWindow place = place_in(grid);
     const std::vector<float>& values = of(quantity);
-    std::size_t next = 0;
-    for (const CellRun& run : runs) {
-        for (std::uint64_t cell = run.first; cell < run.first + run.count; ++cell, ++next) {
-            const std::int64_t row = static_cast<std::int64_t>(cell) / columns + place.row,
-                               column = static_cast<std::int64_t>(cell) % columns + place.column;
-            if (row >= 0 && column >= 0 && row < grid.rows && column < grid.columns)
-                raster.at(row, column) = static_cast<double>(values[next]);
-        }
-    }
+    for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+        if (row >= 0 && column >= 0 && row < grid.rows && column < grid.columns)
+            raster.at(row, column) = static_cast<double>(values[index]);
+    });
     return raster;
 }
 
-MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scene& scene, double threshold) {
+MemberRecord empty_record(std::uint64_t member, const GridSpec& grid) {
     MemberRecord record;
     record.member = member;
-    record.failure = failure_of(result);
-    for (const RunValue& value : reported_values(result, scene, threshold))
-        record.figures.push_back({value.key, value.title, value.unit, value.value});
-    record.figures.push_back({"volume_m3", "volume", "m3", result.volume_entered});
-    record.engine_seconds = result.engine_seconds;
-    const GridSpec& grid = scene.grid;
     record.west = grid.west;
     record.north = grid.north;
     record.cell_size = grid.cell_size;
     record.columns = grid.columns;
     record.rows = grid.rows;
+    return record;
+}
+
+MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scene& scene, double threshold) {
+    MemberRecord record = empty_record(member, scene.grid);
+    record.failure = failure_of(result);
+    for (const RunValue& value : reported_values(result, scene, threshold))
+        record.figures.push_back({value.key, value.title, value.unit, value.value});
+    record.figures.push_back({"volume_m3", "volume", "m3", result.volume_entered});
+    record.engine_seconds = result.engine_seconds;
     add_cells(result, record);
     return record;
 }

@@ -63,6 +63,18 @@ struct MemberRecord {
     /// Returns row and column of its grid's north-western cell in another grid. Throws Error(input) if the cells of the
     /// two do not coincide.
     [[nodiscard]] CellWindow place_in(const GridSpec& grid) const;
+    /// Calls visit(row, column, index) for the cells that the flow reached, by rows and columns of such a grid, which
+    /// may be outside it; `index` is the cell's place in depth, velocity and arrival.
+    template <class Visit>
+    void for_each_cell(const GridSpec& grid, const Visit& visit) const {
+        const CellWindow place = place_in(grid);
+        std::size_t index = 0;
+        for (const CellRun& run : runs) {
+            for (std::uint64_t cell = run.first; cell < run.first + run.count; ++cell, ++index)
+                visit(static_cast<std::int64_t>(cell) / columns + place.row,
+                      static_cast<std::int64_t>(cell) % columns + place.column, index);
+        }
+    }
 };
 
 template <class Archive>
@@ -71,6 +83,8 @@ void serialise(Archive& archive, MemberRecord& record) {
             record.cell_size, record.columns, record.rows, record.runs, record.depth, record.velocity, record.arrival);
 }
 
+/// Returns a record without figures and cells, of a member on a grid.
+MemberRecord empty_record(std::uint64_t member, const GridSpec& grid);
 /// Returns the record of a run.
 /// @param threshold depth from which a cell belongs to the covered area [m]
 MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scene& scene, double threshold);

@@ -8,10 +8,11 @@
 
 namespace frana::study {
 
-/// How far one figure hangs on one key.
+/// A value and its interval of confidence.
 struct Interval {
     double value = 0, low = 0, high = 0;  ///< low, high: of 95 %
 };
+/// Sensitivity of one figure to one key.
 struct KeySensitivity {
     std::optional<Interval> first_order, total;  ///< Sobol' indices: fractions of the variance
     /// Spearman's rank correlation; of a key without order the correlation ratio, which has no interval.

@@ -43,6 +43,21 @@ void add_moments(std::span<const float> values, const std::vector<double>& weigh
     maps.hits.values[cell] = hits;
 }
 
+/// Greatest and mean of the errors that are not 0.
+class ErrorSummary {
+  public:
+    void add(double error) {
+        if (!(error > 0)) return;
+        greatest_ = std::max(greatest_, error);
+        sum_ += error;
+        count_ += 1;
+    }
+    [[nodiscard]] MapError result() const { return {greatest_, count_ > 0 ? sum_ / count_ : 0}; }
+
+  private:
+    double greatest_ = 0, sum_ = 0, count_ = 0;
+};
+
 /// Cells that wait until so many can be given to the estimator at once.
 constexpr std::size_t k_cells_at_once = 256;
 
@@ -84,18 +99,10 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
 }
 
 MapError map_error(const std::vector<Raster>& errors) {
-    MapError all;
-    double sum = 0, count = 0;
-    for (const Raster& raster : errors) {
-        raster.values.for_each_stored([&](std::size_t, double error) {
-            if (!(error > 0)) return;
-            all.largest = std::max(all.largest, error);
-            sum += error;
-            count += 1;
-        });
-    }
-    all.mean = count > 0 ? sum / count : 0;
-    return all;
+    ErrorSummary all;
+    for (const Raster& raster : errors)
+        raster.values.for_each_stored([&](std::size_t, double error) { all.add(error); });
+    return all.result();
 }
 
 MapError error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
@@ -108,19 +115,12 @@ MapError error_of_first(const FinishedMembers& members, std::size_t count, Quant
     for (const double weight : first.weights) sum += weight;
     for (double& weight : first.weights) weight /= sum;
     const ProbabilityError error(first);
-    MapError all;
-    double errors = 0, cells = 0;
+    ErrorSummary all;
     for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
-        for (const double threshold : thresholds) {
-            const double one = error.of(exceedance(values, first.weights, threshold), values, threshold);
-            if (!(one > 0)) continue;
-            all.largest = std::max(all.largest, one);
-            errors += one;
-            cells += 1;
-        }
+        for (const double threshold : thresholds)
+            all.add(error.of(exceedance(values, first.weights, threshold), values, threshold));
     });
-    all.mean = cells > 0 ? errors / cells : 0;
-    return all;
+    return all.result();
 }
 
 std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, std::size_t groups,

@@ -57,7 +57,7 @@ TEST(SobolIndices, OfALinearFunction) {
     for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_NEAR(both[0][k].first_order->value, exact[k], 0.02) << k;
         EXPECT_NEAR(both[0][k].total->value, exact[k], 0.02) << k;
-        EXPECT_FALSE(both[1][k].first_order) << "a figure that does not vary hangs on nothing";
+        EXPECT_FALSE(both[1][k].first_order) << "a figure that does not vary is sensitive to nothing";
     }
 }
 

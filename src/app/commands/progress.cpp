@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/progress.h"
 
-#include <unistd.h>
-
 #include <cstdio>
-#include <iostream>
 #include <string>
 
 namespace frana::app {
 namespace {
-
-constexpr double k_live_interval = 0.2;    // fast enough to look continuous
-constexpr double k_plain_interval = 10.0;  // contract: a line every ten seconds
 
 std::string line_of(const Progress& progress, double begin, double elapsed) {
     char text[160];
@@ -30,27 +24,9 @@ std::string line_of(const Progress& progress, double begin, double elapsed) {
 
 }  // namespace
 
-ProgressReporter::ProgressReporter(bool quiet)
-    : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1), next_(terminal_ ? 0 : k_plain_interval) {}
-
 void ProgressReporter::show(const Progress& progress) {
-    if (quiet_) return;
     if (begin_ < 0) begin_ = progress.time;
-    const double elapsed = since_start_.seconds();
-    if (elapsed < next_) return;
-    next_ = elapsed + (terminal_ ? k_live_interval : k_plain_interval);
-    const std::string line = line_of(progress, begin_, elapsed);
-    if (terminal_) {
-        std::cerr << '\r' << line << "\033[K" << std::flush;
-        line_is_open_ = true;
-    } else {
-        std::cerr << "frana: " << line << '\n';
-    }
-}
-
-void ProgressReporter::finish() {
-    if (line_is_open_) std::cerr << "\r\033[K" << std::flush;
-    line_is_open_ = false;
+    if (line_.is_due()) line_.show(line_of(progress, begin_, line_.seconds()));
 }
 
 }  // namespace frana::app

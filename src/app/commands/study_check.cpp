@@ -25,12 +25,6 @@ void line(const std::string& name, const std::string& value) {
     std::printf("  %-16s %s\n", name.c_str(), value.c_str());
 }
 
-std::string duration_text(double seconds) {
-    if (seconds < 120) return number_text(seconds, 2) + " s";
-    if (seconds < 7200) return number_text(seconds / 60, 2) + " min";
-    return number_text(seconds / 3600, 2) + " h";
-}
-
 std::string time_text(const StudyForecast& forecast, std::size_t members, int threads) {
     const double all = forecast.member_seconds() * static_cast<double>(members) / threads;
     return std::string(forecast.trial ? "about " : "at least ") + duration_text(all) + ": " +

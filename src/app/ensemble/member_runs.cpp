@@ -16,19 +16,9 @@ namespace {
 
 /// The record of a member that has no result.
 study::MemberRecord failed_record(std::size_t member, const GridSpec& grid, const Error& error) {
-    study::MemberRecord record;
-    record.member = member;
+    study::MemberRecord record = study::empty_record(member, grid);
     record.failure = describe(error.problems().front());
-    record.west = grid.west;
-    record.north = grid.north;
-    record.cell_size = grid.cell_size;
-    record.columns = grid.columns;
-    record.rows = grid.rows;
     return record;
-}
-
-std::size_t existing_records(const std::string& folder) {
-    return records_in(folder).size();
 }
 
 }  // namespace
@@ -37,7 +27,7 @@ MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int thre
     : input_(input),
       folder_(std::move(folder)),
       threads_(threads),
-      progress_(existing_records(folder_), input.table.size(), quiet) {}
+      progress_(records_in(folder_).size(), input.table.size(), quiet) {}
 
 bool MemberRunner::stops() const {
     return stop_signal() != 0 || failed_;

@@ -57,7 +57,7 @@ NamedChart exceedance_chart(const StudyResult& result, const MapSource& source) 
 NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool by_indices,
                              const MapSource& source) {
     render::Chart chart =
-        page(source, "what the figures hang on",
+        page(source, "sensitivity of the results",
              by_indices ? "bar: total Sobol' index, thin line: its interval of 95 %, circle: first order"
                         : "bar: rank correlation with the figure, thin line: its interval of 95 %",
              "sensitivity.csv", across_of(std::min(k_most_panels, figures.size())));

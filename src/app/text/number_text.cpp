@@ -45,6 +45,12 @@ std::string bytes_text(double bytes) {
     return number_text(bytes, 3) + " " + units[unit];
 }
 
+std::string duration_text(double seconds) {
+    if (seconds < 120) return number_text(seconds, 2) + " s";
+    if (seconds < 7200) return number_text(seconds / 60, 2) + " min";
+    return number_text(seconds / 3600, 2) + " h";
+}
+
 std::string extent_text(const Bounds& bounds, bool degrees) {
     char text[200];
     const int decimals = degrees ? 7 : 2;

@@ -79,8 +79,9 @@ void add_study(Table& table) {
     of_all("deviation_max_velocity", "Deviation of the maximum velocity", "Standard deviation of the maximum speed",
            "m/s", "velocity", k_even);
     of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even);
-    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
-                                           "Which part of being reached hangs on {}", "-", "velocity", k_even);
+    ResultRaster& sensitivity =
+        for_values("sensitivity", "Sensitivity to {}", "Fraction of the variance of being reached that {} explains",
+                   "-", "velocity", k_even);
     sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
 }
 
