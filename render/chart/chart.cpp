@@ -35,7 +35,7 @@ class Axes {
 
   private:
     [[nodiscard]] std::vector<double> values(bool along_x) const {
-        std::vector<double> all;
+        std::vector<double> all = along_x ? panel_.on_x : panel_.on_y;
         for (const ChartSeries& series : panel_.series) {
             for (std::size_t i = 0; i < series.points.size(); ++i) {
                 if (!has(series.points[i])) continue;
@@ -43,7 +43,6 @@ class Axes {
                 if (!along_x && !series.foot.empty()) all.push_back(series.foot[i]);
             }
         }
-        if (!along_x && panel_.from_zero) all.push_back(0);
         return all;
     }
 
@@ -105,7 +104,8 @@ void draw_inside(Drawing& drawing, const PageStyle& style, const ChartPanel& pan
                     Problem{"the page is too small for its charts", "", "", "", "draw a larger picture"});
     }
     const Axes axes(panel, box, style);
-    if (axes.any()) draw_ticks(drawing, style, box, axes.x().ticks(), axes.y().ticks());
+    if (axes.any())
+        draw_ticks(drawing, style, box, axes.x().ticks(), panel.has_rows ? std::vector<Tick>{} : axes.y().ticks());
     for (const ChartSeries& series : panel.series) fill_under(drawing, series, axes);
     for (const ChartSeries& series : panel.series) layout.points.push_back(draw_series(drawing, style, series, axes));
     if (panel.mark_x && axes.any()) {

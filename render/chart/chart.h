@@ -38,11 +38,13 @@ struct ChartSeries {
 struct ChartPanel {
     std::string title, x_label, y_label;
     std::vector<ChartSeries> series;
-    bool from_zero = false;  ///< 0 is on the y axis
+    std::vector<double> on_y{};  ///< values that the y axis includes besides those of the series
     Scale x = Scale::linear, y = Scale::linear;
     std::optional<double> mark_x{};  ///< a vertical dashed line
     double fraction = 1;             ///< of the page's height, relative to the panels beside it
     std::string note = "no values";  ///< written in the panel if it has no point
+    std::vector<double> on_x{};      ///< as on_y
+    bool has_rows = false;           ///< y counts rows, which the key names: no numbers and lines along y
 };
 
 /// A page of panels in rows of `across` panels each.

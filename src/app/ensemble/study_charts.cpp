@@ -46,7 +46,7 @@ NamedChart exceedance_chart(const StudyResult& result, const MapSource& source) 
                                across_of(std::min(k_most_panels, result.figures().size())));
     for (std::size_t f = 0; f < result.figures().size() && chart.panels.size() < k_most_panels; ++f) {
         const study::Figure& figure = result.figures()[f];
-        render::ChartPanel panel{figure.title, axis_label(figure), "probability of more [-]", {}, true};
+        render::ChartPanel panel{figure.title, axis_label(figure), "probability of more [-]", {}, {0}};
         panel.series.push_back({"", k_colours[0], exceedance_curve(result.figure(f), result.finished.weights), 2.4});
         chart.panels.push_back(std::move(panel));
     }
@@ -64,9 +64,12 @@ NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSe
     for (const FigureSensitivity& figure : figures) {
         if (chart.panels.size() == k_most_panels) break;
         render::ChartPanel panel{
-            figure.figure.title, by_indices ? "fraction of the variance [-]" : "correlation [-]", "key", {}};
+            figure.figure.title, by_indices ? "fraction of the variance [-]" : "correlation [-]", "", {}};
         panel.note = "the figure does not vary";
         const double count = static_cast<double>(figure.keys.size());
+        panel.has_rows = true;
+        panel.on_y = {0.5, count + 0.5};
+        panel.on_x = {by_indices ? 0 : -1.05, 1.05};
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const study::KeySensitivity& one = figure.keys[k];
             const auto& value = by_indices ? one.total : one.rank_correlation;

@@ -120,11 +120,11 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
                      {"bed plus maximum depth", k_blue, surface("max_depth"), 2, Stroke::dashed},
                      {"bed", k_ground, on_line(bed), 2.4}};
     relief.fraction = 1.5;
-    render::ChartPanel depths{"Depths, vertical", metres, "depth [m]", {}, true};
+    render::ChartPanel depths{"Depths, vertical", metres, "depth [m]", {}, {0}};
     depths.series = {{"maximum", k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
                      {"released", k_green, on_line(column("release_m")), 2, Stroke::dotted},
                      {"at the end", k_vermilion, on_line(column("final_depth")), 2}};
-    render::ChartPanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
+    render::ChartPanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, {0}};
     speeds.series = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
     const std::string name = elided(text_of_cell(line), k_longest_name);
     render::Chart chart = page(source, "profile along " + name, k_profile_table);
@@ -144,21 +144,17 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
     render::Chart chart = page(source, "time series of the flow", k_series_file);
     chart.across = 2;
     chart.panels = {
-        {"Greatest speed", seconds, "speed [m/s]", {curve("max_speed_ms", "along the bed", k_vermilion)}, true},
-        {"Greatest depth", seconds, "depth [m]", {curve("max_depth_m", "vertical", k_blue)}, true},
-        {"Front", seconds, "distance [m]", {curve("front_distance_m", "farthest particle", k_purple)}, true},
-        {"Covered area",
-         seconds,
-         "area [1000 m\u00B2]",
-         {curve("covered_area_m2", "at the time", k_green, 1e-3)},
-         true},
-        {"Kinetic energy", seconds, "energy [GJ]", {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)}, true},
+        {"Greatest speed", seconds, "speed [m/s]", {curve("max_speed_ms", "along the bed", k_vermilion)}, {0}},
+        {"Greatest depth", seconds, "depth [m]", {curve("max_depth_m", "vertical", k_blue)}, {0}},
+        {"Front", seconds, "distance [m]", {curve("front_distance_m", "farthest particle", k_purple)}, {0}},
+        {"Covered area", seconds, "area [1000 m\u00B2]", {curve("covered_area_m2", "at the time", k_green, 1e-3)}, {0}},
+        {"Kinetic energy", seconds, "energy [GJ]", {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)}, {0}},
         {"Volume",
          seconds,
          "volume [1000 m\u00B3]",
          {curve("volume_m3", "inside", k_blue, 1e-3),
           curve("volume_left_m3", "left the domain", k_vermilion, 1e-3, Stroke::dashed)},
-         true}};
+         {0}}};
     return {"timeseries", chart};
 }
 
@@ -168,11 +164,11 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
         return render::ChartSeries{label, k_colours[colour], joined_points(threshold, table.numbers(name)), 2.4,
                                    stroke};
     };
-    render::ChartPanel scores{"Scores", "depth threshold [m]", "score [-]", {}, true};
+    render::ChartPanel scores{"Scores", "depth threshold [m]", "score [-]", {}, {0}};
     scores.series = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
                      curve("true_positive_rate", "hit rate", 2, Stroke::dashed),
                      curve("false_positive_rate", "false alarm rate", 3, Stroke::dotted)};
-    render::ChartPanel areas{"Area difference", "depth threshold [m]", "difference [%]", {}, true};
+    render::ChartPanel areas{"Area difference", "depth threshold [m]", "difference [%]", {}, {0}};
     areas.series = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, Stroke::solid)};
     for (render::ChartPanel* panel : {&scores, &areas}) {
         panel->x = render::Scale::logarithmic;
@@ -199,7 +195,7 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
     }
     for (const auto& [column, name, label] : quantities) {
         const std::vector<double> values = table.numbers(column);
-        render::ChartPanel panel{name, "time [s]", label, {}, true};
+        render::ChartPanel panel{name, "time [s]", label, {}, {0}};
         for (const std::string& kind : kinds) {
             const Rgb colour = k_colours[panel.series.size() % std::size(k_colours)];
             render::ChartSeries curve{elided(text_of_cell(kind), k_longest_name), colour, {}};

@@ -85,7 +85,7 @@ void add_statistics(Table& table, const ComparisonStatistics& f) {
 std::string line_chart(const std::string& x_label, const std::string& y_label, std::vector<render::ChartSeries> series,
                        render::Scale x = render::Scale::linear) {
     constexpr int k_width = 560, k_height = 240;
-    render::ChartPanel panel{"", x_label, y_label, std::move(series), true};
+    render::ChartPanel panel{"", x_label, y_label, std::move(series), {0}};
     panel.x = x;
     for (render::ChartSeries& one : panel.series) one.width_px = 3;
     return render::chart_svg({"", "", "", 1, {std::move(panel)}}, k_width, k_height);

@@ -104,9 +104,31 @@ TEST(Chart, AsSvgHasTheSamePlacesAndNames) {
     EXPECT_NE(chart_svg(chart, 1000, 600).find(">a &lt; b &amp; &quot;c&quot;</text>"), std::string::npos);
 }
 
+// Bars in rows: all of them inside the frame, with no numbers along y.
+TEST(Chart, RowsAreInsideTheFrameAndHaveNoNumbers) {
+    Chart chart{"", "", "", 1, {{"", "correlation [-]", "", {}}}};
+    ChartPanel& panel = chart.panels[0];
+    panel.has_rows = true;
+    panel.on_y = {0.5, 2.5};
+    panel.on_x = {-1.05, 1.05};
+    for (const double row : {1.0, 2.0}) panel.series.push_back({"", {0, 114, 178}, {{0, row}, {1, row}}, 14});
+    ChartLayout layout;
+    const std::string svg = chart_svg(chart, 560, 240, &layout);
+    for (const auto& bar : layout.points) {
+        for (const Point end : bar) {
+            EXPECT_GT(end.y, layout.panels[0].top + 14);
+            EXPECT_LT(end.y, layout.panels[0].bottom - 14);
+            EXPECT_LT(end.x, layout.panels[0].right - 2);
+        }
+    }
+    EXPECT_NE(svg.find(">0.5</text>"), std::string::npos);  // along x
+    EXPECT_EQ(svg.find(">1.5</text>"), std::string::npos);
+    EXPECT_EQ(svg.find(">2</text>"), std::string::npos);
+}
+
 // A run has one row per step.
 TEST(Chart, ALineOfManyPointsKeepsItsPeaksAndIsSmall) {
-    Chart chart{"", "", "", 1, {{"", "time [s]", "speed [m/s]", {{"", {0, 114, 178}, {}}}, true}}};
+    Chart chart{"", "", "", 1, {{"", "time [s]", "speed [m/s]", {{"", {0, 114, 178}, {}}}, {0}}}};
     constexpr int k_count = 1'000'000;
     for (int i = 0; i < k_count; ++i)
         chart.panels[0].series[0].points.push_back({1e-3 * i, i == 123'456 ? 50 : std::sin(0.1 * i)});

@@ -24,7 +24,7 @@ Chart chart() {
     }
     content.panels = {
         {"Bed", "distance [m]", "elevation [m]", {{"bed", {90, 70, 50}, bed}}},
-        {"Depth", "distance [m]", "depth [m]", {{"maximum", {0, 114, 178}, depth, 2, Stroke::solid, foot}}, true}};
+        {"Depth", "distance [m]", "depth [m]", {{"maximum", {0, 114, 178}, depth, 2, Stroke::solid, foot}}, {0}}};
     return content;
 }
 
