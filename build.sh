@@ -11,6 +11,7 @@ packages=(
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
   libboost-program-options-dev nlohmann-json3-dev zlib1g-dev libxxhash-dev libgtest-dev
   libopenturns-dev
+  libopenmpi-dev openmpi-bin
 )
 # Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); layout of the source; readers of what frana writes.
 test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4)

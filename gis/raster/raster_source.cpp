@@ -16,6 +16,7 @@
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/network.h"
+#include "gis/access/remembered_reads.h"
 #include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/vertical_unit.h"
@@ -220,7 +221,8 @@ RasterInfo with_crs(RasterInfo info, const std::string& crs_wkt) {
 }
 
 RasterInfo inspect_raster(const std::string& path, const std::string& where) {
-    return RasterSource(path, where).info();
+    return remembered(
+        "inspect_raster", [&] { return RasterSource(path, where).info(); }, path, where);
 }
 
 bool RasterSource::holds_any(const Window& window) const noexcept {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "gis/access/gdal_session.h"
+#include "gis/access/remembered_reads.h"
 #include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/declared_crs.h"
@@ -33,9 +34,7 @@ Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
     return line;
 }
 
-}  // namespace
-
-LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+LineInputLayer read_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -78,6 +77,13 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
                            error.problems().front().remedy);
     }
     return read;
+}
+
+}  // namespace
+
+LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+    return remembered(
+        "read_lines", [&] { return read_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
 }
 
 }  // namespace frana::gis

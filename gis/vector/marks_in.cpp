@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gis/access/gdal_session.h"
+#include "gis/access/remembered_reads.h"
 #include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/declared_crs.h"
@@ -71,9 +72,7 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
     each([&](Point& p) { p = transform(p); });
 }
 
-}  // namespace
-
-Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+Marks read_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -115,6 +114,13 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
         throw error_of(error.problems().front().what, error.problems().front().value, error.problems().front().remedy);
     }
     return marks;
+}
+
+}  // namespace
+
+Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+    return remembered(
+        "read_marks", [&] { return read_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
 }
 
 }  // namespace frana::gis

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/shortest_text.h"
 #include "gis/access/gdal_session.h"
+#include "gis/access/remembered_reads.h"
 #include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/declared_crs.h"
@@ -129,8 +130,14 @@ Bounds bounds_of(const std::vector<PolygonFeature>& features) {
     return bounds(all);
 }
 
+/// The condition that a feature alone satisfies, in the layer's own words.
+std::string condition_of(OGRLayer& layer, const OGRFeature& feature) {
+    const std::string column = layer.GetFIDColumn();
+    return (column.empty() ? "FID" : column) + " = " + std::to_string(feature.GetFID());
+}
+
 std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source, TimeLimit& limit,
-                                          std::vector<std::string>& warnings) {
+                                          std::vector<std::string>& warnings, std::vector<std::string>& conditions) {
     Problems problems;
     CountedTexts counted;
     std::vector<PolygonFeature> features;
@@ -146,7 +153,9 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
         for (const Problem& problem : of_this.list()) {
             problems.list().size() < k_most_problems ? problems.add(problem) : void(++unreported);
         }
-        if (!feature.parts.empty()) features.push_back(std::move(feature));
+        if (feature.parts.empty()) continue;
+        features.push_back(std::move(feature));
+        conditions.push_back(condition_of(layer, *from));
     }
     if (unreported > 0)
         problems.add(Problem{std::to_string(unreported) + " more features have problems", source.where, "", "", ""});
@@ -212,22 +221,8 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
     return !found.empty();
 }
 
-}  // namespace
-
-bool has_layer(const std::string& file, const std::string& layer, const std::string& where) {
-    const GdalSession session;
-    const VectorSource source = vector_source(file, where);
-    const GDALDatasetUniquePtr dataset = open_vector(source, true);
-    OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
-    const bool keeps_rest = found != nullptr && found->GetFeatureCount() > 0;
-    // OGR reports no error if it cannot read the list of layers.
-    if (session.failed() || dataset->GetLayerCount() == 0)
-        throw vector_error(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
-    return keeps_rest;
-}
-
-PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
-                           const LayerChoice& choice) {
+PolygonLayer read_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+                      const LayerChoice& choice) {
     const GdalSession session;
     const ReadingOnly reading;
     VectorSource source = vector_source(path, where);
@@ -250,7 +245,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     read.layer_name = layer.GetName();
     read.crs_wkt = crs;
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
-    read.features = read_features(layer, source, limit, read.warnings);
+    read.features = read_features(layer, source, limit, read.warnings, read.conditions);
     require_sound(session, source);
     const Bounds own = bounds_of(read.features);
     if (!target_crs_wkt.empty() && !plausible(crs, own)) {
@@ -277,6 +272,27 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     read.bounds = bounds_of(read.features);
     read.overlap = warn_of_overlaps(read.features, source, limit, read.warnings);
     return read;
+}
+
+}  // namespace
+
+bool has_layer(const std::string& file, const std::string& layer, const std::string& where) {
+    const GdalSession session;
+    const VectorSource source = vector_source(file, where);
+    const GDALDatasetUniquePtr dataset = open_vector(source, true);
+    OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
+    const bool keeps_rest = found != nullptr && found->GetFeatureCount() > 0;
+    // OGR reports no error if it cannot read the list of layers.
+    if (session.failed() || dataset->GetLayerCount() == 0)
+        throw vector_error(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
+    return keeps_rest;
+}
+
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+                           const LayerChoice& choice) {
+    return remembered(
+        "read_polygons", [&] { return read_now(path, target_crs_wkt, where, choice); }, path, target_crs_wkt, where,
+        choice.name, choice.filter, choice.crs);
 }
 
 }  // namespace frana::gis

@@ -11,6 +11,7 @@ namespace frana::gis {
 
 struct PolygonLayer {
     std::vector<PolygonFeature> features;  ///< in the target CRS
+    std::vector<std::string> conditions;   ///< for each feature the SQL condition that it alone satisfies: "fid = 3"
     std::string crs_wkt;                   ///< of the file; empty: none
     std::string crs_label;                 ///< of the file, for messages
     std::string layer_name;

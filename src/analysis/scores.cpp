@@ -12,46 +12,15 @@
 namespace frana {
 namespace {
 
-// r.avaflow's normalisation: false alarms are relative to this many times the observed area.
-constexpr double k_negatives_per_positive = 5;
-
-bool is_observed(double value) {
-    return value != 0 && !std::isnan(value);
-}
-
 void check_same_cells(const Raster& depth, const Raster& mask) {
     if (depth.grid.same_cells(mask.grid)) return;
     throw Error(ErrorKind::input, Problem{"simulated and observed rasters do not have the same cells", "comparison", "",
                                           "", "Bring both onto one grid"});
 }
 
-/// Area under the curve of true against false positive rate, from (0, 0) with the deepest cells first to (1, 1).
-double area_under_roc(const Raster& depth, const Raster& mask, double positives) {
-    std::vector<std::pair<double, bool>> covered;  // depth, observed
-    double false_total = 0;
-    depth.values.for_each_stored([&](std::size_t cell, double value) {
-        if (!(value > 0)) return;
-        const bool observed = is_observed(mask.values[cell]);
-        covered.emplace_back(value, observed);
-        if (!observed) ++false_total;
-    });
-    std::sort(covered.begin(), covered.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    const double negatives = std::max(k_negatives_per_positive * positives, false_total);
-
-    double area = 0, true_rate = 0, false_rate = 0, true_count = 0, false_count = 0;
-    const auto move_to = [&](double next_true, double next_false) {
-        area += (next_false - false_rate) * (true_rate + next_true) / 2;
-        true_rate = next_true;
-        false_rate = next_false;
-    };
-    for (std::size_t i = 0; i < covered.size(); ++i) {
-        (covered[i].second ? true_count : false_count) += 1;
-        // Cells of equal depth pass the threshold together.
-        const bool last_of_its_depth = i + 1 == covered.size() || covered[i + 1].first != covered[i].first;
-        if (last_of_its_depth) move_to(true_count / positives, false_count / negatives);
-    }
-    move_to(1, 1);
-    return area;
+Error nothing_observed() {
+    return {ErrorKind::input, Problem{"no cell lies inside the observed outline", "comparison", "", "",
+                                      "Check the outline's position and CRS, or use smaller cells"}};
 }
 
 /// All statistics except the area under the curve.
@@ -68,10 +37,7 @@ ComparisonStatistics statistics_at(const Raster& simulated_depth, const Raster& 
     false_alarms = simulated_cells - hits;
     misses = observed_cells - hits;
     const double positives = hits + misses;
-    if (positives == 0) {
-        throw Error(ErrorKind::input, Problem{"no cell lies inside the observed outline", "comparison", "", "",
-                                              "Check the outline's position and CRS, or use smaller cells"});
-    }
+    if (positives == 0) throw nothing_observed();
 
     ComparisonStatistics statistics;
     const double cell = observed_mask.grid.cell_area();
@@ -95,9 +61,45 @@ ComparisonStatistics statistics_at(const Raster& simulated_depth, const Raster& 
 
 ComparisonStatistics compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     ComparisonStatistics statistics = statistics_at(simulated_depth, observed_mask, threshold);
-    statistics.auroc =
-        area_under_roc(simulated_depth, observed_mask, statistics.observed_area_m2 / observed_mask.grid.cell_area());
+    statistics.auroc = area_below(roc_curve(simulated_depth, observed_mask));
     return statistics;
+}
+
+std::vector<RocPoint> roc_curve(const Raster& values, const Raster& observed_mask) {
+    check_same_cells(values, observed_mask);
+    std::vector<std::pair<double, bool>> covered;  // value, observed
+    double false_total = 0, positives = 0;
+    values.values.for_each_stored([&](std::size_t cell, double value) {
+        if (!(value > 0)) return;
+        const bool observed = is_observed(observed_mask.values[cell]);
+        covered.emplace_back(value, observed);
+        if (!observed) ++false_total;
+    });
+    observed_mask.values.for_each_stored([&](std::size_t, double value) { positives += is_observed(value); });
+    if (positives == 0) throw nothing_observed();
+    std::sort(covered.begin(), covered.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    const double negatives = std::max(k_negatives_per_positive * positives, false_total);
+    std::vector<RocPoint> curve;
+    double true_count = 0, false_count = 0;
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        (covered[i].second ? true_count : false_count) += 1;
+        // Cells of equal value pass the threshold together.
+        const bool last_of_its_value = i + 1 == covered.size() || covered[i + 1].first != covered[i].first;
+        if (last_of_its_value) curve.push_back({covered[i].first, true_count / positives, false_count / negatives});
+    }
+    return curve;
+}
+
+double area_below(const std::vector<RocPoint>& curve) {
+    double area = 0, true_rate = 0, false_rate = 0;
+    const auto move_to = [&](double next_true, double next_false) {
+        area += (next_false - false_rate) * (true_rate + next_true) / 2;
+        true_rate = next_true;
+        false_rate = next_false;
+    };
+    for (const RocPoint& point : curve) move_to(point.true_positive_rate, point.false_positive_rate);
+    move_to(1, 1);
+    return area;
 }
 
 std::vector<ComparisonStatistics> score_curve(const Raster& simulated_depth, const Raster& observed_mask) {

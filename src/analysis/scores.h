@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/raster.h"
@@ -37,6 +38,25 @@ ComparisonStatistics compare(const Raster& simulated_depth, const Raster& observ
 /// Returns the values for thresholds [m] of 0 and 1, 1.5, 2, 3, 5, 7 times powers of ten from 0.01 up to the greatest
 /// depth; auroc belongs to the whole curve and is the same in each. Throws as compare does.
 std::vector<ComparisonStatistics> score_curve(const Raster& simulated_depth, const Raster& observed_mask);
+
+/// False alarms are relative to this many times the observed area (r.avaflow's normalisation).
+inline constexpr double k_negatives_per_positive = 5;
+
+/// Whether a value of a mask marks observed ground.
+inline bool is_observed(double mask) {
+    return mask != 0 && !std::isnan(mask);
+}
+
+/// A point of the ROC curve: the rates if the cells with at least this value count as simulated.
+struct RocPoint {
+    double value = 0;
+    double true_positive_rate = 0, false_positive_rate = 0;
+};
+/// Returns the curve for every value above 0 that occurs, the greatest first: which begins at (0, 0), up to the last of
+/// them. Throws as compare does.
+std::vector<RocPoint> roc_curve(const Raster& values, const Raster& observed_mask);
+/// Returns the area under its straight lines, and under that from its last point to (1, 1).
+double area_below(const std::vector<RocPoint>& curve);
 
 enum class Agreement { hit = 1, false_alarm = 2, miss = 3 };
 

@@ -33,7 +33,8 @@ constexpr const char* k_help =
     "compare RESULT_DIR|RASTER --scar VECTOR\n                           compare a result with a surveyed outline\n  "
     "params                   every key of a scene file: type, unit, default, range, meaning\n  materials              "
     "  the material presets\n  converge SCENE.ini       the scene at several resolutions: estimated error\n  ensemble "
-    "STUDY.ini       many runs with uncertain values: probabilities, sensitivities\n  bench "
+    "STUDY.ini       many runs with uncertain values: probabilities, sensitivities\n  calibrate STUDY.ini      values "
+    "that explain surveyed events, and how uncertain they stay\n  bench "
     "accuracy|stability|speed\n                           tests of frana: errors against exact solutions, hard cases, "
     "throughput\n  bench robustness SCENE.ini\n                           the scene with its grid shifted and rotated, "
     "noise, other particles and time steps\n\n  frana COMMAND --help     more about a command\n  frana --version       "
@@ -48,7 +49,8 @@ struct Command {
 
 constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_check},       {"render", cmd_render},
                                   {"compare", cmd_compare},   {"params", cmd_params},     {"materials", cmd_materials},
-                                  {"converge", cmd_converge}, {"ensemble", cmd_ensemble}, {"bench", cmd_bench}};
+                                  {"converge", cmd_converge}, {"ensemble", cmd_ensemble}, {"calibrate", cmd_calibrate},
+                                  {"bench", cmd_bench}};
 
 int dispatch(Arguments words) {
     // Only the user who starts the program can allow it, never a scene.

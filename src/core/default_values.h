@@ -17,4 +17,9 @@ inline constexpr double k_critical_shear = 1000;        ///< erosion by shear st
 inline constexpr double k_potential_depth = 1e-4;       ///< eroded depth per shear stress [m/Pa]
 inline constexpr double k_velocity_ratio = 1;           ///< velocity at the base over the mean [-]
 
+/// Courant number: of the default scheme without Bingham stress, where steps are of second order; of everything else.
+constexpr double default_courant(bool second_order) {
+    return second_order ? 0.8 : 0.5;
+}
+
 }  // namespace frana

@@ -19,6 +19,9 @@ inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxa
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
 inline constexpr double k_least_growth = 0.1;
 
+/// Determinant below which the area's change in a step is no longer taken from the linear map (compressed_growth).
+inline constexpr double k_linear_growth = 0.5;
+
 /// Bound of a particle's area, and of its shape's trace, in cells: particles that cannot be split (thin flow) grow no
 /// further.
 inline constexpr double k_largest_claim = 4;
@@ -88,6 +91,17 @@ template <class Number>
     using std::min;
     const Number least(-k_work_limit), greatest(k_work_limit);
     return min(max(select(most > 0, work / most, Number(0.0)), least), greatest);
+}
+
+/// Returns the factor of a particle's area in a step from the determinant of the map x -> x + dt v(x). Where material
+/// runs into a wall within a step, this map compresses it to nothing or turns it inside out, while a constant rate of
+/// compression over the step would leave exp(dt div v). Below k_linear_growth a hyperbola with the same value and slope
+/// there takes over, which is never 0.
+template <class Number>
+[[gnu::always_inline]] inline Number compressed_growth(Number determinant) {
+    if (!Lanes<Number>::any(determinant < k_linear_growth)) return determinant;
+    return select(determinant < k_linear_growth,
+                  k_linear_growth * k_linear_growth / (2 * k_linear_growth - determinant), determinant);
 }
 
 /// Where the cells are not full, converging material first fills the gaps: only a full cell becomes deeper, and no

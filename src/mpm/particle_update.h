@@ -161,10 +161,12 @@ struct ParticleSweep {
         const Number div = g.u_x + g.v_y;
         if constexpr (Relaxed) L::store(shock_compression(div, g.bend), compression + p, n);
         const Number determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
-        const Mask sound = determinant > k_least_growth;
+        Number growth = determinant;
+        if constexpr (Relaxed)
+            growth = filling_growth(compressed_growth(growth), mass, old_area, g.fraction, g.cell_depth, cell_area);
+        const Mask sound = growth > k_least_growth;
         L::add(clamped, L::none(sound) & real);
-        Number growth = select(sound, determinant, Number(k_least_growth));
-        if constexpr (Relaxed) growth = filling_growth(growth, mass, old_area, g.fraction, g.cell_depth, cell_area);
+        growth = select(sound, growth, Number(k_least_growth));
         Number new_area = old_area * growth;
         if constexpr (Relaxed && Affine) {  // F = I + dt grad v
             const ParticleShape<Number> old{L::load(q_xx + p, n), L::load(q_xy + p, n), L::load(q_yy + p, n)};

@@ -96,13 +96,22 @@ class TileResampler {
                   const ParticleTile& tile)
         : limits_(limits), grid_(grid), particles_(particles), begin_(tile.begin), size_(tile.end - tile.begin) {
         const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
-        for (std::size_t p = 0; p < size_; ++p) ++counts_[cell_of(x[p], y[p])];
+        const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
+        std::array<double, k_cells> volumes{}, areas{};
+        for (std::size_t p = 0; p < size_; ++p) {
+            const std::size_t cell = cell_of(x[p], y[p]);
+            ++counts_[cell];
+            volumes[cell] += volume[p];
+            areas[cell] += area[p];
+        }
+        for (std::size_t cell = 0; cell < k_cells; ++cell)
+            is_film_[cell] = volumes[cell] < limits_.film_depth * areas[cell];
     }
 
     TileChange operator()() {
         split();
-        for (const int count : counts_) {
-            if (count > limits_.max_per_cell) {
+        for (std::size_t cell = 0; cell < k_cells; ++cell) {
+            if (counts_[cell] > wanted(cell).most) {
                 merge();
                 break;
             }
@@ -120,6 +129,9 @@ class TileResampler {
         const auto j = static_cast<std::uint64_t>(grid_.node_y(y));
         return static_cast<std::size_t>((j % k_tile) * k_tile + i % k_tile);
     }
+    [[nodiscard]] const CellParticles& wanted(std::size_t cell) const {
+        return is_film_[cell] ? limits_.film : limits_.flow;
+    }
     [[nodiscard]] bool in_wall(double x, double y) const {
         if (limits_.marks == nullptr) return false;
         const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
@@ -135,11 +147,12 @@ class TileResampler {
         const double *q_xx = particles_[Field::q_xx] + begin_, *q_xy = particles_[Field::q_xy] + begin_;
         const double* q_yy = particles_[Field::q_yy] + begin_;
         const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
-        const double limit = limits_.split_extent * limits_.cell_size;
         for (std::size_t p = 0; p < size_; ++p) {
+            const std::size_t cell = cell_of(x[p], y[p]);
+            const double limit = wanted(cell).split_extent * limits_.cell_size;
             if (!(largest_eigenvalue(shape_of(q_xx[p], q_xy[p], q_yy[p])) > limit * limit)) continue;
             if (volume[p] <= limits_.minimum_depth * area[p]) continue;
-            if (counts_[cell_of(x[p], y[p])] < limits_.split_below) split_one(p);
+            if (counts_[cell] < wanted(cell).split_below) split_one(p);
         }
     }
 
@@ -195,9 +208,10 @@ class TileResampler {
     // Comparing all pairs for each merge costs the cube of the number: where release areas overlap, neighbours along a
     // curve through the cell merge first, all at once.
     template <class Drop>
-    void thin_out(std::vector<std::size_t>& cell, double limit, std::vector<std::uint8_t>& dropped, const Drop& drop) {
+    void thin_out(std::vector<std::size_t>& cell, std::size_t most, double limit, std::vector<std::uint8_t>& dropped,
+                  const Drop& drop) {
         constexpr std::size_t k_crowd = 8;  // times the allowed number
-        while (cell.size() > k_crowd * static_cast<std::size_t>(limits_.max_per_cell)) {
+        while (cell.size() > k_crowd * most) {
             std::vector<std::pair<std::uint32_t, std::size_t>> along;
             for (const std::size_t i : cell) {
                 const ParticleRow r = row(i);
@@ -249,7 +263,7 @@ class TileResampler {
         std::array<std::vector<std::size_t>, k_cells> cells;
         for (std::size_t p = 0; p < size_; ++p) {
             const std::size_t cell = cell_of(particles_[Field::x][begin_ + p], particles_[Field::y][begin_ + p]);
-            if (counts_[cell] > limits_.max_per_cell) cells[cell].push_back(p);
+            if (counts_[cell] > wanted(cell).most) cells[cell].push_back(p);
         }
 
         std::vector<std::uint8_t> dropped(change_.added.size(), 0);
@@ -260,13 +274,15 @@ class TileResampler {
                 dropped[i - size_] = 1;
             }
         };
-        const double limit = limits_.merge_extent * limits_.cell_size;
         std::vector<Outline> outlines;
-        for (auto& cell : cells) {
-            thin_out(cell, limit, dropped, drop);
+        for (std::size_t at = 0; at < k_cells; ++at) {
+            std::vector<std::size_t>& cell = cells[at];
+            const double limit = wanted(at).merge_extent * limits_.cell_size;
+            const auto most = static_cast<std::size_t>(wanted(at).most);
+            thin_out(cell, most, limit, dropped, drop);
             outlines.clear();
             for (const std::size_t i : cell) outlines.emplace_back(row(i));
-            while (static_cast<int>(cell.size()) > limits_.max_per_cell) {
+            while (cell.size() > most) {
                 // The pair whose union is shortest: it smooths least.
                 double best = limit * limit;
                 std::size_t best_a = 0, best_b = 0;
@@ -306,9 +322,10 @@ class TileResampler {
     const TileGrid& grid_;
     const ParticleSet& particles_;
     const std::size_t begin_, size_;
-    // Particles in each cell before anything changes: halves may land in a neighbouring tile, and the result must not
-    // depend on the position of tiles. Those landing in a cell count in the next pass.
+    // Of each cell before anything changes: halves may land in a neighbouring tile, and the result must not depend on
+    // the position of tiles. Those landing in a cell count in the next pass.
     std::array<int, k_cells> counts_{};
+    std::array<bool, k_cells> is_film_{};
     TileChange change_;
 };
 

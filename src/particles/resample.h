@@ -14,16 +14,22 @@ namespace frana {
 /// Greatest distance that splitting moves a half, in cells: part of the drift since the last sort.
 inline constexpr double k_split_reach = 0.5;
 
+/// How many particles a cell has.
+struct CellParticles {
+    double split_extent;  ///< in cells: a longer particle is split into two along its longer axis, or into four
+    double merge_extent;  ///< in cells: two particles merge only if the result is not longer
+    int split_below;      ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
+    int most;             ///< more than this in a cell: pairs merge; at least split_below - 1
+};
+
 /// Splitting and merging (share/doc/numerics.md, "Splitting and merging").
 struct ResampleLimits {
     double cell_size = 1;
-    double split_extent = 0.7;     ///< in cells: a longer particle is split into two along its longer axis, or into
-                                   ///< four
-    double merge_extent = 0.9;     ///< in cells: two particles merge only if the result is not longer
-    int split_below = 6;           ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
-    int max_per_cell = 10;         ///< more than this in a cell: pairs merge; at least split_below - 1
-    double minimum_depth = 0.001;  ///< thinner particles are not split [m]
-    Bounds edges;                  ///< of the terrain, local metres: no half is placed outside
+    CellParticles flow{0.7, 0.9, 6, 10};
+    CellParticles film{1, 1.2, 2, 3};     ///< in cells whose particles have a mean depth below film_depth
+    double film_depth = 0;                ///< [m]
+    double minimum_depth = 0.001;         ///< thinner particles are not split [m]
+    Bounds edges;                         ///< of the terrain, local metres: no half is placed outside
     const std::uint8_t* marks = nullptr;  ///< of the padded nodes; none: no walls
     std::uint8_t wall_mark = 0;           ///< the mark of a wall: no half is placed there
 };

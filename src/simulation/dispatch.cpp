@@ -15,6 +15,12 @@ using namespace voellmy_bingham;
 
 namespace {
 
+// Film: thinner than this times numerics.minimum-depth, and than this many metres. Half of the particles on real
+// slopes.
+constexpr double k_film = 10, k_thickest_film = 0.1;
+// Of fewer particles per cell none can be spared.
+constexpr int k_least_seeded_of_film = 4;
+
 template <class Stress>
 const Stress& stress_of(const StressLaws& laws) {
     if constexpr (std::is_same_v<Stress, BinghamStress>) {
@@ -152,7 +158,8 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
                const Numerics& numerics, NodeGrid& nodes, double gravity) {
     Laws laws;
     laws.gravity = gravity;
-    laws.cfl = numerics.cfl;
+    laws.cfl = numerics.cfl.value_or(
+        default_courant(numerics.scheme == Scheme::standard && stress_law(material) != PlaneStressLaw::bingham));
     laws.minimum_depth = numerics.minimum_depth;
     laws.flight_slope = numerics.flight_slope;
     laws.wall = numerics.boundary == Boundary::wall;
@@ -171,9 +178,13 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.resample.cell_size = nodes.cell_size();
     // Splitting later loses a tenth of the accuracy on dry fronts, merging earlier some of it behind bores
     // (share/doc/numerics.md, "Speed").
-    laws.resample.split_below = (3 * numerics.particles_per_cell + 1) / 2;
-    laws.resample.max_per_cell =
-        std::max(4, (5 * numerics.particles_per_cell + 1) / 2);  // the four parts of a split particle do not merge
+    const int seeded = numerics.particles_per_cell;
+    laws.resample.flow.split_below = (3 * seeded + 1) / 2;
+    laws.resample.flow.most = std::max(4, (5 * seeded + 1) / 2);  // the four parts of a split particle do not merge
+    laws.resample.film.split_below = seeded / 2;
+    laws.resample.film.most = 3 * seeded / 4;
+    if (seeded >= k_least_seeded_of_film)
+        laws.resample.film_depth = std::min(k_film * numerics.minimum_depth, k_thickest_film);
     return laws;
 }
 

@@ -15,7 +15,7 @@ using structured::VirtualMassLaw;
 structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& numerics) {
     structured::FluidLaws laws;
     laws.gravity = numerics.gravity;
-    laws.cfl = numerics.cfl;
+    laws.cfl = numerics.cfl.value_or(default_courant(false));
     laws.dry = m.dry_depth;
     laws.steep = numerics.slope_correction != SlopeCorrection::none;
     laws.wall = numerics.boundary == Boundary::wall;
@@ -129,6 +129,18 @@ double recoil_speed(const StructuredMaterial& m, std::size_t cells) {
         const double strength = 2 * solid.cohesion * (std::hypot(1, solid.friction) - solid.friction);
         const double density = coupled_density(m, solid);
         greatest = std::max(greatest, 2 * strength / (density * waves.wave_speed(density)));
+    }
+    return greatest;
+}
+
+double greatest_modulus_reduction(const StructuredMaterial& m, std::size_t cells) {
+    constexpr double k_of_critical = 1.0 / 20;
+    double greatest = std::numeric_limits<double>::infinity();
+    for (std::size_t cell = 0; cell < (m.zones.empty() ? 1 : cells); ++cell) {
+        const structured::SolidMaterial solid = material_of_cell(m, cell);
+        if (!(solid.cohesion > 0 && solid.friction >= 0)) continue;
+        const double strength = structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial();
+        greatest = std::min(greatest, k_of_critical * m.critical_strain * m.young_modulus / strength);
     }
     return greatest;
 }

@@ -23,5 +23,9 @@ double whole_density(const StructuredMaterial& material, const structured::Solid
 /// and Coulomb's uniaxial tensile strength T = 2 c cos phi / (1 + sin phi) and c the elastic waves' speed [m/s]. Our
 /// estimate.
 double recoil_speed(const StructuredMaterial& material, std::size_t cells);
+/// Returns the greatest reduction of the moduli that hardly changes how material breaks: its elastic strain at the
+/// uniaxial strength q, r q / E, is a twentieth of the critical strain where it is greatest; infinity without cohesion
+/// (ours; sample_data/fracture/README.md has the errors).
+double greatest_modulus_reduction(const StructuredMaterial& material, std::size_t cells);
 
 }  // namespace frana

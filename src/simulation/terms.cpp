@@ -52,7 +52,7 @@ void add_solids(const StructuredMaterial& m, bool fluid, Words& words) {
     words.push_back(find_law(LawKind::bed_friction, "coulomb").sentence);
     switch (m.earth_pressure) {
         case StructuredMaterial::EarthPressure::hydrostatic:
-            words.emplace_back("lateral earth pressure, hydrostatic in broken material");
+            words.emplace_back("lateral earth pressure, hydrostatic beyond the strength");
             break;
         case StructuredMaterial::EarthPressure::active:
             words.emplace_back("lateral earth pressure, active");

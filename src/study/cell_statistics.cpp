@@ -88,13 +88,52 @@ void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, co
     }
 }
 
-ProbabilityError::ProbabilityError(const FinishedMembers& members)
-    : members_(members), effective_size_(members.effective_size()) {
+double LevelDifferences::Level::variance() const noexcept {
+    if (count < 2) return std::numeric_limits<double>::infinity();
+    return std::max(0.0, squares - sum * sum / count) / (count - 1);
+}
+
+std::vector<LevelDifferences::Level> LevelDifferences::of(std::span<const float> values, double threshold) const {
+    std::vector<Level> levels;
+    const auto happened = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1 : 0; };
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        if (members_.weights[m] < 0) continue;  // belongs to the one before
+        const bool is_pair = m + 1 < values.size() && members_.weights[m + 1] < 0;
+        const double difference = happened(m) - (is_pair ? happened(m + 1) : 0);
+        levels.resize(std::max(levels.size(), members_.levels[m] + 1));
+        Level& level = levels[members_.levels[m]];
+        level.count += 1;
+        level.sum += difference;
+        level.squares += difference * difference;
+    }
+    return levels;
+}
+
+ProbabilityEstimate::ProbabilityEstimate(const FinishedMembers& members)
+    : members_(members), differences_(members), effective_size_(members.effective_size()) {
     for (const std::size_t group : members.groups) group_count_ = std::max(group_count_, group + 1);
 }
 
-double ProbabilityError::of(double probability, std::span<const float> values, double threshold) const {
-    if (group_count_ == 0) return std::sqrt(std::max(0.0, probability * (1 - probability)) / effective_size_);
+Probability ProbabilityEstimate::of(std::span<const float> values, double threshold) const {
+    Probability p;
+    if (!members_.levels.empty()) {
+        double squares = 0;
+        for (const LevelDifferences::Level& level : differences_.of(values, threshold)) {
+            p.value += level.mean();
+            squares += level.variance() / level.count;
+        }
+        constexpr double k_unknown = 0.5;  // where a level has a single member
+        return {std::clamp(p.value, 0.0, 1.0), std::isfinite(squares) ? std::sqrt(squares) : k_unknown};
+    }
+    for (std::size_t m = 0; m < values.size(); ++m)
+        if (static_cast<double>(values[m]) > threshold) p.value += members_.weights[m];
+    p.value = std::min(1.0, p.value);
+    p.error = group_count_ > 0 ? group_error(p.value, values, threshold)
+                               : std::sqrt(std::max(0.0, p.value * (1 - p.value)) / effective_size_);
+    return p;
+}
+
+double ProbabilityEstimate::group_error(double probability, std::span<const float> values, double threshold) const {
     std::vector<double> hits(group_count_), size(group_count_);
     for (std::size_t m = 0; m < values.size(); ++m) {
         hits[members_.groups[m]] += static_cast<double>(values[m]) > threshold ? 1 : 0;
@@ -110,13 +149,6 @@ double ProbabilityError::of(double probability, std::span<const float> values, d
     return used > 1 ? std::sqrt(squares / (used - 1) / used) : 0.5;
 }
 
-double exceedance(std::span<const float> values, const std::vector<double>& weights, double threshold) {
-    double sum = 0;
-    for (std::size_t m = 0; m < values.size(); ++m)
-        if (static_cast<double>(values[m]) > threshold) sum += weights[m];
-    return std::min(1.0, sum);
-}
-
 double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,
                          std::vector<std::size_t>& order) {
     order.resize(values.size());
@@ -128,6 +160,16 @@ double weighted_quantile(std::span<const float> values, const std::vector<double
     for (const std::size_t m : order)
         if ((sum += weights[m]) >= q - k_rounding) return static_cast<double>(values[m]);
     return static_cast<double>(values[order.back()]);
+}
+
+double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    double sum = 0;
+    for (const std::size_t i : order)
+        if ((sum += weights[i]) >= q - 1e-12) return values[i];
+    return values[order.back()];
 }
 
 }  // namespace frana::study

@@ -14,8 +14,12 @@ namespace frana::study {
 /// The finished members of a study, in the order of their numbers, as files.
 struct FinishedMembers {
     std::vector<std::string> records;  ///< their files
-    std::vector<double> weights;       ///< as many; their sum is 1
-    std::vector<std::size_t> groups;   ///< of Saltelli's design: the group of each; empty: all are independent
+    /// As many; their sum is 1. In a multilevel study the coarser run of a pair has the negative weight of its finer
+    /// one.
+    std::vector<double> weights;
+    std::vector<std::size_t> groups;  ///< of Saltelli's design: the group of each; empty: all are independent
+    /// Of a multilevel study: the level of each run; the coarser one of a pair follows its finer one. Empty: one level.
+    std::vector<std::size_t> levels{};
 
     [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
     /// Number of independent members with equal weights whose mean is as certain: (sum w)^2 / sum w^2.
@@ -23,8 +27,9 @@ struct FinishedMembers {
 };
 
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
-/// for each member, 0 (arrival: infinity) where it did not come. Reads the records window by window: memory is bounded
-/// by a budget, whatever the number of members and cells. Throws Error(environment) for a record that cannot be read.
+/// for each member, 0 (arrival: infinity) where it did not come. A run on larger cells has one value for all cells of
+/// the grid within each of its own. Reads the records window by window: memory is bounded by a budget, whatever the
+/// number of members and cells. Throws Error(environment) for a record that cannot be read.
 void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
 
@@ -32,24 +37,52 @@ void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, co
 /// that grid, if members had others. Empty if there is none.
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid);
 
-/// Standard error of a probability p = sum w_i I_i from the indicators I_i of an event in each member: sqrt(p (1 - p) /
-/// n_effective) for independent members; with groups sqrt(var(group means) / groups). 0 where all are alike.
-class ProbabilityError {
+/// The differences between the two indicators (0 or 1) of an event in each pair of runs of a multilevel study.
+class LevelDifferences {
   public:
-    explicit ProbabilityError(const FinishedMembers& members);
-    [[nodiscard]] double of(double probability, std::span<const float> values, double threshold) const;
+    struct Level {
+        double count = 0, sum = 0, squares = 0;  ///< of the differences
+
+        [[nodiscard]] double mean() const noexcept { return sum / count; }
+        /// Of the sample; infinite of fewer than two members.
+        [[nodiscard]] double variance() const noexcept;
+    };
+    explicit LevelDifferences(const FinishedMembers& members) : members_(members) {}
+    /// @return by level; the event is that a value exceeds the threshold
+    [[nodiscard]] std::vector<Level> of(std::span<const float> values, double threshold) const;
 
   private:
     const FinishedMembers& members_;
+};
+
+struct Probability {
+    double value = 0;
+    double error = 0;  ///< standard error; 0 where all members are alike
+};
+
+/// Estimates the probability p that a value exceeds a threshold, p = sum w_i I_i with the indicators I_i in each
+/// member. Error: sqrt(p (1 - p) / n_effective) for independent members; with groups sqrt(var(group means) / groups);
+/// with levels sqrt(sum var_l / n_l) of the differences of each level, and p is set to 0 or 1 where the sum lies
+/// beyond.
+class ProbabilityEstimate {
+  public:
+    explicit ProbabilityEstimate(const FinishedMembers& members);
+    [[nodiscard]] Probability of(std::span<const float> values, double threshold) const;
+
+  private:
+    [[nodiscard]] double group_error(double probability, std::span<const float> values, double threshold) const;
+
+    const FinishedMembers& members_;
+    LevelDifferences differences_;
     double effective_size_;
     std::size_t group_count_ = 0;
 };
 
-/// Probability that values exceed a threshold: the sum of the weights of those that do.
-double exceedance(std::span<const float> values, const std::vector<double>& weights, double threshold);
-
 /// Least value v with at least the fraction q of all weight at values <= v. `order` is scratch.
 double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,
                          std::vector<std::size_t>& order);
+
+/// The same for a figure of the members; the weights have a sum of 1.
+double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
 
 }  // namespace frana::study

@@ -65,7 +65,8 @@ const std::vector<StudyKey>& study_keys() {
              return std::nullopt;
          },
          [](const StudySpec& study) { return study.scene; }},
-        {"samples", "2 to 1000000", "Number of members; with sampling = grid, and with until, the most.",
+        {"samples", "2 to 1000000",
+         "Number of members; with sampling = grid, and with until, the most; with levels the budget, in such runs.",
          [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
              const auto count = integer_from_text(text);
              if (!count) return ValueProblem{"is not a whole number", ""};
@@ -74,13 +75,25 @@ const std::vector<StudyKey>& study_keys() {
              return std::nullopt;
          },
          [](const StudySpec& study) -> std::optional<std::string> {
-             if (study.sampling == Sampling::table) return std::nullopt;
+             if (study.sampling == Sampling::table || study.per_polygon()) return std::nullopt;
              return std::to_string(study.samples);
          }},
         {"sampling", "sobol, latin-hypercube, random, grid, saltelli, table:FILE.csv",
          "How the values of the members are drawn.", read_sampling,
          [](const StudySpec& study) -> std::optional<std::string> {
+             if (study.per_polygon()) return std::nullopt;
              return study.sampling == Sampling::table ? k_table_word + study.table : name_of(study.sampling);
+         }},
+        {"per-polygon", "on, off",
+         "Each polygon of the release perimeter is a member of its own; nothing is drawn from distributions.",
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
+             if (text != "on" && text != "off") return ValueProblem{"is not one of the choices", ""};
+             if (text == "on") study.sampling = Sampling::polygons;
+             return std::nullopt;
+         },
+         [](const StudySpec& study) -> std::optional<std::string> {
+             if (!study.per_polygon()) return std::nullopt;
+             return "on";
          }},
         {"seed", "0 to 2147483647", "The same seed gives the same members.",
          [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
@@ -90,7 +103,10 @@ const std::vector<StudyKey>& study_keys() {
              study.seed = *seed;
              return std::nullopt;
          },
-         [](const StudySpec& study) { return std::to_string(study.seed); }},
+         [](const StudySpec& study) -> std::optional<std::string> {
+             if (study.per_polygon()) return std::nullopt;
+             return std::to_string(study.seed);
+         }},
         {"until", "greater than 0, less than 0.5",
          "Standard error of the probabilities, anywhere on the map, below which no more members are run.",
          [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
@@ -104,6 +120,21 @@ const std::vector<StudyKey>& study_keys() {
              if (!study.until) return std::nullopt;
              return shortest_text(*study.until);
          }},
+        {"levels", "2 to 6",
+         "Cell sizes, each twice the next, of a multilevel study: many members on coarse cells, few on the scene's "
+         "own. "
+         "All together cost as much as `samples` on the scene's own.",
+         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
+             const auto levels = integer_from_text(text);
+             if (!levels) return ValueProblem{"is not a whole number", ""};
+             if (*levels < 2 || *levels > 6) return ValueProblem{"is out of range", ""};
+             study.levels = static_cast<std::size_t>(*levels);
+             return std::nullopt;
+         },
+         [](const StudySpec& study) -> std::optional<std::string> {
+             if (!study.levels) return std::nullopt;
+             return std::to_string(*study.levels);
+         }},
         {"keep", "none, failed, all", "Members whose scene and maps are written to members/.",
          [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
              if (text != "none" && text != "failed" && text != "all")
@@ -115,19 +146,6 @@ const std::vector<StudyKey>& study_keys() {
              return study.keep == Keep::none ? "none" : study.keep == Keep::all ? "all" : "failed";
          }}};
     return k_keys;
-}
-
-std::string quoted_if_needed(const std::string& value) {
-    return value.find_first_of(",:\"") == std::string::npos ? value : '"' + value + '"';
-}
-
-std::string text_of(const Distribution& distribution) {
-    if (distribution.law != Law::choice) return distribution.text;
-    std::string text;
-    for (std::size_t i = 0; i < distribution.values.size(); ++i)
-        text += (i == 0 ? "choice(" : ", ") + quoted_if_needed(distribution.values[i]) + ": " +
-                shortest_text(distribution.weights[i]);
-    return text + ")";
 }
 
 /// Reads the entries of one study file.
@@ -146,6 +164,7 @@ class Reader {
     [[nodiscard]] const Parameter* known_key(const std::string& name, const IniEntry& entry);
     void add_correlation(const std::string& keys, const IniEntry& entry);
     [[nodiscard]] std::string with_absolute_paths(const Parameter& parameter, const std::string& value) const;
+    void check_per_polygon() const;
     void check_sampling() const;
     [[nodiscard]] const Variation* variation_of(const std::string& key) const;
     void refuse(const std::string& what, const IniEntry& entry, const std::string& limit, const std::string& remedy) {
@@ -174,7 +193,9 @@ void Reader::add(const IniEntry& entry) {
     if (section == "set" && !rest.empty()) return add_setting(rest, entry);
     if (section == "vary" && !rest.empty()) return add_variation(rest, entry);
     if (section == "correlate" && !rest.empty()) return add_correlation(rest, entry);
-    refuse("unknown key", entry, "", "A study has the sections [study], [set], [vary] and [correlate]");
+    refuse("unknown key", entry, "",
+           "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana calibrate`, "
+           "also [objective] and [event NAME]");
 }
 
 void Reader::add_study_key(const std::string& key, const IniEntry& entry) {
@@ -275,6 +296,7 @@ void Reader::check() const {
     if (by_table && (has_vary || !study.correlate.empty()))
         problems.add({"gives all values: [vary] and [correlate] have no effect", reading_.where("study.sampling"), "",
                       "", "Remove the sections, or choose another sampling"});
+    if (study.per_polygon()) return check_per_polygon();
     if (!by_table && !has_vary)
         problems.add({"has no key", reading_.where("vary"), "", "", "Give at least one key a distribution"});
     if (variation_of("material.friction-angle") != nullptr && variation_of("material.friction-coefficient") != nullptr)
@@ -294,6 +316,17 @@ void Reader::check() const {
     check_sampling();
 }
 
+void Reader::check_per_polygon() const {
+    for (const std::string& name : seen_) {
+        const bool of_sampling = name.starts_with("vary.") || name.starts_with("correlate.") ||
+                                 name == "study.samples" || name == "study.sampling" || name == "study.seed" ||
+                                 name == "study.until" || name == "study.levels";
+        if (of_sampling)
+            reading_.problems.add({"has no effect with study.per-polygon = on: each polygon is one member",
+                                   reading_.where(name), "", "", "Remove it, or per-polygon"});
+    }
+}
+
 void Reader::check_sampling() const {
     const StudySpec& study = reading_.study;
     Problems& problems = reading_.problems;
@@ -311,6 +344,9 @@ void Reader::check_sampling() const {
                           reading_.where("study.samples"), std::to_string(study.samples), "",
                           "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
     }
+    if (study.levels && study.sampling != Sampling::random && study.sampling != Sampling::sobol)
+        problems.add({"cannot go on drawing members, which study.levels needs", where, name, "",
+                      "Remove study.levels, or choose sobol or random"});
     if (study.sampling == Sampling::grid && seen_.count("vary.terrain.error") > 0)
         problems.add({"cannot draw fields of error", where, name, "", "Choose another sampling"});
 }
@@ -320,7 +356,7 @@ void Reader::check_sampling() const {
 std::string name_of(Sampling sampling) {
     for (const NamedSampling& one : k_samplings)
         if (one.sampling == sampling) return one.name;
-    return "table";
+    return sampling == Sampling::polygons ? "per-polygon" : "table";
 }
 
 bool is_study(const std::string& path) {
@@ -330,12 +366,16 @@ bool is_study(const std::string& path) {
 }
 
 StudyReading read_study(const std::string& path) {
+    return read_study_entries(read_ini(path), path);
+}
+
+StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std::string& label) {
     StudyReading reading;
-    reading.label = path;
-    const fs::path absolute = fs::absolute(path).lexically_normal();
+    reading.label = label;
+    const fs::path absolute = fs::absolute(label).lexically_normal();
     reading.study.file = absolute.string();
     Reader reader(reading, absolute.parent_path().string());
-    for (const IniEntry& entry : read_ini(path)) reader.add(entry);
+    for (const IniEntry& entry : entries) reader.add(entry);
     reader.check();
     return reading;
 }
@@ -347,11 +387,7 @@ std::string study_text(const StudySpec& study) {
         text += std::string("# ") + key.meaning + " Values: " + key.limits + ".\n";
         text += value ? std::string(key.name) + " = " + *value + "\n" : std::string("# ") + key.name + " =\n";
     }
-    if (!study.set.empty()) text += "\n[set]\n";
-    for (const std::string& one : study.set)
-        text += one.substr(0, one.find('=')) + " = " + one.substr(one.find('=') + 1) + "\n";
-    if (!study.vary.empty()) text += "\n[vary]\n";
-    for (const Variation& one : study.vary) text += one.key + " = " + text_of(one.distribution) + "\n";
+    text += settings_text("set", study.set) + variations_text("vary", study.vary);
     if (!study.correlate.empty()) text += "\n[correlate]\n";
     for (const Correlation& one : study.correlate)
         text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "params/grammar/ini_file.h"
 #include "study/study_spec.h"
 
 namespace frana::study {
@@ -27,8 +28,16 @@ bool is_study(const std::string& path);
 /// file is no INI.
 StudyReading read_study(const std::string& path);
 
+/// The same from the entries of a file, which may be some of them.
+/// @param label the file as the user named it
+StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std::string& label);
+
 /// Returns the study file with every key, its meaning and the distributions as used; reading it back gives the same.
 std::string study_text(const StudySpec& study);
+
+/// Returns a section of such a file: "[set]", "[vary]" or those of one event.
+std::string settings_text(const std::string& section, const std::vector<std::string>& set);
+std::string variations_text(const std::string& section, const std::vector<Variation>& vary);
 
 /// Returns "sobol", "latin-hypercube", ...
 std::string name_of(Sampling sampling);

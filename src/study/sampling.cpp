@@ -3,142 +3,44 @@
 
 #include <algorithm>
 #include <cmath>
-#include <openturns/ComposedDistribution.hxx>
-#include <openturns/Exception.hxx>
-#include <openturns/LHSExperiment.hxx>
-#include <openturns/LogNormal.hxx>
-#include <openturns/LogNormalMuSigma.hxx>
-#include <openturns/LogUniform.hxx>
-#include <openturns/LowDiscrepancyExperiment.hxx>
-#include <openturns/MonteCarloExperiment.hxx>
-#include <openturns/Normal.hxx>
-#include <openturns/NormalCopula.hxx>
-#include <openturns/ParametrizedDistribution.hxx>
-#include <openturns/RandomGenerator.hxx>
-#include <openturns/SobolIndicesExperiment.hxx>
-#include <openturns/SobolSequence.hxx>
-#include <openturns/TBB.hxx>
-#include <openturns/Triangular.hxx>
-#include <openturns/TruncatedDistribution.hxx>
-#include <openturns/Uniform.hxx>
 
 #include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/scene_parameters.h"
+#include "study/openturns/functions.h"
 
 namespace frana::study {
 namespace {
 
 constexpr double k_seeds = 9007199254740992.0;  // 2^53: every place in [0, 1) is a seed of its own
 
-OT::Distribution law_of(const Distribution& distribution) {
-    const std::vector<double>& n = distribution.numbers;
-    const auto cut = [&](const OT::Distribution& law) -> OT::Distribution {
-        if (n.size() < 4) return law;
-        return OT::TruncatedDistribution(law, n[2], n[3]);
-    };
-    switch (distribution.law) {
-        case Law::log_uniform:
-            return OT::LogUniform(std::log(n[0]), std::log(n[1]));
-        case Law::normal:
-            return cut(OT::Normal(n[0], n[1]));
-        case Law::log_normal:
-            return cut(OT::ParametrizedDistribution(OT::LogNormalMuSigma(n[0], n[1], 0)));
-        case Law::triangular:
-            return OT::Triangular(n[0], n[1], n[2]);
-        case Law::uniform:
-        case Law::choice:
-        case Law::gaussian_field:
-            break;
+/// A value as text, and as a number for statistics.
+using Value = std::pair<std::string, double>;
+
+Value nominal_value(const Distribution& distribution, double place) {
+    if (distribution.law == Law::gaussian_field) {
+        const auto seed = static_cast<std::int64_t>(place * k_seeds);
+        return {shortest_text(distribution.numbers[0]) + ", " + shortest_text(distribution.numbers[1]) + ", " +
+                    std::to_string(seed),
+                place};
     }
-    return OT::Uniform(n[0], n[1]);
+    double sum = 0;
+    std::size_t index = 0;
+    for (; index + 1 < distribution.values.size(); ++index)
+        if (place < (sum += distribution.weights[index])) break;
+    return {distribution.values[index], static_cast<double>(index)};
 }
 
-/// From places in (0, 1) to values of one key.
-class Marginal {
-  public:
-    explicit Marginal(const Distribution& distribution) : distribution_(distribution) {
-        if (!distribution.is_nominal()) law_ = law_of(distribution);
+/// Returns the values of one key at places in (0, 1).
+std::vector<Value> values_at(const Distribution& distribution, const std::vector<double>& places) {
+    std::vector<Value> values;
+    if (distribution.is_nominal()) {
+        for (const double place : places) values.push_back(nominal_value(distribution, place));
+    } else {
+        for (const double value : openturns().quantiles(distribution, places))
+            values.emplace_back(shortest_text(value), value);
     }
-    /// Returns the text and the number of a value.
-    [[nodiscard]] std::pair<std::string, double> at(double place) const {
-        if (distribution_.law == Law::choice) {
-            double sum = 0;
-            std::size_t index = 0;
-            for (; index + 1 < distribution_.values.size(); ++index)
-                if (place < (sum += distribution_.weights[index])) break;
-            return {distribution_.values[index], static_cast<double>(index)};
-        }
-        if (distribution_.law == Law::gaussian_field) {
-            const auto seed = static_cast<std::int64_t>(place * k_seeds);
-            return {shortest_text(distribution_.numbers[0]) + ", " + shortest_text(distribution_.numbers[1]) + ", " +
-                        std::to_string(seed),
-                    place};
-        }
-        const double value = law_.computeQuantile(place)[0];
-        return {shortest_text(value), value};
-    }
-
-  private:
-    const Distribution& distribution_;
-    OT::Distribution law_;
-};
-
-OT::CorrelationMatrix rank_correlations(const StudySpec& study) {
-    OT::CorrelationMatrix rho(study.vary.size());
-    const auto index = [&](const std::string& key) {
-        const auto found =
-            std::find_if(study.vary.begin(), study.vary.end(), [&](const Variation& one) { return one.key == key; });
-        return static_cast<std::size_t>(found - study.vary.begin());
-    };
-    for (const Correlation& one : study.correlate) rho(index(one.first), index(one.second)) = one.rho;
-    return rho;
-}
-
-/// Points of the unit cube, independent in each coordinate.
-OT::Sample independent_places(const StudySpec& study) {
-    const OT::UnsignedInteger keys = study.vary.size(), count = static_cast<OT::UnsignedInteger>(study.samples);
-    const OT::ComposedDistribution cube{OT::Collection<OT::Distribution>(keys, OT::Uniform(0, 1))};
-    OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(study.seed));
-    switch (study.sampling) {
-        case Sampling::latin_hypercube:
-            return OT::LHSExperiment(cube, count, true, true).generate();
-        case Sampling::random:
-            return OT::MonteCarloExperiment(cube, count).generate();
-        case Sampling::saltelli: {
-            OT::LowDiscrepancyExperiment pairs(OT::SobolSequence(), cube, count / (keys + 2), true);
-            pairs.setRandomize(true);
-            return OT::SobolIndicesExperiment(pairs, false).generate();
-        }
-        case Sampling::sobol:
-        case Sampling::grid:
-        case Sampling::table:
-            break;
-    }
-    OT::LowDiscrepancyExperiment sequence(OT::SobolSequence(), cube, count, true);
-    sequence.setRandomize(true);
-    return sequence.generate();
-}
-
-/// Gives the places the rank correlations of the study; each coordinate stays even in (0, 1). None: no distribution has
-/// these correlations.
-std::optional<OT::Sample> correlated_places(const StudySpec& study, OT::Sample places) {
-    OT::TriangularMatrix factor;
-    try {
-        factor =
-            OT::CorrelationMatrix(OT::NormalCopula::GetCorrelationFromSpearmanCorrelation(rank_correlations(study)))
-                .computeCholesky();
-    } catch (const OT::Exception&) {  // not positive definite
-        return std::nullopt;
-    }
-    const OT::Normal normal(0, 1);
-    for (OT::UnsignedInteger i = 0; i < places.getSize(); ++i) {
-        OT::Point z(places.getDimension());
-        for (OT::UnsignedInteger k = 0; k < z.getDimension(); ++k) z[k] = normal.computeQuantile(places(i, k))[0];
-        const OT::Point y = factor * z;
-        for (OT::UnsignedInteger k = 0; k < z.getDimension(); ++k) places(i, k) = normal.computeCDF(y[k]);
-    }
-    return places;
+    return values;
 }
 
 SampleTable empty_table(const StudySpec& study) {
@@ -150,7 +52,7 @@ SampleTable empty_table(const StudySpec& study) {
     return table;
 }
 
-void add_member(const std::vector<std::pair<std::string, double>>& values, double weight, SampleTable& table) {
+void add_member(const std::vector<Value>& values, double weight, SampleTable& table) {
     auto& texts = table.values.emplace_back();
     auto& numbers = table.numbers.emplace_back();
     for (const auto& [text, number] : values) {
@@ -176,7 +78,7 @@ SampleTable full_factorial(const StudySpec& study) {
         numbers == 0 ? 1 : std::max(1.0, std::floor(std::pow(most, 1.0 / static_cast<double>(numbers)) + 1e-9)));
     std::vector<std::size_t> at(study.vary.size());
     for (bool more = true; more;) {
-        std::vector<std::pair<std::string, double>> values;
+        std::vector<Value> values;
         double weight = 1;
         for (std::size_t k = 0; k < at.size(); ++k) {
             const Distribution& d = study.vary[k].distribution;
@@ -184,7 +86,8 @@ SampleTable full_factorial(const StudySpec& study) {
                 values.emplace_back(d.values[at[k]], static_cast<double>(at[k]));
                 weight *= d.weights[at[k]];
             } else {
-                values.push_back(Marginal(d).at((static_cast<double>(at[k]) + 0.5) / static_cast<double>(levels)));
+                const double place = (static_cast<double>(at[k]) + 0.5) / static_cast<double>(levels);
+                values.push_back(values_at(d, {place}).front());
             }
         }
         add_member(values, weight, table);
@@ -222,31 +125,42 @@ void check_values(const StudySpec& study, const SampleTable& table, const std::s
 std::vector<std::string> SampleTable::overrides(std::size_t member) const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < keys.size(); ++k) list.push_back(keys[k] + "=" + values[member][k]);
+    if (!level_runs.empty() && level_runs[member].cell_size > 0)
+        list.push_back(std::string(k_cell_size_key) + "=" + shortest_text(level_runs[member].cell_size));
     return list;
 }
 
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems) {
-    OT::TBB::SetThreadsNumber(1);
     if (study.sampling == Sampling::grid) return full_factorial(study);
-    OT::Sample places = independent_places(study);
-    if (!study.correlate.empty()) {
-        auto correlated = correlated_places(study, places);
-        if (!correlated) {
-            problems.add({"no distribution has all these correlations at once", label + ": correlate", "", "",
-                          "Bring them nearer to 0"});
-            return empty_table(study);
-        }
-        places = std::move(*correlated);
-    }
+    SampleTable table = samples_at(study, draw_places(study), label, problems);
+    if (study.sampling == Sampling::saltelli) table.groups = table.size() / (study.vary.size() + 2);
+    return table;
+}
+
+Places draw_places(const StudySpec& study) {
+    return openturns().independent_places(study);
+}
+
+SampleTable samples_at(const StudySpec& study, const Places& independent, const std::string& label,
+                       Problems& problems) {
     SampleTable table = empty_table(study);
-    std::vector<Marginal> marginals;
-    for (const Variation& one : study.vary) marginals.emplace_back(one.distribution);
-    for (OT::UnsignedInteger i = 0; i < places.getSize(); ++i) {
-        std::vector<std::pair<std::string, double>> values;
-        for (std::size_t k = 0; k < marginals.size(); ++k) values.push_back(marginals[k].at(places(i, k)));
+    table.places = independent;
+    if (!study.correlate.empty() && !openturns().correlate(study, table.places)) {
+        problems.add({"no distribution has all these correlations at once", label + ": correlate", "", "",
+                      "Bring them nearer to 0"});
+        return empty_table(study);
+    }
+    std::vector<std::vector<Value>> of_keys;
+    for (std::size_t k = 0; k < study.vary.size(); ++k) {
+        std::vector<double> column;
+        for (const std::vector<double>& place : table.places) column.push_back(place[k]);
+        of_keys.push_back(values_at(study.vary[k].distribution, column));
+    }
+    for (std::size_t i = 0; i < table.places.size(); ++i) {
+        std::vector<Value> values;
+        for (const std::vector<Value>& of_key : of_keys) values.push_back(of_key[i]);
         add_member(values, 1, table);
     }
-    if (study.sampling == Sampling::saltelli) table.groups = table.size() / (study.vary.size() + 2);
     check_values(study, table, label, problems);
     return table;
 }
@@ -273,7 +187,7 @@ SampleTable samples_of_table(const std::vector<std::string>& columns, const std:
         table.nominal.push_back(!std::all_of(
             rows.begin(), rows.end(), [&](const auto& row) { return number_from_text(row[column]).has_value(); }));
     for (std::size_t row = 0; row < rows.size(); ++row) {
-        std::vector<std::pair<std::string, double>> values;
+        std::vector<Value> values;
         for (std::size_t k = 0; k < of_key.size(); ++k) {
             const std::string& text = rows[row][of_key[k]];
             std::size_t first = 0;
@@ -288,6 +202,8 @@ SampleTable samples_of_table(const std::vector<std::string>& columns, const std:
         else if (*weight > 0)
             add_member(values, *weight, table);
     }
+    if (table.size() == 0 && problems.empty())
+        problems.add({"has no weight greater than 0", where + ": weight", "", "", "Give a member a weight"});
     return table;
 }
 
@@ -300,7 +216,7 @@ std::vector<std::string> central_values(const StudySpec& study) {
             const auto likeliest = std::max_element(d.weights.begin(), d.weights.end()) - d.weights.begin();
             list.push_back(one.key + "=" + d.values[static_cast<std::size_t>(likeliest)]);
         } else {
-            list.push_back(one.key + "=" + Marginal(d).at(0.5).first);
+            list.push_back(one.key + "=" + values_at(d, {0.5}).front().first);
         }
     }
     return list;

@@ -9,6 +9,9 @@
 
 namespace frana::study {
 
+/// The key by which runs of a multilevel study differ.
+inline constexpr const char* k_cell_size_key = "terrain.cell-size";
+
 /// The values of all members, decided once: member i depends on nothing but the study.
 struct SampleTable {
     std::vector<std::string> keys;
@@ -18,18 +21,31 @@ struct SampleTable {
     std::vector<std::vector<double>> numbers;
     std::vector<bool> nominal;    ///< by key: the numbers have no order
     std::vector<double> weights;  ///< by member, greater than 0
+    Places places;                ///< of the values in their distributions; none: of a grid or a table
     /// Saltelli's design (Saltelli et al. 2010): members i, i + n, i + 2n, ... form group i of n groups: rows of the
     /// matrices A, B, then A with one column of B each. 0: members are independent of each other.
     std::size_t groups = 0;
+    /// A run of a multilevel study.
+    struct LevelRun {
+        std::size_t level = 0;
+        bool is_coarse = false;  ///< on the next coarser cells; it follows the run with the same values on the level's
+        double cell_size = 0;    ///< [m]; 0: the scene's own
+    };
+    std::vector<LevelRun> level_runs;  ///< by member; empty: all on the scene's own cells
 
     [[nodiscard]] std::size_t size() const noexcept { return values.size(); }
-    /// Returns "key=value" of a member.
+    /// Returns "key=value" of a member, in a multilevel study with its cell size.
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;
 };
 
 /// Draws the members of a study that is not sampled by a table; its problems were thrown before. Adds a problem for a
 /// correlation that no distribution has.
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems);
+
+/// The two steps of that: places that are independent in each key, and the members there, with the study's
+/// correlations.
+Places draw_places(const StudySpec& study);
+SampleTable samples_at(const StudySpec& study, const Places& independent, const std::string& label, Problems& problems);
 
 /// The same from a table with a row for each member: columns named as keys of the scene, and, if there is one,
 /// `weight`; others are ignored. Adds a problem for a table without rows or keys, and for weights that are not

@@ -6,18 +6,11 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <openturns/MartinezSensitivityAlgorithm.hxx>
-#include <openturns/TBB.hxx>
+
+#include "study/openturns/functions.h"
 
 namespace frana::study {
 namespace {
-
-OT::Sample sample_of(const std::vector<std::vector<double>>& rows) {
-    OT::Sample sample(rows.size(), rows.front().size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < rows[i].size(); ++k) sample(i, k) = rows[i][k];
-    return sample;
-}
 
 /// The estimator divides by the variance in A, and in each other matrix.
 bool varies_in_every_matrix(const std::vector<double>& output, std::size_t groups) {
@@ -102,30 +95,11 @@ std::vector<double> column_of(const DesignPoints& points, std::size_t key) {
 std::vector<std::vector<KeySensitivity>> sobol_indices(const DesignPoints& points,
                                                        const std::vector<std::vector<double>>& outputs,
                                                        std::size_t groups) {
-    OT::TBB::SetThreadsNumber(1);
-    const std::size_t keys = points.nominal.size(), rows = points.numbers.size();
-    std::vector<std::vector<KeySensitivity>> all(outputs.size(), std::vector<KeySensitivity>(keys));
+    std::vector<std::vector<KeySensitivity>> all(outputs.size(), std::vector<KeySensitivity>(points.nominal.size()));
     if (groups < 2) return all;
-    const OT::Sample design = sample_of(points.numbers);
-    for (std::size_t q = 0; q < outputs.size(); ++q) {
-        if (!varies_in_every_matrix(outputs[q], groups)) continue;
-        OT::Sample values(rows, 1);
-        for (std::size_t i = 0; i < rows; ++i) values(i, 0) = outputs[q][i];
-        // One output at a time: with several, every question for one of them computes all.
-        OT::MartinezSensitivityAlgorithm algorithm(design, values, groups);
-        algorithm.setUseAsymptoticDistribution(true);
-        const OT::Point first = algorithm.getFirstOrderIndices(), total = algorithm.getTotalOrderIndices();
-        for (std::size_t k = 0; k < keys; ++k)
-            all[q][k] = {
-                Interval{first[k], first[k], first[k]}, Interval{total[k], total[k], total[k]}, {}, "Martinez"};
-        if (outputs.size() > 1) continue;
-        const OT::Interval of_first = algorithm.getFirstOrderIndicesInterval(),
-                           of_total = algorithm.getTotalOrderIndicesInterval();
-        for (std::size_t k = 0; k < keys; ++k) {
-            all[q][k].first_order = Interval{first[k], of_first.getLowerBound()[k], of_first.getUpperBound()[k]};
-            all[q][k].total = Interval{total[k], of_total.getLowerBound()[k], of_total.getUpperBound()[k]};
-        }
-    }
+    for (std::size_t q = 0; q < outputs.size(); ++q)
+        if (varies_in_every_matrix(outputs[q], groups))
+            all[q] = openturns().indices(points, outputs[q], groups, outputs.size() == 1);
     return all;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "params/keys/result_rasters.h"
+
 namespace frana::study {
 namespace {
 
@@ -23,6 +25,7 @@ Arrived arrived_of(std::span<const float> values, const std::vector<double>& wei
         arrived.weights.push_back(weights[m]);
         sum += weights[m];
     }
+    if (!(sum > 0)) return {};  // only in a multilevel study: it is estimated that no run comes
     for (double& weight : arrived.weights) weight /= sum;
     return arrived;
 }
@@ -39,7 +42,7 @@ void add_moments(std::span<const float> values, const std::vector<double>& weigh
         squares += weights[m] * difference * difference;
     }
     maps.mean.values[cell] = mean;
-    maps.deviation.values[cell] = std::sqrt(squares);
+    maps.deviation.values[cell] = std::sqrt(std::max(0.0, squares));  // below 0 only by estimate, with levels
     maps.hits.values[cell] = hits;
 }
 
@@ -66,34 +69,57 @@ constexpr std::size_t k_cells_at_once = 256;
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds) {
     QuantityMaps maps;
-    const bool arrival = quantity == Quantity::arrival;
+    const bool arrival = quantity == Quantity::arrival,
+               has_distribution = quantity == Quantity::depth || quantity == Quantity::velocity;
     if (!arrival) {
         maps.probability.assign(thresholds.size(), Raster(grid));
         maps.error.assign(thresholds.size(), Raster(grid));
-        maps.mean = maps.deviation = maps.hits = Raster(grid, k_no_data);
     }
-    maps.quantile.assign(std::size(k_map_quantiles), Raster(grid, k_no_data));
+    if (has_distribution) maps.mean = maps.deviation = maps.hits = Raster(grid, k_no_data);
+    if (has_distribution || arrival) maps.quantile.assign(std::size(k_study_quantiles), Raster(grid, k_no_data));
     if (members.size() == 0) return maps;
-    const ProbabilityError error(members);
+    const ProbabilityEstimate estimate(members);
     std::vector<std::size_t> order;
     for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
         if (arrival) {
             const Arrived arrived = arrived_of(values, members.weights);
-            for (std::size_t q = 0; q < std::size(k_map_quantiles) && !arrived.values.empty(); ++q)
+            for (std::size_t q = 0; q < std::size(k_study_quantiles) && !arrived.values.empty(); ++q)
                 maps.quantile[q].values[cell] =
-                    weighted_quantile(arrived.values, arrived.weights, k_map_quantiles[q], order);
+                    weighted_quantile(arrived.values, arrived.weights, k_study_quantiles[q].fraction, order);
             return;
         }
         for (std::size_t t = 0; t < thresholds.size(); ++t) {
-            const double probability = exceedance(values, members.weights, thresholds[t]);
-            maps.probability[t].values[cell] = probability;
-            maps.error[t].values[cell] = error.of(probability, values, thresholds[t]);
+            const Probability probability = estimate.of(values, thresholds[t]);
+            maps.probability[t].values[cell] = probability.value;
+            maps.error[t].values[cell] = probability.error;
         }
-        for (std::size_t q = 0; q < std::size(k_map_quantiles); ++q) {
-            const double value = weighted_quantile(values, members.weights, k_map_quantiles[q], order);
+        if (!has_distribution) return;
+        for (std::size_t q = 0; q < std::size(k_study_quantiles); ++q) {
+            const double value = weighted_quantile(values, members.weights, k_study_quantiles[q].fraction, order);
             if (value > 0) maps.quantile[q].values[cell] = value;
         }
         add_moments(values, members.weights, cell, maps);
+    });
+    return maps;
+}
+
+UnionMaps union_maps(const FinishedMembers& members, const std::vector<std::size_t>& numbers, const GridSpec& grid) {
+    UnionMaps maps;
+    maps.depth = maps.velocity = maps.arrival = maps.hits = maps.worst = Raster(grid, k_no_data);
+    if (members.size() == 0) return maps;
+    for_each_reached_cell(members, Quantity::depth, grid, [&](std::size_t cell, std::span<const float> values) {
+        const auto greatest = std::max_element(values.begin(), values.end());
+        maps.depth.values[cell] = static_cast<double>(*greatest);
+        maps.worst.values[cell] = static_cast<double>(numbers[static_cast<std::size_t>(greatest - values.begin())]);
+        maps.hits.values[cell] =
+            static_cast<double>(std::count_if(values.begin(), values.end(), [](float value) { return value > 0; }));
+    });
+    for_each_reached_cell(members, Quantity::velocity, grid, [&](std::size_t cell, std::span<const float> values) {
+        maps.velocity.values[cell] = static_cast<double>(*std::max_element(values.begin(), values.end()));
+    });
+    for_each_reached_cell(members, Quantity::arrival, grid, [&](std::size_t cell, std::span<const float> values) {
+        const float first = *std::min_element(values.begin(), values.end());
+        if (std::isfinite(first)) maps.arrival.values[cell] = static_cast<double>(first);
     });
     return maps;
 }
@@ -111,14 +137,14 @@ MapError error_of_first(const FinishedMembers& members, std::size_t count, Quant
     first.records.resize(count);
     first.weights.resize(count);
     if (!first.groups.empty()) first.groups.resize(count);
+    if (!first.levels.empty()) first.levels.resize(count);
     double sum = 0;
     for (const double weight : first.weights) sum += weight;
     for (double& weight : first.weights) weight /= sum;
-    const ProbabilityError error(first);
+    const ProbabilityEstimate estimate(first);
     ErrorSummary all;
     for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
-        for (const double threshold : thresholds)
-            all.add(error.of(exceedance(values, first.weights, threshold), values, threshold));
+        for (const double threshold : thresholds) all.add(estimate.of(values, threshold).error);
     });
     return all.result();
 }

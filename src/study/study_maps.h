@@ -10,19 +10,29 @@
 
 namespace frana::study {
 
-inline constexpr double k_map_quantiles[] = {0.05, 0.5, 0.95};
-
 /// What the members together say of one quantity, cell by cell. Rasters are NaN where no member came, except the
 /// probabilities and their errors, which are 0 there.
 struct QuantityMaps {
     std::vector<Raster> probability;  ///< of exceeding each threshold
     std::vector<Raster> error;        ///< its standard error
-    std::vector<Raster> quantile;     ///< for each of k_map_quantiles; NaN where it is 0
+    std::vector<Raster> quantile;     ///< for each of k_study_quantiles; NaN where it is 0
     Raster mean, deviation;           ///< with 0 where a member did not come
     Raster hits;                      ///< number of members that came
 };
 
-/// Of depth and velocity. For arrival only the quantiles are made, among the members that came.
+/// The worst of all members, cell by cell: what at least one of several sources does there. NaN where none came.
+struct UnionMaps {
+    Raster depth, velocity;  ///< greatest [m], [m/s]
+    Raster arrival;          ///< earliest [s]
+    Raster hits;             ///< number of members that came
+    Raster worst;            ///< number of the member with the greatest depth, the lowest of several
+};
+
+/// @param numbers of the members, for UnionMaps::worst
+UnionMaps union_maps(const FinishedMembers& members, const std::vector<std::size_t>& numbers, const GridSpec& grid);
+
+/// Of depth and velocity. For arrival only the quantiles are made, among the members that came; of pressure and
+/// intensity only the probabilities.
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds);
 

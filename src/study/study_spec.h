@@ -8,6 +8,9 @@
 
 namespace frana::study {
 
+/// Points of the unit cube, by member and key: cumulative probabilities of the keys' distributions.
+using Places = std::vector<std::vector<double>>;
+
 enum class Law { uniform, log_uniform, normal, log_normal, triangular, choice, gaussian_field };
 
 /// The distribution of one key.
@@ -36,7 +39,15 @@ struct Correlation {
     double rho = 0;
 };
 
-enum class Sampling { sobol, latin_hypercube, random, grid, saltelli, table };
+enum class Sampling {
+    sobol,
+    latin_hypercube,
+    random,
+    grid,
+    saltelli,
+    table,
+    polygons  ///< no sampling: each polygon of the release perimeter is a member of its own
+};
 enum class Keep { none, failed, all };
 
 /// A study as specified in its file; the scene is not read yet.
@@ -48,10 +59,14 @@ struct StudySpec {
     std::string table;  ///< absolute; sampling by a table alone
     std::int64_t seed = 1;
     std::optional<double> until;  ///< largest standard error of a probability at which no more members are run
+    std::optional<std::size_t>
+        levels;  ///< cell sizes of a multilevel study; none: members are on the scene's own cells
     Keep keep = Keep::none;
     std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
     std::vector<Variation> vary;   ///< in the order of the file
     std::vector<Correlation> correlate;
+
+    [[nodiscard]] bool per_polygon() const noexcept { return sampling == Sampling::polygons; }
 };
 
 }  // namespace frana::study

@@ -11,9 +11,10 @@
 
 namespace frana::test {
 
-StartedProgram::StartedProgram(const std::string& folder, const std::vector<std::string>& arguments)
+StartedProgram::StartedProgram(const std::string& folder, const std::vector<std::string>& arguments,
+                               const std::string& program)
     : out_(folder + "/.started_stdout"), err_(folder + "/.started_stderr") {
-    std::vector<char*> words{const_cast<char*>(FRANA_PROGRAM)};
+    std::vector<char*> words{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
     child_ = ::fork();
@@ -21,7 +22,7 @@ StartedProgram::StartedProgram(const std::string& folder, const std::vector<std:
     const int out_file = ::open(out_.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
     const int err_file = ::open(err_.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
     if (::chdir(folder.c_str()) != 0 || ::dup2(out_file, 1) < 0 || ::dup2(err_file, 2) < 0) ::_exit(126);
-    ::execv(FRANA_PROGRAM, words.data());
+    ::execvp(program.c_str(), words.data());
     ::_exit(127);
 }
 

@@ -12,7 +12,9 @@ namespace frana::test {
 /// A call of the program that can be watched, stopped and killed while it runs. stdout and stderr are written to files.
 class StartedProgram {
   public:
-    StartedProgram(const std::string& folder, const std::vector<std::string>& arguments);
+    /// @param program another one than frana, to be found in PATH, that starts it
+    StartedProgram(const std::string& folder, const std::vector<std::string>& arguments,
+                   const std::string& program = FRANA_PROGRAM);
     /// Kills it if it still runs.
     ~StartedProgram();
     StartedProgram(const StartedProgram&) = delete;

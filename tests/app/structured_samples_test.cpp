@@ -136,21 +136,26 @@ TEST(FractureSample, TwoAMovesAsOneBlock) {
     }
 }
 
+// The values of sample_data/fracture/README.md on cells of 20 m, to half of their last digit and what a change of the
+// cohesion by a thousandth makes of them, at most 0.001 of the loss and 0.1 m of the length.
+constexpr double k_loss_digits = 0.006, k_length_digits = 1;
+
 TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
     SampleRun run("fracture/2b.ini", "20");
-    const Statistics soon = run.at(5), late = run.at(24);
-    EXPECT_GT(soon.lost, 0.02);
-    EXPECT_LT(late.lost, 0.4);          // parts, not rubble
-    EXPECT_GT(late.length, 2.5 * 193);  // 551 m
+    EXPECT_NEAR(run.at(5).lost, 0.08, k_loss_digits);
+    const Statistics late = run.at(24);
+    EXPECT_NEAR(late.lost, 0.20, k_loss_digits);
+    EXPECT_NEAR(late.length, 552, k_length_digits);  // 193 m at the start
+    EXPECT_LT(late.apart, 7);                        // parts with little free water between them
     breaks_where_it_yields(late);
 }
 
 TEST(FractureSample, TwoCFlowsApartTogetherWithItsWater) {
     SampleRun run("fracture/2c.ini", "20");
-    for (const double time : {2.0, 5.0, 10.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 5) << time << " s";
+    for (const double time : {2.0, 5.0, 10.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 3) << time << " s";
     const Statistics f = run.at(24);
-    EXPECT_GT(f.lost, 0.95);
-    EXPECT_GT(f.length, 3 * 193);  // 690 m
+    EXPECT_EQ(f.lost, 1);
+    EXPECT_NEAR(f.length, 672, 10);  // single particles at the front
 }
 
 TEST(FractureSample, ThreeAKeepsItsShape) {
@@ -163,39 +168,42 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
 }
 
 // "Slight fragmentation at the edges" on the slope is not reproduced: there is none. On an even slope nothing strains a
-// block that bears its own weight, and one that does not loses its edges and then all of it; 20 m of it bear 84 kPa or
-// more.
+// block that bears its own weight, and one that does not loses its edges and then all of it: at 14 s nothing with 83.5
+// kPa, nine tenths with 83.
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
-    EXPECT_LT(run.at(14).lost, 0.05);
-    const Statistics f = run.at(24);
-    EXPECT_GT(f.lost, 0.4);
-    EXPECT_GT(run.at(40).lost, 0.7);
+    EXPECT_EQ(run.at(14).lost, 0);
+    EXPECT_NEAR(run.at(24).lost, 0.75, k_loss_digits);
+    EXPECT_GT(run.at(40).lost, 0.995);
+    EXPECT_EQ(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83500"}).at(14).lost, 0);
+    EXPECT_GT(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83000"}).at(14).lost, 0.8);
 }
 
 TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     SampleRun run("fracture/3c.ini", "20");
-    const Statistics first = run.at(0.5);
-    EXPECT_GT(first.damaged, 0.99);  // all of it yields
-    EXPECT_GT(run.at(2).lost, 0.15);
-    EXPECT_GT(run.at(5).lost, 0.75);
-    for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 5) << time << " s";
+    EXPECT_GT(run.at(0.5).damaged, 1 - 1e-9);  // all of it yields
+    EXPECT_NEAR(run.at(2).lost, 0.73, k_loss_digits);
+    EXPECT_EQ(run.at(5).lost, 1);
+    for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 3) << time << " s";
 }
 
-// The loss hardly depends on the cell size, 20, 12.5 and 10 m, if the block breaks as a whole. If a band breaks (2B)
-// the loss is as wide as a cell or two, which is not reproduced: only that it breaks, and how far its parts move, are
-// tested.
-TEST(FractureSample, HardlyDependsOnTheCells) {
-    std::vector<double> third, valley, length;
-    for (const char* cell : {"20", "12.5", "10"}) {
-        SampleRun three_c("fracture/3c.ini", cell);
-        third.push_back(three_c.at(5).lost);
-        SampleRun two_b("fracture/2b.ini", cell);
-        length.push_back(two_b.at(14).length);
-        EXPECT_GT(two_b.at(14).lost, 0.03);
+// On cells of 20, 12.5 and 10 m: what breaks as a whole hardly depends on them (3C), nor how far apart the parts are
+// (2B at 14 s). Where a band breaks (2B), or the valley bends the block (3B), the loss decreases with the cells: a
+// known error, whose size the README tells.
+TEST(FractureSample, DependenceOnTheCells) {
+    struct Row {
+        const char* cell;
+        double third_c, third_b, second_b, length;
+    };
+    for (const Row& row :
+         {Row{"20", 0.73, 0.75, 0.20, 305}, Row{"12.5", 0.73, 0.59, 0.10, 333}, Row{"10", 0.75, 0.52, 0.07, 340}}) {
+        SampleRun three_c("fracture/3c.ini", row.cell), three_b("fracture/3b.ini", row.cell),
+            two_b("fracture/2b.ini", row.cell);
+        EXPECT_NEAR(three_c.at(2).lost, row.third_c, k_loss_digits) << row.cell;
+        EXPECT_NEAR(three_b.at(24).lost, row.third_b, k_loss_digits) << row.cell;
+        EXPECT_NEAR(two_b.at(14).length, row.length, k_length_digits) << row.cell;
+        EXPECT_NEAR(two_b.at(24).lost, row.second_b, k_loss_digits) << row.cell;
     }
-    for (const std::vector<double>* statistics : {&third, &length})
-        for (const double f : *statistics) EXPECT_NEAR(f, statistics->back(), 0.15 * statistics->back());
 }
 
 // A quarter of a second after the impact. Along the obstacle's corner the block is broken from its front to about half

@@ -42,6 +42,17 @@ TEST_F(BothModels, AgreeWhereTheirEquationsDo) {
     EXPECT_NEAR(json_number(loose, "initial_m3"), json_number(friction, "initial_m3"), 1);
 }
 
+// The limit of small cohesion on a hillside; on 10 m cells extents differ by 0.4 %.
+TEST_F(BothModels, OnePascalIsNearlyNoCohesion) {
+    const auto extent = [&](const std::string& cohesion) {
+        return json_number(
+            summary("structured.ini", {"structured.cohesion=" + cohesion, "structured.solid-fraction=1"}),
+            "covered_area_m2");
+    };
+    const double none = extent("0");
+    EXPECT_NEAR(extent("1"), none, 0.1 * none);
+}
+
 // 38 m load their mean height with some 300 kPa: blocks of 300 kPa remain intact and cover a third less ground; those
 // of 30 kPa break and release all their water, which flows further than dry material.
 TEST_F(BothModels, StrongBlocksCoverLessAndWeakOnesBreak) {

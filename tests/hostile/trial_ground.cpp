@@ -69,10 +69,13 @@ TrialGround::TrialGround() {
         "stop-when-still = off\nframe-interval = 1\n[output]\nmaps = max_depth\nmap-size = 640x480\ncharts = "
         "off\n"
         "animation = off\ncheckpoint-interval = 0.02\n");
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 6\n[set]\ntime.end = 2\noutput.depth-thresholds = 0.5\n"
+          "output.velocity-thresholds = 1\n[vary]\nmaterial.friction-coefficient = uniform(0.1, 0.3)\n");
     write_polygon("scar", {{20, 40}, {180, 40}, {180, 110}, {20, 110}});
     fs::create_directories(at("in"));
     fs::create_directories(at("out"));
-    for (const char* name : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scar.geojson", "scene.ini"})
+    for (const char* name : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scar.geojson", "scene.ini", "study.ini"})
         fs::rename(path(name), at("in/" + std::string(name)));
     std::ofstream(at("out/beside.txt")) << "the user's\n";
     keep("inputs");
@@ -146,6 +149,11 @@ std::vector<TriedCommand> TrialGround::commands() const {
     converge_again.emplace_back("--overwrite");
     const std::vector<std::string> robustness{"bench",   "robustness", "in/scene.ini", "--out",  "out/tried",
                                               "--quiet", "--set",      "time.end=1",   "--case", "turned-90"};
+    const std::vector<std::string> ensemble{"ensemble", "in/study.ini", "--out", "out/r", "--quiet"};
+    const auto ensemble_with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), ensemble.begin(), ensemble.end());
+        return more;
+    };
     return {
         {"run", "inputs", run_it, with({"--resume"})},
         {"run --overwrite", "older", with({"--overwrite"}), with({"--overwrite", "--resume"})},
@@ -154,6 +162,8 @@ std::vector<TriedCommand> TrialGround::commands() const {
         {"compare", "older", compare, compare, false},
         {"converge", "inputs", converge, converge_again, false},
         {"bench robustness", "inputs", robustness, robustness, false},
+        {"ensemble", "inputs", ensemble, ensemble_with({"--resume"})},
+        {"ensemble --overwrite", "older", ensemble_with({"--overwrite"}), ensemble_with({"--overwrite", "--resume"})},
         {"check", "older", {"check", "in/scene.ini"}, {"check", "in/scene.ini"}},
     };
 }

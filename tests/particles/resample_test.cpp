@@ -45,14 +45,55 @@ ParticleRow particle(double x, double y, double length, double width, double ang
 
 constexpr FieldMask k_mask = k_basic_fields | k_affine_fields | k_shape_fields | FieldMask{Field::compression};
 
-ResampleCounts resample_once(ParticleSet& particles, int max_per_cell) {
+ResampleCounts resample_with(ParticleSet& particles, ResampleLimits limits) {
     ThreadPool pool(2);
     TileOrder order({40, 40, 2, 1.0});
     order.sort(particles, {}, pool);
-    ResampleLimits limits;
-    limits.max_per_cell = max_per_cell;
     limits.edges = {0, 0, 40, 40};
     return resample(particles, order, limits, {}, pool);
+}
+
+ResampleCounts resample_once(ParticleSet& particles, int max_per_cell) {
+    ResampleLimits limits;
+    limits.flow.most = max_per_cell;
+    return resample_with(particles, limits);
+}
+
+constexpr double k_film_depth = 0.1;
+
+ResampleCounts resample_film(ParticleSet& particles) {
+    ResampleLimits limits;
+    limits.film_depth = k_film_depth;
+    return resample_with(particles, limits);
+}
+
+TEST(Resample, AFilmHasFewerParticlesThanAFlow) {
+    // Nine in a cell: of 12 cm nothing merges, of 8 cm all but the film's three.
+    for (const double depth : {0.12, 0.08}) {
+        ParticleSet particles(k_mask);
+        for (int i = 0; i < 9; ++i) {
+            ParticleRow r = particle(20.2 + 0.3 * (i % 3), 20.2 + 0.3 * (i / 3), 0.3, 0.3, 0);
+            get(r, Field::volume) = depth * get(r, Field::area);
+            particles.push_back(r);
+        }
+        const Totals before(particles);
+        resample_film(particles);
+        EXPECT_EQ(particles.size(), depth > k_film_depth ? 9U : 3U);
+        const Totals after(particles);
+        EXPECT_NEAR(after.volume, before.volume, 1e-15);
+        EXPECT_NEAR(after.area, before.area, 1e-15);
+        EXPECT_NEAR(after.mx, before.mx, 1e-14);
+    }
+}
+
+TEST(Resample, AFilmSplitsLater) {
+    for (const double depth : {0.12, 0.08}) {
+        ParticleSet particles(k_mask);
+        ParticleRow r = particle(20.5, 20.5, 0.9, 0.4, 0);
+        get(r, Field::volume) = depth * get(r, Field::area);
+        particles.push_back(r);
+        EXPECT_EQ(resample_film(particles).split, depth > k_film_depth ? 1 : 0);
+    }
 }
 
 TEST(Resample, SplitsALongParticleAlongItsAxisAndConservesTheBudgets) {

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(, Resume,
                          testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 55},
                                          Case{"resting", resting, 100}, Case{"settling", settling, 150},
                                          Case{"paper", paper, 50}, Case{"flying", flying, 40},
-                                         Case{"earth_pressure", earth_pressure, 60}, Case{"fluid", fluid, 60},
+                                         Case{"earth_pressure", earth_pressure, 40}, Case{"fluid", fluid, 60},
                                          Case{"breaking", breaking, 15}, Case{"breaking_later", breaking_later, 10},
                                          Case{"loose_and_dry", loose_and_dry, 15}),
                          [](const auto& instance) { return std::string(instance.param.name); });

@@ -44,13 +44,13 @@ TEST_F(ReadStudy, ReadsBackAsWritten) {
 
 TEST_F(ReadStudy, ReportsEveryProblemInOnePass) {
     const std::string all = problems(
-        "[study]\nscene = scene.ini\nsamples = 1\nsampling = often\nlevels = 3\n[vary]\n"
+        "[study]\nscene = scene.ini\nsamples = 1\nsampling = often\nlevls = 3\n[vary]\n"
         "terrain.cell-size = uniform(5, 10)\noutput.maps = choice(on, off)\nmaterial.turbulance = uniform(1, 2)\n"
         "material.friction-coefficient = uniform(1, 3)\nmaterial.density = choice(x, y)\n"
         "numerics.scheme = uniform(1, 2)\nrelease.thickness = 3\nterrain.error = uniform(0, 1)\n[correlate]\n"
         "material.density release.volume = 2\n[veer]\na = 1\n");
     for (const std::string words :
-         {"study.samples: is out of range", "study.sampling: is not one of the choices", "study.levels: unknown key",
+         {"study.samples: is out of range", "study.sampling: is not one of the choices", "study.levls: unknown key",
           "terrain.cell-size: cannot vary: all members need the same cells",
           "output.maps: cannot vary: it does not change the flow", "Did you mean material.turbulence?",
           "reaches from 1 to 3, beyond the key's range", "has the value x, which is not a number",

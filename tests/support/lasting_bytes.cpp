@@ -14,7 +14,8 @@ namespace {
 
 // Removes values about the computation rather than the result.
 void leave_out_cost(Json& summary) {
-    for (const char* key : {"threads", "wall_seconds", "particle_steps_per_second", "peak_memory_bytes"})
+    for (const char* key :
+         {"threads", "wall_seconds", "particle_steps_per_second", "peak_memory_bytes", "members_per_hour"})
         summary.erase(key);
 }
 
@@ -24,7 +25,7 @@ void leave_out_times(Json& manifest) {
     for (Json& file : manifest["files"]) {
         const std::string name = file["name"];
         if (name.ends_with(".gpkg") || name == "log.txt" || name == "summary.json" || name == "report.html" ||
-            name == "convergence.csv" || name == "robustness.csv")
+            name == "convergence.csv" || name == "robustness.csv" || name == "members.csv")
             file = {{"name", name}};
     }
 }
@@ -38,7 +39,7 @@ std::string without(const std::string& bytes, const LeaveOut& leave_out) {
     return frana::json_text(json);
 }
 
-// Removes the column of seconds.
+// Removes the columns of seconds.
 std::string without_seconds(const std::string& table) {
     std::istringstream lines(table);
     std::string kept;
@@ -48,7 +49,7 @@ std::string without_seconds(const std::string& table) {
         std::size_t column = 0;
         for (std::string word; std::getline(words, word, ','); ++column) {
             if (names.size() <= column) names.push_back(word);
-            if (names[column] != "wall_seconds") kept += word + ",";
+            if (names[column] != "wall_seconds" && names[column] != "engine_seconds") kept += word + ",";
         }
         kept += "\n";
     }
@@ -76,7 +77,7 @@ std::string lasting_bytes(const std::string& file) {
     const std::string name = std::filesystem::path(file).filename().string(), bytes = read_text(file);
     if (name == "summary.json") return without(bytes, leave_out_cost);
     if (name == "manifest.json") return without(bytes, leave_out_times);
-    if (name == "convergence.csv" || name == "robustness.csv") return without_seconds(bytes);
+    if (name == "convergence.csv" || name == "robustness.csv" || name == "members.csv") return without_seconds(bytes);
     if (name == "log.txt" || name == "report.html") return bytes.empty() ? "" : "some text";
     return name.ends_with(".gpkg") ? without_dates(bytes) : bytes;
 }

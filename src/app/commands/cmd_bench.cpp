@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/commands/bench_chart.h"
+#include "app/commands/bench_ensemble.h"
 #include "app/commands/bench_estimate.h"
 #include "app/commands/bench_output.h"
 #include "app/commands/bench_robustness.h"
@@ -30,7 +31,8 @@ CommandForm bench_form() {
     namespace options = boost::program_options;
     CommandForm form{
         "frana bench accuracy|stability|speed [options]\n"
-        "       frana bench robustness|estimate SCENE.ini [options]",
+        "       frana bench robustness|estimate SCENE.ini [options]\n"
+        "       frana bench ensemble STUDY.ini [options]",
         "Measures frana itself. accuracy: cases with exact solutions, every scheme, several resolutions.\nstability: "
         "hard cases. speed: particle-steps per second. Prints the table; with --out also writes\naccuracy.csv and "
         "accuracy.png, stability.csv or speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and "
@@ -39,12 +41,14 @@ CommandForm bench_form() {
         "numbers. robustness.csv, robustness.json. It takes as long as some twenty\nruns without pictures.\nestimate: "
         "what "
         "numerics.accuracy would estimate on each of its levels, and the true change against the scene's own "
-        "cells.\nestimate.csv. It takes a fifth more than the scene.",
-        "accuracy|stability|speed|robustness SCENE.ini|estimate SCENE.ini",
+        "cells.\nestimate.csv. It takes a fifth more than the scene.\nensemble: error of the probabilities of a study "
+        "against time, for plain, Latin hypercube, Sobol' and multilevel\nsampling, against a large reference. "
+        "ensemble.csv, ensemble.png. It takes as long as some six thousand members,\nwith --quick a thousand.",
+        "accuracy|stability|speed|robustness SCENE.ini|estimate SCENE.ini|ensemble STUDY.ini",
         {}};
     form.repeats = true;
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
-        "quick", "accuracy: two resolutions; speed: at most a million particles")(
+        "quick", "accuracy: two resolutions; speed: at most a million particles; ensemble: few members")(
         "case", options::value<std::vector<std::string>>(),
         "accuracy, stability, robustness: only this case (may be repeated)")(
         "set", options::value<std::vector<std::string>>(),
@@ -140,7 +144,7 @@ int cmd_bench(const Arguments& arguments) {
     if (!values) return static_cast<int>(ExitCode::done);
     const auto operands = text_options(*values, "operand");
     const std::string& which = operands.front();
-    const bool needs_scene = which == "robustness" || which == "estimate";
+    const bool needs_scene = which == "robustness" || which == "estimate" || which == "ensemble";
     if (operands.size() > (needs_scene ? 2U : 1U)) {
         throw Error(ErrorKind::input, Problem{"is not expected here", "command line", operands.back(), "",
                                               "Usage: " + bench_form().usage});
@@ -149,13 +153,16 @@ int cmd_bench(const Arguments& arguments) {
     if (which == "stability") return bench_stability(*values);
     if (which == "speed") return bench_speed(*values);
     if (!needs_scene) {
-        throw Error(ErrorKind::input, Problem{"no such bench", "command line", which,
-                                              "accuracy, stability, speed, robustness, estimate", "Give one of these"});
+        throw Error(ErrorKind::input,
+                    Problem{"no such bench", "command line", which,
+                            "accuracy, stability, speed, robustness, estimate, ensemble", "Give one of these"});
     }
     if (operands.size() < 2) {
         throw Error(ErrorKind::input,
-                    Problem{"SCENE.ini is missing", "command line", "", "", "Usage: " + bench_form().usage});
+                    Problem{std::string(which == "ensemble" ? "STUDY.ini" : "SCENE.ini") + " is missing",
+                            "command line", "", "", "Usage: " + bench_form().usage});
     }
+    if (which == "ensemble") return bench_ensemble(operands.back(), *values);
     return which == "estimate" ? bench_estimate(operands.back(), *values) : bench_robustness(operands.back(), *values);
 }
 

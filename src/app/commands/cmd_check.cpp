@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/commands/accuracy_search.h"
+#include "app/commands/calibration_check.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/input_table.h"
@@ -25,6 +26,7 @@
 #include "core/shortest_text.h"
 #include "params/keys/zone_keys.h"
 #include "simulation/simulation.h"
+#include "study/read_calibration.h"
 
 namespace frana::app {
 namespace {
@@ -146,11 +148,13 @@ int cmd_check(const Arguments& arguments) {
     const int threads = thread_count(*values);
     RunLog log(false);
     apply_memory_limit(*values, log);
-    if (const std::string file = (*values)["operand"].as<std::string>(); study::is_study(file)) {
+    if (const std::string file = (*values)["operand"].as<std::string>();
+        study::is_study(file) || study::is_calibration(file)) {
         if (!text_options(*values, "set").empty())
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});
-        check_study(file, text_option(*values, "out"), threads, log);
+        const auto check = study::is_calibration(file) ? check_calibration : check_study;
+        check(file, text_option(*values, "out"), threads, log);
         return static_cast<int>(ExitCode::done);
     }
     SceneReading reading =

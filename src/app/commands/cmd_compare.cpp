@@ -9,6 +9,7 @@
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
 #include "app/compare/comparison.h"
+#include "app/compare/probability_comparison.h"
 #include "app/compare/ranking.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/kept_files.h"
@@ -213,6 +214,35 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
     return comparison;
 }
 
+/// Of a map of probability: its scores are others, so it is in no ranking.
+int compare_probability(const Pair& pair, const std::optional<double>& threshold, const std::optional<Size>& size) {
+    ProbabilityMap map = read_probability_map(pair.operand, threshold);
+    if (size) map.source.style.size = *size;
+    RunLog log(false);
+    const Survey survey = read_survey(pair.scar, std::nullopt, map.values.grid, log);
+    const ProbabilityScores scores = compare_with_survey(map, survey, log);
+    make_folder(pair.folder);
+    const std::vector<std::string> files = files_of(pair, map.source.style);
+    begin_own(pair.folder, files);
+    write_probability_comparison(scores, map, survey, pair.folder);
+    record_files(files);
+    std::cout << probability_json(scores, map, survey);
+    return static_cast<int>(ExitCode::done);
+}
+
+void refuse_in_ranking(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit) {
+    for (const Pair& pair : pairs) {
+        if (!is_probability(pair.operand)) continue;
+        if (pairs.size() > 1)
+            throw Error(ErrorKind::input,
+                        Problem{"is a map of probability, which cannot be ranked", "RESULT_DIR|RASTER", pair.operand,
+                                "", "Compare it alone, with one --scar"});
+        if (deposit)
+            throw Error(ErrorKind::input, Problem{"cannot be compared with a map of probability", "--deposit", *deposit,
+                                                  "", "Name the surveyed outline: --scar VECTOR"});
+    }
+}
+
 }  // namespace
 
 int cmd_compare(const Arguments& arguments) {
@@ -231,7 +261,9 @@ int cmd_compare(const Arguments& arguments) {
     Ranking ranking;
     const std::vector<Pair> pairs = pairs_of(operands, scars, out, ranking);
     const std::string ranking_file = (fs::path(out.value_or(".")) / "ranking.csv").string();
+    refuse_in_ranking(pairs, deposit);
     check_outputs(pairs, deposit, ranking_file);
+    if (is_probability(pairs.front().operand)) return compare_probability(pairs.front(), threshold, size);
     RunLog log(false);
     std::string operand;
     Simulated simulated;

@@ -1,74 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <boost/program_options/value_semantic.hpp>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <memory>
 
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/memory_limit.h"
 #include "app/commands/study_check.h"
+#include "app/commands/study_command.h"
+#include "app/ensemble/level_rounds.h"
+#include "app/ensemble/mapped_events.h"
 #include "app/ensemble/member_runs.h"
 #include "app/ensemble/publish_study.h"
+#include "app/ensemble/rank_pool.h"
+#include "app/ensemble/rank_worker.h"
 #include "app/ensemble/study_result.h"
 #include "app/process/signals.h"
 #include "app/process/stopwatch.h"
-#include "app/store/interrupted_run.h"
-#include "app/store/manifest.h"
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
 #include "app/store/saved_work.h"
-#include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
-#include "app/text/text_hash.h"
 #include "app/text/version.h"
-#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {
 
 CommandForm ensemble_form() {
-    namespace options = boost::program_options;
-    CommandForm form{"frana ensemble STUDY.ini [options]",
-                     "Runs a scene many times with values drawn from their distributions and writes what the runs say "
-                     "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
-                     "STUDY.ini",
-                     {}};
-    form.options.add_options()("out", options::value<std::string>(),
-                               "result directory (default: that of the scene, with -ensemble)")(
-        "threads", options::value<std::string>(), "members that run side by side (default: all processors)")(
-        "overwrite", "replace an existing result")(
-        "resume", "run only the members that a stopped or killed study has not finished")(
-        "memory-limit", options::value<std::string>(), "refuse a study that would need more (4GB, 500MB)")(
-        "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
-    return form;
+    return study_form("ensemble",
+                      "Runs a scene many times with values drawn from their distributions and writes what the runs say "
+                      "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
+                      "that of the scene, with -ensemble", "study");
 }
 
-std::string text_of_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+/// The other processes of a study under mpirun; none otherwise. They end when these do.
+struct OtherRanks {
+    std::optional<ranks::Job> job;
+    std::unique_ptr<RankPool> pool;  ///< in rank 0, if there are others
 
-void refuse_to_discard(const std::string& target, const std::string& study, Problems& problems) {
-    if (!study.empty())
-        problems.add({"an interrupted study of it is kept in " + study, target, "", "",
-                      "--resume continues it; --overwrite starts anew and replaces it at the end"});
-    if (const InterruptedRun run(target); !run.beside().empty())
-        problems.add({"an interrupted run of it is kept in " + run.beside(), target, "", "",
-                      "`frana run --resume` continues it; --overwrite replaces it at the end"});
-}
-
-void require_same_study(const StudyInput& input, const std::string& folder) {
-    const std::string then = text_of_file((std::filesystem::path(folder) / k_record_identity).string());
-    if (then == input.identity) return;
-    throw Error(ErrorKind::input, Problem{"the members kept in " + folder + " are of another study: " +
-                                              joined(identity_differences(input.identity, then), "; "),
-                                          "--resume", "", "",
-                                          "Restore the study as it was, or start anew: --overwrite without --resume"});
-}
+    OtherRanks() {
+        if (!ranks::started_as_rank()) return;
+        job.emplace();
+        if (job->rank() == 0 && job->size() > 1) pool = std::make_unique<RankPool>(*job);
+    }
+    /// They are not needed any more.
+    void release() {
+        pool.reset();
+        job.reset();
+    }
+};
 
 /// With study.until, errors are looked at after so many members, whatever the number of threads.
 constexpr std::size_t k_members_between_checks = 64;
@@ -76,33 +57,61 @@ constexpr std::size_t k_members_between_checks = 64;
 bool is_exact_enough(const StudyInput& input, const std::string& folder, std::size_t members) {
     const StudyResult result = read_study_result(input, folder, members);
     if (result.finished_at.size() < 2) return false;
-    const OutputSpec& output = input.base.spec.output;
-    const auto error = [&](study::Quantity quantity, const std::vector<double>& thresholds) {
-        return study::error_of_first(result.finished, result.finished.size(), quantity, result.grid, thresholds)
-            .largest;
-    };
-    return std::max(error(study::Quantity::depth, output.depth_thresholds),
-                    error(study::Quantity::velocity, output.velocity_thresholds)) <= *input.reading.study.until;
+    double largest = 0;
+    for (const MappedEvents& events : mapped_events(input.base.spec))
+        largest = std::max(largest, study::error_of_first(result.finished, result.finished.size(), events.quantity,
+                                                          result.grid, events.thresholds)
+                                        .largest);
+    return largest <= *input.reading.study.until;
 }
 
-/// Runs the members; returns how many belong to the study, or none if a signal stopped it.
-std::optional<std::size_t> run_members(const StudyInput& input, const std::string& folder, MemberRunner& runner) {
+/// What ran of a study.
+struct MembersRun {
+    std::size_t members = 0;   ///< that belong to it
+    std::size_t computed = 0;  ///< of these in this session
+    int stopped_by = 0;        ///< a signal
+};
+
+/// Where members run, and where their records are.
+struct Workers {
+    std::string folder;
+    int threads;
+    bool quiet;
+    RankPool* ranks;  ///< null: none
+};
+
+/// Runs the members below `end` with a runner of their own: a multilevel study's table grows.
+bool run_until(const StudyInput& input, const Workers& workers, std::size_t end, MembersRun& ran) {
+    MemberRunner runner(input, workers.folder, workers.threads, workers.quiet, workers.ranks);
+    const bool complete = runner.run_until(end);
+    ran.members = end;
+    ran.computed += runner.computed();
+    ran.stopped_by = runner.stopped_by();
+    return complete;
+}
+
+MembersRun run_members(const StudyInput& input, const Workers& workers) {
     const std::size_t all = input.table.size();
-    if (!input.reading.study.until) return runner.run_until(all) ? std::optional(all) : std::nullopt;
+    MembersRun ran;
+    if (!input.reading.study.until) {
+        run_until(input, workers, all, ran);
+        return ran;
+    }
     for (std::size_t end = std::min(all, k_members_between_checks);;
          end = std::min(all, end + k_members_between_checks)) {
-        if (!runner.run_until(end)) return std::nullopt;
-        if (end == all || is_exact_enough(input, folder, end)) return end;
+        if (!run_until(input, workers, end, ran) || end == all || is_exact_enough(input, workers.folder, end))
+            return ran;
     }
 }
 
-/// A complete result of the same study: nothing is left to do.
-bool is_complete(const StudyInput& input, const std::string& target) {
-    const auto manifest = read_manifest(target);
-    if (!manifest || !manifest->finished.value_or(false)) return false;
-    if (manifest->scene_hash == text_hash(input.identity)) return true;
-    throw Error(ErrorKind::input, Problem{"contains the finished result of another study", target, "", "",
-                                          "Choose another folder with --out, or add --overwrite"});
+MembersRun run_level_members(StudyInput& input, const Workers& workers) {
+    MembersRun ran;
+    const bool has_limit = input.reading.study.until.has_value();
+    run_levels(
+        input, workers.folder, [&](std::size_t end) { return run_until(input, workers, end, ran); },
+        [&](std::size_t members) { return has_limit && is_exact_enough(input, workers.folder, members); });
+    ran.members = input.table.size();
+    return ran;
 }
 
 }  // namespace
@@ -111,7 +120,13 @@ int cmd_ensemble(const Arguments& arguments) {
     const Stopwatch since_start;
     const auto values = parse_arguments(ensemble_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const int threads = thread_count(*values);
+    ranks::refuse_separate_processes();
+    OtherRanks ranks;
+    const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
+    if (ranks.job && ranks.job->rank() > 0) {
+        work_for_rank_0(*ranks.job, (*values)["operand"].as<std::string>(), threads);
+        return static_cast<int>(ExitCode::done);
+    }
     const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
                resume = values->count("resume") > 0;
     RunLog log(quiet);
@@ -132,37 +147,35 @@ int cmd_ensemble(const Arguments& arguments) {
     log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.study.file + ", " +
              std::to_string(threads) + " threads");
     StudyInput input = prepare_study(std::move(texts), place_problem, log);
-    if (may_be_complete && is_complete(input, target)) {
+    if (may_be_complete && is_complete(input.identity, target)) {
         log.info("the study is complete: " + target);
         remove_working_files(target, false, log);
         return static_cast<int>(ExitCode::done);
     }
-    refuse_study_beyond_memory(input, forecast_study(input, threads, false), threads);
+    refuse_study_beyond_memory(input, forecast_study(input, threads, false), threads,
+                               ranks.job ? ranks.job->ranks_here() : 1);
     const std::string left = resume ? interrupted : "";
-    if (!left.empty()) require_same_study(input, left);
+    if (!left.empty()) require_same_study(input.identity, left);
 
     catch_stop_signals();
     ResultDirectory directory(target, overwrite, left);
     directory.make_folder(k_record_folder);
     write_text_file(directory.path(k_record_identity), input.identity);
-    MemberRunner runner(input, directory.folder(), threads, quiet);
-    const auto members = run_members(input, directory.folder(), runner);
-    if (!members) {
+    if (ranks.pool) ranks.pool->start(input);
+    const Workers workers{directory.folder(), threads, quiet, ranks.pool.get()};
+    const MembersRun ran = input.level_draws.empty() ? run_members(input, workers) : run_level_members(input, workers);
+    const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
+    ranks.release();
+    if (ran.stopped_by != 0) {
         log.info("the study was stopped after " + std::to_string(records_in(directory.folder()).size()) +
                  " members: the same command with --resume runs the others");
-        return static_cast<int>(ExitCode::signal) + stop_signal();
+        return static_cast<int>(ExitCode::signal) + ran.stopped_by;
     }
-    log.note("computed " + std::to_string(runner.computed()) + " members in " + number_text(since_start.seconds(), 3) +
+    log.note("computed " + std::to_string(ran.computed) + " members in " + number_text(since_start.seconds(), 3) +
              " s");
     const StudyOutcome outcome =
-        publish_study({input, *members, runner.computed(), threads, since_start}, directory, log);
-    const std::vector<Problem> of_the_older = directory.publish({text_hash(input.identity), 0, true}, log);
-    remove_working_files(directory.target(), false, log);
-    log.info("result in " + directory.target());
-    if (outcome.too_many_failed || outcome.pictures_failed) log.print_deferred_warnings();
-    if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
-    if (outcome.too_many_failed) return static_cast<int>(ExitCode::numerical);
-    return static_cast<int>(outcome.pictures_failed ? ExitCode::environment : ExitCode::done);
+        publish_study({input, ran.members, ran.computed, all_threads, since_start}, directory, log);
+    return publish_result(input.identity, outcome, directory, log);
 }
 
 }  // namespace frana::app

@@ -21,6 +21,7 @@
 #include "core/shortest_text.h"
 #include "gis/access/time_limit.h"
 #include "params/grammar/value_text.h"
+#include "ranks/job.h"
 
 namespace frana::app {
 namespace {
@@ -81,7 +82,8 @@ void end_program(const Problem& problem) {
 void guard_process(bool network, bool quiet) {
     // SpatiaLite's functions could otherwise read and write files, from a view in a database from others.
     ::unsetenv("SPATIALITE_SECURITY");
-    if (!network) forbid_internet_sockets();
+    // Ranks exchange messages by such sockets; what opens inputs still refuses the network.
+    if (!network && !ranks::started_as_rank()) forbid_internet_sockets();
     if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::on_slow_reading(print_reading);
     gis::when_time_is_up(seconds_to_read(), end_program);
 }

@@ -25,6 +25,21 @@ void line(const std::string& name, const std::string& value) {
     std::printf("  %-16s %s\n", name.c_str(), value.c_str());
 }
 
+/// The levels of a multilevel study with the members of its pilot, which decides how many follow.
+void print_levels(const StudyInput& input) {
+    for (std::size_t l = 0; l < input.levels.size(); ++l) {
+        std::size_t pilot = 0;
+        for (const study::SampleTable::LevelRun& run : input.table.level_runs)
+            pilot += run.level == l && !run.is_coarse ? 1 : 0;
+        const double cost = input.levels[l].expected_cost + (l > 0 ? input.levels[l - 1].expected_cost : 0);
+        line("level " + std::to_string(l),
+             "cells of " + number_text(input.levels[l].cell_size) + " m" +
+                 (l > 0 ? " with those of " + number_text(input.levels[l - 1].cell_size) + " m" : "") + ": " +
+                 std::to_string(pilot) + " members first, each " + number_text(100 * cost, 2) +
+                 " % of a run on the scene's own cells; the others by their variance");
+    }
+}
+
 std::string time_text(const StudyForecast& forecast, std::size_t members, int threads) {
     const double all = forecast.member_seconds() * static_cast<double>(members) / threads;
     return std::string(forecast.trial ? "about " : "at least ") + duration_text(all) + ": " +
@@ -56,20 +71,25 @@ StudyForecast forecast_study(const StudyInput& input, int threads, bool with_tri
         k_window_bytes + forecast.member.stored_cells * k_rasters_at_once * static_cast<std::int64_t>(sizeof(double));
     forecast.peak_bytes = resident_memory() + std::max(threads * forecast.worker_bytes, combining);
     const auto released = static_cast<std::int64_t>(base.release.area_m2 / base.scene.grid.cell_area());
-    forecast.disk_bytes = static_cast<std::int64_t>(input.table.size()) *
-                          (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
+    // A level twice as coarse has at most eight times the members, with a quarter of the cells each.
+    const auto records = input.levels.empty() ? static_cast<std::int64_t>(input.table.size())
+                                              : input.reading.study.samples << (input.levels.size() - 1);
+    forecast.disk_bytes = records * (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
     return forecast;
 }
 
-void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads) {
+void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads, int processes) {
     const MemoryBound bound = usable_memory();
-    if (static_cast<double>(forecast.peak_bytes) <= bound.bytes) return;
+    const double needed = static_cast<double>(forecast.peak_bytes) * processes;
+    if (needed <= bound.bytes) return;
     throw Error(
         ErrorKind::input,
-        Problem{"the study needs about " + bytes_text(static_cast<double>(forecast.peak_bytes)) + " of memory, " +
+        Problem{"the study needs about " + bytes_text(needed) + " of memory, " +
                     bytes_text(static_cast<double>(forecast.worker_bytes)) + " for each member that runs",
-                input.reading.label, std::to_string(threads) + " threads", bound_text(bound),
-                "Use fewer --threads, larger cells, or provide more memory"});
+                input.reading.label,
+                std::to_string(threads) + " threads" +
+                    (processes > 1 ? " in each of " + std::to_string(processes) + " ranks on this machine" : ""),
+                bound_text(bound), "Use fewer --threads or ranks, larger cells, or provide more memory"});
 }
 
 void check_study(const std::string& path, const std::optional<std::string>& out, int threads, RunLog& log) {
@@ -84,13 +104,17 @@ void check_study(const std::string& path, const std::optional<std::string>& out,
     std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
     for (const study::Variation& one : study.vary) line(one.key, one.distribution.text);
     if (study.vary.empty())
-        for (const std::string& key : input.table.keys) line(key, "as in " + study.table);
+        for (const std::string& key : input.table.keys)
+            line(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
     for (const study::Correlation& one : study.correlate)
         line(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
     std::printf("\nMembers\n");
-    line("members", std::to_string(input.table.size()) + (study.until ? " at most" : "") + ", sampling " +
-                        study::name_of(study.sampling) + ", seed " + std::to_string(study.seed));
-    line("estimated time", time_text(forecast, input.table.size(), threads) + ", engine alone");
+    const auto members = input.levels.empty() ? input.table.size() : static_cast<std::size_t>(study.samples);
+    line("members", (input.levels.empty() ? "" : "as much work as ") + std::to_string(members) +
+                        (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
+                        (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
+    print_levels(input);
+    line("estimated time", time_text(forecast, members, threads) + ", engine alone");
     line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which each member that runs takes " +
                        bytes_text(static_cast<double>(forecast.worker_bytes)));
     line("disk", "about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +

@@ -26,7 +26,8 @@ struct StudyForecast {
 StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial);
 
 /// Throws Error(input) if so many members at once need more memory than there is.
-void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads);
+/// @param processes on this machine, each with so many threads
+void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads, int processes = 1);
 
 /// Returns where a study's result goes without --out: beside that of its scene.
 std::string study_directory(const SceneSpec& scene);

@@ -69,7 +69,9 @@ PathRunout path_runout(const ComparisonInput& input, const ComparedFlow& flow) {
 void compare_run_outs(const ComparisonInput& input, const Raster& observed, RunLog& log, Comparison& comparison) {
     if (!input.bed || !input.release) return;
     if (!observed.grid.same_cells(input.bed->grid)) {
-        log.warn("the scar reaches beyond the computed ground, so its run-out is unknown: no run-out difference");
+        log.warn(
+            "the scar reaches beyond the result's rasters, so its run-out is unknown: no run-out difference. With "
+            "output.extent = map a run's rasters cover the whole map");
         return;
     }
     const ComparedFlow flow = compared_flow(input, observed);
@@ -148,7 +150,7 @@ Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
     if (!input.survey.scar.empty()) {
         const Raster depth = padded_to(input.depth, bounds(input.survey.scar), k_no_data);
         if (!depth.grid.same_cells(input.depth.grid))
-            log.warn("the scar reaches beyond the computed ground; its part outside counts as missed");
+            log.warn("the scar reaches beyond the result's rasters; its part outside counts as missed");
         compare_area(input, depth, log, comparison);
     }
     compare_fronts_and_tips(input, log, comparison);

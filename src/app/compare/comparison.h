@@ -78,6 +78,8 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
 /// GeoTIFF maps/comparison.tif below it, for comparison.tif is the raster of classes. Throws Error.
 void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder);
 
+/// Returns the path of its picture without the ending.
+std::string comparison_stem(const std::string& folder);
 /// Returns the files written by draw_comparison.
 std::vector<std::string> comparison_pictures(const MapStyle& style, const std::string& folder);
 /// Returns the files that write_comparison may write.

@@ -26,10 +26,6 @@ std::string raster_file() {
     return std::string(k_name) + ".tif";
 }
 
-std::string picture_stem(const std::string& folder) {
-    return (fs::path(folder) / k_name).string();
-}
-
 std::string tif_stem(const std::string& folder) {
     return (fs::path(folder) / "maps" / k_name).string();
 }
@@ -118,6 +114,10 @@ void add_deposit(Json& json, const Comparison& comparison, const Survey& survey)
 
 }  // namespace
 
+std::string comparison_stem(const std::string& folder) {
+    return (fs::path(folder) / k_name).string();
+}
+
 std::string comparison_json(const Comparison& comparison, const ComparisonInput& input) {
     const Survey& survey = input.survey;
     Json json{{"program", k_program},
@@ -171,7 +171,7 @@ std::vector<std::string> comparison_files(const std::string& folder) {
 }
 
 std::vector<std::string> comparison_pictures(const MapStyle& style, const std::string& folder) {
-    return picture_files(style, picture_stem(folder), true, tif_stem(folder));
+    return picture_files(style, comparison_stem(folder), true, tif_stem(folder));
 }
 
 void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder) {
@@ -196,7 +196,7 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
         layer.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
     for (const std::string& file : comparison_pictures(drawer.style(), folder))
         make_folder(fs::path(file).parent_path());
-    drawer.draw(layer, false, picture_stem(folder), tif_stem(folder));
+    drawer.draw(layer, false, comparison_stem(folder), tif_stem(folder));
 }
 
 }  // namespace frana::app

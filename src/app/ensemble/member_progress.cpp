@@ -11,7 +11,6 @@ MemberProgress::MemberProgress(std::size_t done, std::size_t total, bool quiet)
     : done_(done), total_(total), line_(quiet) {}
 
 void MemberProgress::add_member() {
-    const std::lock_guard lock(mutex_);
     ++done_;
     ++here_;
     if (!line_.is_due()) return;
@@ -21,7 +20,6 @@ void MemberProgress::add_member() {
 }
 
 void MemberProgress::finish() {
-    const std::lock_guard lock(mutex_);
     line_.finish();
 }
 

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <mutex>
 
 #include "app/process/status_line.h"
 
 namespace frana::app {
 
-/// Shows how many members have run and the time left. May be called from several threads.
+/// Shows how many members have run and the time left.
 class MemberProgress {
   public:
     /// @param done members that ran before the study was resumed
@@ -18,7 +17,6 @@ class MemberProgress {
     void finish();
 
   private:
-    std::mutex mutex_;
     std::size_t done_, total_, here_ = 0;
     StatusLine line_;
 };

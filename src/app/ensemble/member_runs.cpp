@@ -1,88 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ensemble/member_runs.h"
 
-#include <filesystem>
-#include <thread>
 #include <utility>
-#include <vector>
 
 #include "app/process/signals.h"
 #include "app/store/saved_work.h"
-#include "simulation/simulation.h"
-#include "study/member_record.h"
+#include "core/file_aside.h"
 
 namespace frana::app {
-namespace {
 
-/// The record of a member that has no result.
-study::MemberRecord failed_record(std::size_t member, const GridSpec& grid, const Error& error) {
-    study::MemberRecord record = study::empty_record(member, grid);
-    record.failure = describe(error.problems().front());
-    return record;
-}
-
-}  // namespace
-
-MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet)
+MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks)
     : input_(input),
       folder_(std::move(folder)),
-      threads_(threads),
-      progress_(records_in(folder_).size(), input.table.size(), quiet) {}
+      threads_(static_cast<std::size_t>(threads)),
+      ranks_(ranks),
+      queue_(folder_),
+      progress_(records_in(folder_).size(), input.table.size(), quiet),
+      members_(input, threads) {}
 
-bool MemberRunner::stops() const {
-    return stop_signal() != 0 || failed_;
+int MemberRunner::stopped_by() const {
+    return stop_signal() != 0 || ranks_ == nullptr ? stop_signal() : ranks_->interrupted();
 }
 
-void MemberRunner::run_member(std::size_t member) {
-    const std::string file = record_file(folder_, member);
-    if (std::filesystem::exists(file) && study::read_record(file)) return;
-    study::MemberRecord record;
-    try {
-        Prepared prepared;
-        {
-            const std::lock_guard lock(reading_);
-            RunLog silent(true);
-            SceneReading reading = input_.member(member);
-            reading.scene.scar = {};  // read once, for the maps: transforming it takes as long as all else
-            reading.scene.output.profiles.reset();
-            prepared = prepare(reading, silent);
-        }
-        prepared.scene.time.frame_interval = 0;
-        RunOptions options;
-        options.stop_requested = [this] { return stops(); };
-        const RunResult result = run(prepared.scene, options);
-        if (result.stop_reason == StopReason::requested) return;
-        record = study::record_of(member, result, prepared.scene, input_.base.spec.output.trace_threshold);
-    } catch (const Error& error) {
-        if (error.kind() == ErrorKind::environment) throw;
-        record = failed_record(member, input_.base.scene.grid, error);
-    }
-    study::write_record(file, std::move(record));
+std::optional<MemberTask> MemberRunner::take() {
+    const auto member = queue_.take();
+    if (!member) return std::nullopt;
+    return MemberTask{*member, input_.table.overrides(*member)};
+}
+
+void MemberRunner::keep(std::size_t member, const std::string& record) {
+    write_file(record_file(folder_, member), record, Sync::yes);
     ++computed_;
     progress_.add_member();
 }
 
-void MemberRunner::work(std::size_t end) {
-    try {
-        for (std::size_t member = next_++; member < end && !stops(); member = next_++) run_member(member);
-    } catch (...) {
-        const std::lock_guard lock(reporting_);
-        if (!problem_) problem_ = std::current_exception();
-        failed_ = true;
+void MemberRunner::run_until_all_are_back() {
+    // One more than threads, so that none waits while a record is written.
+    const std::size_t most_out = threads_ + 1;
+    while (stopped_by() == 0) {
+        if (const std::exception_ptr problem = members_.take_problem()) std::rethrow_exception(problem);
+        while (const auto record = members_.take_record()) {
+            --out_;
+            keep(record->member, record->bytes);
+        }
+        for (; out_ < most_out; ++out_) {
+            auto task = take();
+            if (!task) break;
+            members_.add(std::move(*task));
+        }
+        if (ranks_ != nullptr)
+            ranks_->exchange([this] { return take(); },
+                             [this](std::size_t member, const std::string& record) { keep(member, record); });
+        if (out_ == 0 && (ranks_ == nullptr || !ranks_->has_members_out())) return;
+        constexpr int k_message_wait = 1, k_signal_wait = 100;  // [ms]
+        members_.wait(ranks_ != nullptr ? k_message_wait : k_signal_wait);
     }
 }
 
 bool MemberRunner::run_until(std::size_t end) {
-    const std::size_t begin = next_;
-    std::vector<std::thread> workers;
-    for (int i = 1; i < threads_ && static_cast<std::size_t>(i) < end - begin; ++i)
-        workers.emplace_back([this, end] { work(end); });
-    work(end);
-    for (std::thread& worker : workers) worker.join();
-    next_ = end;  // each worker took one beyond
+    queue_.extend_to(end);
+    run_until_all_are_back();
     progress_.finish();
-    if (problem_) std::rethrow_exception(problem_);
-    return stop_signal() == 0;
+    return stopped_by() == 0;
 }
 
 }  // namespace frana::app

@@ -1,46 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <cstddef>
-#include <exception>
-#include <mutex>
+#include <optional>
 #include <string>
 
 #include "app/ensemble/member_progress.h"
+#include "app/ensemble/member_queue.h"
+#include "app/ensemble/member_threads.h"
+#include "app/ensemble/rank_pool.h"
 #include "app/ensemble/study_input.h"
 
 namespace frana::app {
 
-/// Runs members side by side, each on one thread, as `frana run` computes them, and writes a record of each to a folder
-/// of the result (record_file). Those that have a record are not run again. Which thread runs which member, and in
-/// which order, changes no bit of any record but its wall time. Files are read by one member at a time, for GDAL and
-/// PROJ keep tables of their own. A member that cannot be prepared or ends early has failed, and its record says why;
-/// an error of the environment ends the study.
+/// Runs members side by side, each on one thread, in this process and in other ranks, and writes a record of each to a
+/// folder of the result (record_file), by this process alone. Those that have a record are not run again. Who runs
+/// which member, and in which order, changes no bit of any record but its wall time.
 class MemberRunner {
   public:
     /// @param folder in which the result is being built
-    MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet);
+    /// @param ranks the other processes; null: none
+    MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks = nullptr);
 
     /// Runs the members below `end` that have no record. Returns false if a signal stopped it before. Throws
     /// Error(environment).
     bool run_until(std::size_t end);
     /// Members computed so far, without those of earlier sessions.
     [[nodiscard]] std::size_t computed() const noexcept { return computed_; }
+    /// The signal that stopped this process or a rank; 0: none.
+    [[nodiscard]] int stopped_by() const;
 
   private:
-    void work(std::size_t end);
-    void run_member(std::size_t member);
-    [[nodiscard]] bool stops() const;
+    void run_until_all_are_back();
+    void keep(std::size_t member, const std::string& record);
+
+    [[nodiscard]] std::optional<MemberTask> take();
 
     const StudyInput& input_;
     std::string folder_;
-    int threads_;
+    std::size_t threads_;
+    RankPool* ranks_;
+    MemberQueue queue_;
     MemberProgress progress_;
-    std::atomic<std::size_t> next_{0}, computed_{0};
-    std::atomic<bool> failed_{false};
-    std::mutex reading_, reporting_;
-    std::exception_ptr problem_;
+    std::size_t computed_ = 0, out_ = 0;  ///< out: given to the threads of this process
+    MemberThreads members_;
 };
 
 }  // namespace frana::app

@@ -59,8 +59,8 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
 void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& folder,
                            const std::string& path) {
     gis::OutlineLayer layer{"members", {}};
-    for (const std::size_t place : result.finished_at) {
-        const MemberResult& member = result.members[place];
+    for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
+        const MemberResult& member = result.members[result.finished_at[i]];
         study::FinishedMembers alone;
         alone.records.push_back(record_file(folder, member.member));
         const CellWindow window = study::reached_window(alone, result.grid);
@@ -72,6 +72,10 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         if (feature.parts.empty()) continue;
         feature.numbers["member"] = static_cast<double>(member.member);
         feature.numbers["weight"] = input.table.weights[member.member];
+        if (!input.table.level_runs.empty()) {
+            feature.numbers["weight"] = result.finished.weights[i];
+            feature.numbers["cell_size_m"] = input.table.level_runs[member.member].cell_size;
+        }
         for (const study::Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
         for (std::size_t k = 0; k < input.table.keys.size(); ++k)
             feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
@@ -99,7 +103,7 @@ std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
 }
 
-bool warn_of_failures(const StudyResult& result, RunLog& log) {
+bool warn_of_failures(const StudyResult& result, const std::vector<LevelSummary>& levels, RunLog& log) {
     if (result.failed() == 0) return false;
     const double fraction = static_cast<double>(result.failed()) / static_cast<double>(result.members.size());
     const auto first = std::find_if(result.members.begin(), result.members.end(),
@@ -107,7 +111,10 @@ bool warn_of_failures(const StudyResult& result, RunLog& log) {
     log.warn(std::to_string(result.failed()) + " of " + std::to_string(result.members.size()) +
              " members failed and are in no map; the first, member " + std::to_string(first->member) + ": " +
              first->failure + ". members.csv has the reason of each");
-    return fraction > k_most_failed;
+    const bool level_failed = std::any_of(levels.begin(), levels.end(), [](const LevelSummary& level) {
+        return static_cast<double>(level.failed) > k_most_failed * static_cast<double>(level.statistics.members);
+    });
+    return fraction > k_most_failed || level_failed;
 }
 
 void warn_of_error(const StudyInput& input, const StudyResult& result, const study::MapError& error, RunLog& log) {
@@ -124,26 +131,35 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     StudyInput& input = study.input;
     StudyResult result = read_study_result(input, directory.folder(), study.members);
     StudyOutcome outcome;
-    outcome.too_many_failed = warn_of_failures(result, log);
-    write_text_file(directory.path(k_study_file), study::study_text(input.reading.study));
     StudyFacts facts;
+    facts.levels = level_summaries(input, result);
+    outcome.too_many_failed = warn_of_failures(result, facts.levels, log);
+    write_text_file(directory.path(k_study_file), study::study_text(input.reading.study));
     facts.threads = study.threads;
     facts.computed = study.computed;
     std::vector<FigureSensitivity> figures;
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
-        figures = sensitivities(result);
         publish_study_ground(input, directory);
-        facts.error = publish_study_maps(input, result, directory);
-        warn_of_error(input, result, facts.error, log);
+        if (input.reading.study.per_polygon()) {
+            publish_union_maps(input, result, directory);
+        } else {
+            figures = sensitivities(result);
+            facts.error = publish_study_maps(input, result, directory);
+            warn_of_error(input, result, facts.error, log);
+            facts.median = median_member(input, result);
+            if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);
+        }
         write_member_outlines(input, result, directory.folder(), directory.path(k_member_outlines));
     }
     write_text_file(directory.path(k_member_table), members_csv(input, result));
-    write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
+    if (!input.reading.study.per_polygon())
+        write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
     write_kept_members(input, result, directory);
     // Maps show what the summary says; what drawing adds to it comes at the end.
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
-    if (!result.finished_at.empty()) outcome.pictures_failed = !draw_study(input, result, figures, directory, log);
+    if (!result.finished_at.empty() && !draw_study(input, result, figures, directory, log))
+        outcome.pictures_failed = true;
     facts.wall_seconds = study.since_start.seconds();
     facts.warnings = log.warnings();
     if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);

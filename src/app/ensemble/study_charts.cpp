@@ -123,8 +123,9 @@ study::FinishedMembers independent_members(const StudyResult& result) {
 
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
     constexpr std::size_t k_first = 8;
-    const study::FinishedMembers members = independent_members(result);
     std::vector<ErrorAt> all;
+    if (!input.levels.empty()) return all;  // its members are not exchangeable
+    const study::FinishedMembers members = independent_members(result);
     for (std::size_t count = k_first;; count *= 2) {
         const std::size_t some = std::min(count, members.size());
         if (some < 2) break;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ensemble/study_files.h"
 
-#include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "analysis/trace.h"
+#include "app/ensemble/mapped_events.h"
 #include "app/ensemble/study_charts.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
@@ -26,9 +27,6 @@
 
 namespace frana::app {
 namespace {
-
-/// Suffixes of the files of k_map_quantiles.
-constexpr std::array<const char*, 3> k_quantile_names{"05", "50", "95"};
 
 /// Writes rasters of the table with their texts and styles.
 class MapWriter {
@@ -51,6 +49,7 @@ class MapWriter {
         const ResultRaster& row = *find_result_raster(name);
         const std::string file = directory_.path(name + ".tif");
         gis::write_geotiff(file, bands);
+        if (!row.is_drawn()) return;
         const std::vector<double> bounds =
             row.bounds.empty() ? class_bounds(row.progressive, maximum(bands.front().raster)) : row.bounds;
         gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
@@ -61,20 +60,12 @@ class MapWriter {
     std::map<std::string, std::string> metadata_;
 };
 
-/// Of depth or velocity; returns the probabilities of the least threshold and their error.
-std::pair<Raster, std::vector<Raster>> write_quantity(const StudyResult& result, study::Quantity quantity,
-                                                      const std::string& name, const std::vector<double>& thresholds,
-                                                      const MapWriter& writer) {
-    study::QuantityMaps maps = study::quantity_maps(result.finished, quantity, result.grid, thresholds);
-    for (std::size_t t = 0; t < thresholds.size(); ++t)
-        writer.write_probability("probability_" + name + "_" + shortest_text(thresholds[t]), maps.probability[t],
-                                 maps.error[t]);
+/// Quantiles and moments, of depth and velocity alone.
+void write_distribution(const study::QuantityMaps& maps, const std::string& name, const MapWriter& writer) {
     for (std::size_t q = 0; q < maps.quantile.size(); ++q)
-        writer.write("quantile_max_" + name + "_" + k_quantile_names[q], maps.quantile[q]);
+        writer.write("quantile_max_" + name + "_" + k_study_quantiles[q].name, maps.quantile[q]);
     writer.write("mean_max_" + name, maps.mean);
     writer.write("deviation_max_" + name, maps.deviation);
-    if (quantity == study::Quantity::depth) writer.write("hit_count", maps.hits);
-    return {maps.probability.empty() ? Raster() : std::move(maps.probability.front()), std::move(maps.error)};
 }
 
 /// Of the cells with at least this probability.
@@ -89,16 +80,22 @@ PolygonFeature probability_outline(const Raster& probability, double least) {
     return feature;
 }
 
-/// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
-void write_probability_outlines(const StudyInput& input, const Raster& probability, const std::string& path) {
+/// Layers of extent.gpkg that are known before the members run.
+std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
     gis::OutlineLayer release{"release", {}};
     for (const ReleaseArea& area : input.other_releases.empty() ? input.base.scene.release : input.other_releases)
         release.features.push_back({area.outline, {}, {}});
     std::vector<gis::OutlineLayer> layers{std::move(release)};
     if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
-    for (std::size_t q = 0; q < k_quantile_names.size(); ++q) {
-        gis::OutlineLayer layer{std::string("probability_") + k_quantile_names[q], {}};
-        PolygonFeature feature = probability_outline(probability, study::k_map_quantiles[q]);
+    return layers;
+}
+
+/// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
+void write_probability_outlines(const StudyInput& input, const Raster& probability, const std::string& path) {
+    std::vector<gis::OutlineLayer> layers = known_outlines(input);
+    for (const StudyQuantile& quantile : k_study_quantiles) {
+        gis::OutlineLayer layer{probability_layer(quantile.name), {}};
+        PolygonFeature feature = probability_outline(probability, quantile.fraction);
         feature.numbers["threshold_m"] = input.base.spec.output.depth_thresholds.front();
         if (!feature.parts.empty()) layer.features.push_back(std::move(feature));
         layers.push_back(std::move(layer));
@@ -117,7 +114,7 @@ void make_folder(const std::string& folder) {
 /// Those that are handed on; `frana render` draws the others.
 bool is_drawn_at_once(const std::string& name) {
     return name.starts_with("probability_") || name.starts_with("quantile_max_depth_") ||
-           name.starts_with("sensitivity_");
+           name.starts_with("sensitivity_") || name.starts_with("union_max_") || name == "hit_count";
 }
 
 }  // namespace
@@ -126,21 +123,48 @@ void publish_study_ground(const StudyInput& input, const ResultDirectory& direct
     publish_ground(input.base, directory);
 }
 
+void publish_union_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
+    const MapWriter writer(input, directory);
+    std::vector<std::size_t> numbers;
+    for (const std::size_t place : result.finished_at) numbers.push_back(result.members[place].member);
+    const study::UnionMaps maps = study::union_maps(result.finished, numbers, result.grid);
+    writer.write("union_max_depth", maps.depth);
+    writer.write("union_max_velocity", maps.velocity);
+    writer.write("union_arrival_time", maps.arrival);
+    writer.write("hit_count", maps.hits);
+    writer.write("worst_source", maps.worst);
+    PolygonFeature reached;
+    reached.parts = gis::polygonise(trace_mask(maps.depth, input.base.spec.output.trace_threshold));
+    reached.numbers["threshold_m"] = input.base.spec.output.trace_threshold;
+    std::vector<gis::OutlineLayer> layers = known_outlines(input);
+    layers.push_back({"trace", {}});
+    if (!reached.parts.empty()) layers.back().features.push_back(std::move(reached));
+    gis::write_outlines(directory.path(k_outlines_file), result.grid.crs_wkt, layers);
+}
+
 study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
                                    const ResultDirectory& directory) {
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input, directory);
-    auto [probability, errors] =
-        write_quantity(result, study::Quantity::depth, "depth", output.depth_thresholds, writer);
-    if (!output.depth_thresholds.empty())
-        write_probability_outlines(input, probability, directory.path(k_outlines_file));
-    for (Raster& error :
-         write_quantity(result, study::Quantity::velocity, "velocity", output.velocity_thresholds, writer).second)
-        errors.push_back(std::move(error));
+    std::vector<Raster> errors;
+    for (const MappedEvents& events : mapped_events(input.base.spec)) {
+        study::QuantityMaps maps =
+            study::quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
+        for (std::size_t t = 0; t < events.rasters.size(); ++t)
+            writer.write_probability(events.rasters[t], maps.probability[t], maps.error[t]);
+        if (events.quantity == study::Quantity::depth) {
+            write_distribution(maps, "depth", writer);
+            writer.write("hit_count", maps.hits);
+            if (!maps.probability.empty())
+                write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
+        }
+        if (events.quantity == study::Quantity::velocity) write_distribution(maps, "velocity", writer);
+        std::move(maps.error.begin(), maps.error.end(), std::back_inserter(errors));
+    }
     const study::QuantityMaps arrival =
         study::quantity_maps(result.finished, study::Quantity::arrival, result.grid, {});
     for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
-        writer.write(std::string("quantile_arrival_time_") + k_quantile_names[q], arrival.quantile[q]);
+        writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
     if (result.equal_weights() && result.design_at.size() > 1) {
         const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
         const std::vector<Raster> maps =
@@ -188,7 +212,7 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
         if (!is_drawn_at_once(name)) continue;
         attempt("maps/" + name, [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
     }
-    if (!output.charts) return good;
+    if (!output.charts || input.reading.study.per_polygon()) return good;  // of sources there is no distribution
     make_folder(written.path("charts"));
     for (const NamedChart& one : study_charts(input, result, figures, convergence_of(input, result), source)) {
         attempt("charts/" + one.name, [&] {

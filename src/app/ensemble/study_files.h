@@ -21,6 +21,9 @@ void publish_study_ground(const StudyInput& input, const ResultDirectory& direct
 study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
                                    const ResultDirectory& directory);
 
+/// The same of a study with a polygon for each member: the union of all, how many reach each cell, which is the worst.
+void publish_union_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory);
+
 /// Writes a member's scene and maps to a folder.
 void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
                   const std::string& folder);

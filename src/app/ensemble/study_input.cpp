@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ensemble/study_input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
+#include "app/ensemble/polygon_members.h"
 #include "app/input/share_directory.h"
 #include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
+#include "core/shortest_text.h"
 #include "gis/access/table_in.h"
+#include "simulation/simulation.h"
+#include "study/levels.h"
 
 namespace frana::app {
 namespace {
 
 SceneReading read_member(const study::StudyReading& reading, const std::vector<std::string>& overrides) {
     std::vector<std::string> all = reading.study.set;
+    const auto key_of = [](const std::string& text) { return text.substr(0, text.find('=')); };
+    std::erase_if(all, [&](const std::string& one) {  // the cell size of a multilevel study's runs
+        return std::any_of(overrides.begin(), overrides.end(),
+                           [&](const std::string& other) { return key_of(other) == key_of(one); });
+    });
     all.insert(all.end(), overrides.begin(), overrides.end());
     return read_scene(reading.study.scene, all, materials_directory(), reading.label + ": ");
 }
@@ -67,14 +78,25 @@ std::vector<std::size_t> members_with_every_value(const study::SampleTable& tabl
     return members;
 }
 
+bool is_whole(double cells) {
+    return std::abs(cells - std::round(cells)) < 1e-3;
+}
+
 void require_same_lattice(const GridSpec& grid, const GridSpec& other, const std::string& where, Problems& problems) {
-    const auto is_whole = [](double cells) { return std::abs(cells - std::round(cells)) < 1e-3; };
     const bool same = std::abs(grid.cell_size / other.cell_size - 1) < 1e-9 && grid.crs_wkt == other.crs_wkt &&
                       is_whole((grid.west - other.west) / grid.cell_size) &&
                       is_whole((grid.north - other.north) / grid.cell_size);
     if (!same)
         problems.add({"gives other cells than the central member, so that their maps cannot be combined", where, "", "",
                       "Set terrain.crs and terrain.cell-size in the scene, or bring the files to the same cells"});
+}
+
+/// What decides the members of a multilevel study besides the values of its pilot.
+std::string levels_text(const StudyInput& input) {
+    if (input.level_draws.empty()) return "";
+    const study::StudySpec& study = input.reading.study;
+    return "levels = " + std::to_string(*study.levels) + "\nsamples = " + std::to_string(study.samples) +
+           "\nseed = " + std::to_string(study.seed) + "\n";
 }
 
 std::string values_text(const study::SampleTable& table) {
@@ -85,22 +107,71 @@ std::string values_text(const study::SampleTable& table) {
     return text;
 }
 
-}  // namespace
-
-SceneReading StudyInput::member(std::size_t index) const {
-    return read_member(reading, table.overrides(index));
+std::vector<std::string> central_overrides(const study::StudySpec& study, const study::SampleTable& table) {
+    const bool has_table = study.sampling == study::Sampling::table && table.size() > 0;
+    return has_table ? table.overrides(table.size() / 2) : study::central_values(study);
 }
 
-StudyTexts read_study_texts(const std::string& path) {
-    StudyTexts texts;
-    texts.reading = study::read_study(path);
-    if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
-    texts.table = read_samples(texts.reading);
-    const bool by_table = texts.reading.study.sampling == study::Sampling::table;
-    const bool has_table = by_table && texts.table.size() > 0;
+/// The pilot of a multilevel study; its cell sizes are not known yet.
+study::SampleTable pilot_of(const study::StudySpec& study, const std::vector<study::SampleTable>& draws) {
+    study::SampleTable table;
+    const auto counts = study::pilot_members(static_cast<std::size_t>(study.samples), draws.size());
+    for (std::size_t l = 0; l < draws.size(); ++l)
+        study::append_members(draws[l], l, 0, std::min(counts[l], draws[l].size()), 0, table);
+    return table;
+}
+
+/// @param levels draws of a multilevel study; empty for others
+void draw_members(study::StudyReading& reading, study::SampleTable& table, std::vector<study::SampleTable>& levels) {
+    if (!reading.study.levels) {
+        table = read_samples(reading);
+        return;
+    }
+    if (!reading.problems.empty()) return;
+    levels = study::draw_levels(reading.study, reading.label, reading.problems);
+    if (!levels.empty()) table = pilot_of(reading.study, levels);
+}
+
+/// Prepares the central member on the cells of a level. Adds problems: with the scene, and with cells that are not made
+/// of those of the finest level.
+double expected_cost(const StudyInput& input, double cell_size, Problems& problems) {
+    RunLog silent(true);
+    const std::string where = input.reading.where("study.levels") + ", cells of " + number_text(cell_size) + " m";
     try {
-        texts.central = read_member(texts.reading, has_table ? texts.table.overrides(texts.table.size() / 2)
-                                                             : study::central_values(texts.reading.study));
+        std::vector<std::string> overrides = study::central_values(input.reading.study);
+        overrides.push_back(std::string(study::k_cell_size_key) + "=" + shortest_text(cell_size));
+        const Prepared prepared = prepare(read_member(input.reading, overrides), silent);
+        const GridSpec &grid = prepared.scene.grid, &own = input.base.scene.grid;
+        if (!is_whole((grid.west - own.west) / own.cell_size) || !is_whole((grid.north - own.north) / own.cell_size) ||
+            grid.crs_wkt != own.crs_wkt)
+            problems.add({"do not coincide with those of the scene", where, "", "",
+                          "Give the scene a terrain.cell-size other than that of its DTM, or remove study.levels"});
+        const auto work = [](const RunEstimate& run) {
+            return static_cast<double>(run.particles) / run.first_step_seconds;
+        };
+        return work(estimate(prepared.scene, 1)) / work(estimate(input.base.scene, 1));
+    } catch (const Error& error) {
+        for (const Problem& problem : error.problems())
+            problems.add({problem.what, where + ": " + problem.where, problem.value, problem.limit, problem.remedy});
+    }
+    return 0;
+}
+
+/// Gives the levels their cells, and the runs of the pilot theirs.
+void put_levels_on_cells(StudyInput& input, Problems& problems) {
+    const double own = input.base.scene.grid.cell_size;
+    for (std::size_t l = 0; l < input.level_draws.size(); ++l) {
+        const double cell_size = own * std::pow(2.0, static_cast<double>(input.level_draws.size() - 1 - l));
+        input.levels.push_back({cell_size, cell_size == own ? 1 : expected_cost(input, cell_size, problems)});
+    }
+    for (study::SampleTable::LevelRun& run : input.table.level_runs)
+        run.cell_size = input.levels[run.is_coarse ? run.level - 1 : run.level].cell_size;
+}
+
+/// Reads the scenes of the central member and of all members, and adds all problems to those of the former.
+void read_scenes(const std::vector<std::string>& central, StudyTexts& texts) {
+    try {
+        texts.central = read_member(texts.reading, central);
     } catch (const Error& error) {  // the scene is no INI
         texts.reading.problems.add(error);
         texts.reading.problems.throw_if_any();
@@ -108,20 +179,76 @@ StudyTexts read_study_texts(const std::string& path) {
     refuse_accuracy(texts.central);
     add_members_problems(texts.reading, texts.table, texts.central);
     for (const Problem& problem : texts.reading.problems.list()) texts.central.problems.add(problem);
+}
+
+}  // namespace
+
+SceneReading StudyInput::member(std::size_t index) const {
+    return scene_with(table.overrides(index));
+}
+
+SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) const {
+    return read_member(reading, overrides);
+}
+
+StudyTexts read_study_texts(const std::string& path) {
+    StudyTexts texts;
+    texts.reading = study::read_study(path);
+    if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
+    std::vector<std::string> central;
+    try {
+        if (texts.reading.study.per_polygon()) {
+            PolygonMembers members = polygon_members(read_member(texts.reading, {}), texts.reading.problems);
+            texts.table = std::move(members.table);
+            if (texts.table.size() > 0) central = texts.table.overrides(members.largest);
+        } else {
+            draw_members(texts.reading, texts.table, texts.level_draws);
+            central = central_overrides(texts.reading.study, texts.table);
+        }
+    } catch (const Error& error) {  // the scene is no INI
+        texts.reading.problems.add(error);
+        texts.reading.problems.throw_if_any();
+    }
+    read_scenes(central, texts);
     return texts;
 }
 
+StudyTexts read_study_scenes(study::StudyReading reading, study::SampleTable table) {
+    StudyTexts texts;
+    texts.reading = std::move(reading);
+    texts.table = std::move(table);
+    read_scenes(central_overrides(texts.reading.study, texts.table), texts);
+    return texts;
+}
+
+void redraw(StudyInput& input) {
+    Problems problems;
+    input.levels.clear();
+    input.level_draws.clear();
+    draw_members(input.reading, input.table, input.level_draws);
+    input.reading.problems.throw_if_any();
+    put_levels_on_cells(input, problems);
+    problems.throw_if_any();
+}
+
 StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
-    StudyInput input{std::move(texts.reading), std::move(texts.table), {}, std::move(texts.central), {}, {}};
+    StudyInput input;
+    input.reading = std::move(texts.reading);
+    input.table = std::move(texts.table);
+    input.level_draws = std::move(texts.level_draws);
+    input.central = std::move(texts.central);
+    const gis::UseRemembered remember(*input.files);
     input.base = prepare(input.central, place, log);
     input.base.scene.time.frame_interval = 0;
-    input.identity = "study = " + study::name_of(input.reading.study.sampling) + "\n" + values_text(input.table) +
-                     scene_identity(input.base);
     Problems problems;
+    put_levels_on_cells(input, problems);
+    input.identity = "study = " + study::name_of(input.reading.study.sampling) + "\n" + levels_text(input) +
+                     values_text(input.table) + scene_identity(input.base);
+    const study::SampleTable& all = input.level_draws.empty() ? input.table : input.level_draws.front();
     RunLog silent(true);
-    for (const std::size_t member : members_with_every_value(input.table)) {
+    for (const std::size_t member : members_with_every_value(all)) {
         try {
-            const Prepared prepared = prepare(input.member(member), silent);
+            const Prepared prepared = prepare(read_member(input.reading, all.overrides(member)), silent);
             require_same_lattice(input.base.scene.grid, prepared.scene.grid, "member " + std::to_string(member),
                                  problems);
             input.identity += "member " + std::to_string(member) + ":\n" + scene_identity(prepared);

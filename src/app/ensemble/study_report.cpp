@@ -15,30 +15,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string row(const std::vector<std::string>& cells, const char* cell = "td") {
-    std::string html = "<tr>";
-    for (const std::string& text : cells)
-        html += std::string("<") + cell + ">" + escaped_markup(text) + "</" + cell + ">";
-    return html + "</tr>\n";
-}
-
 std::string keys_table(const StudyInput& input) {
-    std::string html = "<table>\n" + row({"key", "distribution"}, "th");
-    for (const study::Variation& one : input.reading.study.vary) html += row({one.key, one.distribution.text});
+    std::string html = "<table>\n" + table_row({"key", "distribution"}, "th");
+    for (const study::Variation& one : input.reading.study.vary) html += table_row({one.key, one.distribution.text});
     for (const study::Correlation& one : input.reading.study.correlate)
-        html += row({one.first + " and " + one.second, "rank correlation " + number_text(one.rho)});
+        html += table_row({one.first + " and " + one.second, "rank correlation " + number_text(one.rho)});
     return html + "</table>\n";
 }
 
 std::string figures_table(const StudyResult& result) {
-    std::string html = "<table>\n" + row({"figure", "unit", "mean", "5 %", "50 %", "95 %"}, "th");
+    std::string html = "<table>\n" + table_row({"figure", "unit", "mean", "5 %", "50 %", "95 %"}, "th");
     const std::vector<double>& weights = result.finished.weights;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
-        html += row({result.figures()[f].title, result.figures()[f].unit, number_text(weighted_mean(values, weights)),
-                     number_text(figure_quantile(values, weights, 0.05)),
-                     number_text(figure_quantile(values, weights, 0.5)),
-                     number_text(figure_quantile(values, weights, 0.95))});
+        html += table_row(
+            {result.figures()[f].title, result.figures()[f].unit, number_text(weighted_mean(values, weights)),
+             number_text(figure_quantile(values, weights, 0.05)), number_text(figure_quantile(values, weights, 0.5)),
+             number_text(figure_quantile(values, weights, 0.95))});
+    }
+    return html + "</table>\n";
+}
+
+std::string levels_table(const std::vector<LevelSummary>& levels) {
+    double all = 0;
+    for (const LevelSummary& level : levels) all += level.statistics.cost * static_cast<double>(level.members);
+    std::string html =
+        "<table>\n" + table_row({"level", "cells", "members", "variance of the difference", "part of the cost"}, "th");
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        const LevelSummary& level = levels[l];
+        const double cost = level.statistics.cost * static_cast<double>(level.members);
+        html += table_row({std::to_string(l), number_text(level.cell_size) + " m", std::to_string(level.members),
+                           number_text(100 * level.statistics.variance / levels.front().statistics.variance, 2) +
+                               " % of that on level 0",
+                           number_text(100 * cost / all, 2) + " %"});
     }
     return html + "</table>\n";
 }
@@ -49,15 +58,27 @@ std::string interval_text(const std::optional<study::Interval>& one) {
 }
 
 std::string sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    std::string html = "<table>\n" + row({"figure", "key", "first order", "total", "rank correlation", "method"}, "th");
+    std::string html =
+        "<table>\n" + table_row({"figure", "key", "first order", "total", "rank correlation", "method"}, "th");
     for (const FigureSensitivity& figure : figures)
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const study::KeySensitivity& one = figure.keys[k];
-            html +=
-                row({figure.figure.title, input.table.keys[k], interval_text(one.first_order), interval_text(one.total),
-                     interval_text(one.rank_correlation), one.method.empty() ? "not measurable" : one.method});
+            html += table_row({figure.figure.title, input.table.keys[k], interval_text(one.first_order),
+                               interval_text(one.total), interval_text(one.rank_correlation),
+                               one.method.empty() ? "not measurable" : one.method});
         }
     return html + "</table>\n";
+}
+
+std::string median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory) {
+    std::string values;
+    for (const std::string& one : input.table.overrides(median.member)) values += (values.empty() ? "" : ", ") + one;
+    const bool has_film = fs::exists(directory.path(k_animation_file));
+    return "<h2 id=\"median\">Median member</h2>\n<p>Member " + std::to_string(median.member) + ": " +
+           escaped_markup(median.figure.title) + " " + number_text(median.figure.value) + " " +
+           escaped_markup(median.figure.unit) + ", nearest to the weighted median of all, " +
+           number_text(median.median) + ". Its values: " + escaped_markup(values) + "." +
+           (has_film ? std::string(" <a href=\"") + k_animation_file + "\">Film of this member</a>." : "") + "</p>\n";
 }
 
 void add_pictures(const std::string& folder, HtmlPage& page) {
@@ -66,10 +87,22 @@ void add_pictures(const std::string& folder, HtmlPage& page) {
 }
 
 std::string failures_list(const StudyResult& result) {
-    std::string html = "<table>\n" + row({"member", "reason"}, "th");
+    std::string html = "<table>\n" + table_row({"member", "reason"}, "th");
     for (const MemberResult& member : result.members)
-        if (!member.failure.empty()) html += row({std::to_string(member.member), member.failure});
+        if (!member.failure.empty()) html += table_row({std::to_string(member.member), member.failure});
     return html + "</table>\n";
+}
+
+std::string study_sentence(const StudyInput& input, const StudyFacts& facts) {
+    const study::StudySpec& study = input.reading.study;
+    if (study.per_polygon())
+        return "one for each polygon of the release perimeter. Maps show the worst of all: what at least one of the "
+               "sources causes, not all of them together.</p>\n";
+    return "sampling " + study::name_of(study.sampling) + ", seed " + std::to_string(study.seed) +
+           ". Standard error of the probabilities: at most " + number_text(100 * facts.error.largest, 2) +
+           " %, on average " + number_text(100 * facts.error.mean, 2) +
+           " % where it is not 0. It measures the number of members, not how well model, terrain and distributions "
+           "describe nature.</p>\n";
 }
 
 }  // namespace
@@ -83,18 +116,14 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
                   std::string("Computed with ") + k_program + " " + k_version + ", study " + input.reading.study.file);
     page.add_warnings(facts.warnings);
     page.add("<h2 id=\"study\">Study</h2>\n<p>" + std::to_string(result.finished_at.size()) + " members of " +
-             std::to_string(result.members.size()) + " finished, sampling " +
-             study::name_of(input.reading.study.sampling) + ", seed " + std::to_string(input.reading.study.seed) +
-             ". Standard error of the probabilities: at most " + number_text(100 * facts.error.largest, 2) +
-             " %, on average " + number_text(100 * facts.error.mean, 2) +
-             " % where it is not 0. It measures the number of members, not how well model, terrain and distributions "
-             "describe nature.</p>\n" +
-             keys_table(input));
+             std::to_string(result.members.size()) + " finished, " + study_sentence(input, facts) + keys_table(input));
+    if (!facts.levels.empty()) page.add("<h2 id=\"levels\">Levels</h2>\n" + levels_table(facts.levels));
     if (!result.figures().empty()) page.add("<h2 id=\"figures\">Figures</h2>\n" + figures_table(result));
+    if (facts.median) page.add(median_paragraph(input, *facts.median, directory));
     page.add("<h2 id=\"maps\">Maps</h2>\n");
     add_pictures(directory.path("maps"), page);
     if (!figures.empty()) page.add("<h2 id=\"sensitivity\">Sensitivity</h2>\n" + sensitivity_table(input, figures));
-    page.add("<h2 id=\"charts\">Charts</h2>\n");
+    if (!input.reading.study.per_polygon()) page.add("<h2 id=\"charts\">Charts</h2>\n");
     add_pictures(directory.path("charts"), page);
     if (result.failed() > 0) page.add("<h2 id=\"failures\">Failed members</h2>\n" + failures_list(result));
     page.finish();

@@ -23,6 +23,31 @@ void scale_weights(study::FinishedMembers& members) {
     for (double& weight : members.weights) weight /= sum;
 }
 
+/// Takes the members of a multilevel study of which every run finished. Each run counts as one of its level's members,
+/// the coarser of a pair negatively.
+void add_pairs(const StudyInput& input, const std::string& folder, StudyResult& result) {
+    const auto& runs = input.table.level_runs;
+    std::vector<double> counts(input.level_draws.size());
+    for (std::size_t i = 0; i < result.members.size(); ++i) {
+        if (runs[i].is_coarse) continue;
+        const bool is_pair = runs[i].level > 0;
+        if (!result.members[i].failure.empty() || (is_pair && !result.members[i + 1].failure.empty())) continue;
+        counts[runs[i].level] += 1;
+        for (std::size_t run = i; run <= i + (is_pair ? 1 : 0); ++run) {
+            add_finished(input, folder, run, run, result.finished, result.finished_at);
+            result.finished.levels.push_back(runs[run].level);
+        }
+    }
+    if (std::find(counts.begin(), counts.end(), 0) != counts.end()) {  // without one of its levels the sum is wrong
+        result.finished = {};
+        result.finished_at.clear();
+    }
+    for (std::size_t i = 0; i < result.finished.size(); ++i) {
+        const double weight = 1 / counts[result.finished.levels[i]];
+        result.finished.weights[i] = runs[result.finished_at[i]].is_coarse ? -weight : weight;
+    }
+}
+
 /// Groups of Saltelli's design of which every member finished; each gets the next number.
 std::map<std::size_t, std::size_t> whole_groups(const StudyInput& input, const StudyResult& result) {
     std::map<std::size_t, std::size_t> counts, numbers;
@@ -43,6 +68,10 @@ void choose_design(const StudyInput& input, const std::string& folder, StudyResu
                 add_finished(input, folder, member, place, result.design, result.design_at);
         }
         result.groups = groups.size();
+    } else if (!table.level_runs.empty()) {
+        for (const std::size_t place : result.finished_at)
+            if (table.level_runs[place].level == 0)
+                add_finished(input, folder, place, place, result.design, result.design_at);
     } else {
         result.design = result.finished;
         result.design_at = result.finished_at;
@@ -54,8 +83,13 @@ void choose_design(const StudyInput& input, const std::string& folder, StudyResu
 }  // namespace
 
 bool StudyResult::equal_weights() const {
-    return std::all_of(finished.weights.begin(), finished.weights.end(),
-                       [&](double weight) { return weight == finished.weights.front(); });
+    return std::all_of(design.weights.begin(), design.weights.end(),
+                       [&](double weight) { return weight == design.weights.front(); });
+}
+
+std::size_t StudyResult::failed() const noexcept {
+    return static_cast<std::size_t>(std::count_if(members.begin(), members.end(),
+                                                  [](const MemberResult& member) { return !member.failure.empty(); }));
 }
 
 std::vector<double> StudyResult::figure(std::size_t index) const {
@@ -77,11 +111,15 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
         if (!record)
             throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
                                                         "--resume computes that member again"});
-        result.members.push_back({member, record->failure, std::move(record->figures), record->engine_seconds});
-        if (record->finished())
+        result.members.push_back(
+            {member, record->failure, std::move(record->figures), record->engine_seconds, record->particle_steps});
+        if (record->finished() && input.level_draws.empty())
             add_finished(input, folder, member, result.members.size() - 1, result.finished, result.finished_at);
     }
-    scale_weights(result.finished);
+    if (input.level_draws.empty())
+        scale_weights(result.finished);
+    else
+        add_pairs(input, folder, result);
     choose_design(input, folder, result);
     result.grid = input.base.scene.grid;
     return result;
@@ -107,13 +145,7 @@ double weighted_mean(const std::vector<double>& values, const std::vector<double
 }
 
 double figure_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-    double sum = 0;
-    for (const std::size_t i : order)
-        if ((sum += weights[i]) >= q - 1e-12) return values[i];
-    return values[order.back()];
+    return study::weighted_quantile(values, weights, q);
 }
 
 }  // namespace frana::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct MemberResult {
     std::string failure;  ///< empty: finished
     std::vector<study::Figure> figures;
     double engine_seconds = 0;
+    std::int64_t particle_steps = 0;
 };
 
 /// Sensitivities of one figure, by key.
@@ -33,16 +35,17 @@ struct StudyResult {
     std::vector<MemberResult> members;
     study::FinishedMembers finished;       ///< whose maps are used
     std::vector<std::size_t> finished_at;  ///< their places in `members`
-    /// Members of whole groups of Saltelli's design, or all finished ones: those that sensitivities use. `groups`: rows
-    /// of matrix A among them, 0 if the members are independent.
+    /// Members of whole groups of Saltelli's design, of a multilevel study those of the coarsest level, or all finished
+    /// ones: those that sensitivities use. `groups`: rows of matrix A among them, 0 if the members are independent.
     study::FinishedMembers design;
     std::vector<std::size_t> design_at;
     study::DesignPoints points;
     std::size_t groups = 0;
     GridSpec grid;  ///< of all maps
 
-    [[nodiscard]] std::size_t failed() const noexcept { return members.size() - finished_at.size(); }
-    /// Whether all members count alike: only then are there sensitivities.
+    /// Members without a result.
+    [[nodiscard]] std::size_t failed() const noexcept;
+    /// Whether the members that sensitivities use count alike: only then are there any.
     [[nodiscard]] bool equal_weights() const;
     /// Returns a figure of the finished members, in their order.
     [[nodiscard]] std::vector<double> figure(std::size_t index) const;

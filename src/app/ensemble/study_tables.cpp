@@ -42,13 +42,22 @@ std::string value_cell(const std::optional<study::Interval>& interval) {
 
 std::string members_csv(const StudyInput& input, const StudyResult& result) {
     const std::vector<std::string> figures = figure_columns(result);
+    const bool has_levels = !input.table.level_runs.empty();
     std::string text = "member,status,weight";
+    if (has_levels) text += std::string(",level,") + study::k_cell_size_key;
     for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
     for (const std::string& figure : figures) text += "," + csv_cell(figure);
     text += ",engine_seconds,reason\n";
+    std::vector<double> weights(result.members.size());  // 0: not used
+    for (std::size_t i = 0; i < result.finished.size(); ++i)
+        weights[result.finished_at[i]] = result.finished.weights[i];
     for (const MemberResult& member : result.members) {
         text += std::to_string(member.member) + (member.failure.empty() ? ",finished," : ",failed,") +
-                shortest_text(input.table.weights[member.member]);
+                shortest_text(has_levels ? weights[member.member] : input.table.weights[member.member]);
+        if (has_levels) {
+            const study::SampleTable::LevelRun& run = input.table.level_runs[member.member];
+            text += "," + std::to_string(run.level) + "," + shortest_text(run.cell_size);
+        }
         for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
         for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
         text += "," + shortest_text(member.engine_seconds) + "," + csv_cell(member.failure) + "\n";
@@ -85,14 +94,22 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
               {"samples", result.members.size()},
               {"finished", result.finished_at.size()},
               {"failed", result.failed()},
-              {"effective_members", result.finished.effective_size()},
               {"wall_seconds", facts.wall_seconds},
               {"threads", facts.threads},
               {"members_per_hour",
                facts.wall_seconds > 0 ? 3600 * static_cast<double>(facts.computed) / facts.wall_seconds : 0},
-              {"largest_standard_error", facts.error.largest},
-              {"mean_standard_error", facts.error.mean},
               {"crs", input.base.ground.crs_label}};
+    if (facts.levels.empty()) json["effective_members"] = result.finished.effective_size();
+    for (const LevelSummary& level : facts.levels)
+        json["levels"].push_back({{"cell_size", level.cell_size},
+                                  {"members", level.members},
+                                  {"failed", level.failed},
+                                  {"variance", level.statistics.variance},
+                                  {"particle_steps_per_member", level.statistics.cost}});
+    if (!study.per_polygon()) {
+        json["largest_standard_error"] = facts.error.largest;
+        json["mean_standard_error"] = facts.error.mean;
+    }
     if (study.until)
         json["until"] = {{"standard_error", *study.until}, {"reached", facts.error.largest <= *study.until}};
     json["grid"] = {{"columns", grid.columns},
@@ -102,6 +119,8 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                     {"north", grid.north}};
     json["depth_thresholds_m"] = input.base.spec.output.depth_thresholds;
     json["velocity_thresholds_ms"] = input.base.spec.output.velocity_thresholds;
+    json["pressure_thresholds_kpa"] = input.base.spec.output.pressure_thresholds;
+    if (const auto& scheme = input.base.spec.hazard.scheme) json["hazard_scheme"] = *scheme;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
         const std::vector<double>& weights = result.finished.weights;
@@ -110,6 +129,11 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                                                     {"q50", figure_quantile(values, weights, 0.5)},
                                                     {"q95", figure_quantile(values, weights, 0.95)}};
     }
+    if (const auto& median = facts.median)
+        json["median_member"] = {{"member", median->member},
+                                 {"figure", median->figure.key},
+                                 {"value", median->figure.value},
+                                 {"median", median->median}};
     Json& failures = json["failures"] = Json::array();
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});

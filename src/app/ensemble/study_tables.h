@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/ensemble/level_rounds.h"
+#include "app/ensemble/median_member.h"
 #include "app/ensemble/study_result.h"
 
 namespace frana::app {
@@ -16,6 +19,8 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
 /// What a study's summary.json contains besides its members.
 struct StudyFacts {
     study::MapError error;  ///< of all maps of probability
+    std::optional<MedianMember> median;
+    std::vector<LevelSummary> levels;  ///< of a multilevel study
     double wall_seconds = 0;
     std::size_t computed = 0;  ///< members in this session
     int threads = 1;

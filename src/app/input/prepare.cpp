@@ -34,6 +34,7 @@ Numerics numerics_of(const SceneSpec& spec) {
     if (words.transfer == "apic") numerics.transfer = Transfer::apic;
     numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
     static_cast<NumericsValues&>(numerics) = words;
+    numerics.cfl = courant_number(spec);
     numerics.well_balanced = well_balanced(words);
     const std::string correction = slope_correction(words);
     numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
@@ -89,6 +90,7 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     if (spec.material.friction_angle || spec.material.friction_coefficient)
         chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
+    chosen["numerics.cfl"] = shortest_text(courant_number(spec));
     chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
     chosen["numerics.curvature"] = curvature(spec.numerics) ? "on" : "off";
     chosen["numerics.flight"] = flight(spec.numerics) ? "on" : "off";

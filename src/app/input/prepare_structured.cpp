@@ -13,6 +13,7 @@
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
 #include "params/keys/solid_keys.h"
+#include "simulation/structured_laws.h"
 
 namespace frana::app {
 namespace {
@@ -115,6 +116,19 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
                   "", "Extend the polygons or the raster to all of it"});
 }
 
+/// Softer material strains more until it yields, and damage counts strain.
+void check_modulus_reduction(const SceneReading& reading, const StructuredMaterial& m, std::size_t cells,
+                             Problems& problems) {
+    if (!m.solids || !(m.modulus_reduction > 1)) return;
+    const double most = std::max(1.0, greatest_modulus_reduction(m, cells));
+    if (!(m.modulus_reduction > most)) return;
+    problems.add({"softens the material so much that it would break by that",
+                  reading.where("structured.modulus-reduction"), number_text(m.modulus_reduction, 4),
+                  "at most " + number_text(most, 3),
+                  "Lower it: at its strength the material would have an elastic strain of over a twentieth of "
+                  "structured.critical-strain"});
+}
+
 /// Limits the fluid's place and depth.
 void bound_initial_fluid(const std::optional<SourceSpec>& source, const Raster& terrain,
                          const std::optional<Raster>& walls, StructuredMaterial& m) {
@@ -169,6 +183,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
             for (double& value : property.raster->values) value = std::tan(value * std::numbers::pi / 180);
         material->zones.push_back({property.value, std::move(*property.raster)});
     }
+    check_modulus_reduction(reading, *material, static_cast<std::size_t>(ground->terrain.grid.cell_count()), problems);
     bound_initial_fluid(spec.initial_fluid_depth, ground->terrain, walls, *material);
     return material;
 }

@@ -47,7 +47,19 @@ std::string bare_description(std::string text) {
     return bracket == std::string::npos ? text : text.substr(0, bracket);
 }
 
+/// The name of the table's row that frana wrote to a band, before its description.
+std::optional<std::string> probability_of(const gis::RasterText& text) {
+    const std::string name = text.description.substr(0, text.description.find(": "));
+    const ResultRaster* const row = find_result_raster(name);
+    if (row == nullptr || !row->name.starts_with("probability_")) return std::nullopt;
+    return name;
+}
+
 }  // namespace
+
+std::optional<std::string> probability_name(const std::string& path) {
+    return probability_of(gis::read_raster_text(path));
+}
 
 MapLayer read_map_layer(const std::string& path, bool foreign) {
     const gis::RasterText text = gis::read_raster_text(path);
@@ -64,7 +76,9 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
-    if (foreign || !set_from_table(kind, layer)) {
+    const auto probability = probability_of(text);
+    const bool is_known = probability ? set_from_table(*probability, layer) : !foreign && set_from_table(kind, layer);
+    if (!is_known) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;
         layer.palette = usual_palette(layer.unit);

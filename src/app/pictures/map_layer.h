@@ -32,6 +32,10 @@ struct MapLayer {
 /// means no flow. Throws Error(input).
 MapLayer read_map_layer(const std::string& path, bool foreign = false);
 
+/// Returns the name of the map of probability that a file contains, whatever the file's own name; none for others.
+/// Throws Error(input) if it cannot be read.
+std::optional<std::string> probability_name(const std::string& path);
+
 /// Returns the greatest values of frames of one quantity, coloured as its maximum over time. Throws Error(input).
 MapLayer read_greatest_layer(const std::vector<std::string>& paths);
 

@@ -25,6 +25,7 @@
 #include "gis/vector/vector_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -328,23 +329,24 @@ void ResultReader::add_study(MapSource& source) const {
         const auto finished = value_in<std::int64_t>(*summary, "/finished"),
                    failed = value_in<std::int64_t>(*summary, "/failed");
         const auto error = value_in<double>(*summary, "/largest_standard_error");
-        if (finished) source.subtitle = std::to_string(*finished) + " runs with values drawn from their distributions";
+        const bool per_polygon = value_in<std::string>(*summary, "/sampling") == "per-polygon";
+        if (finished)
+            source.subtitle =
+                std::to_string(*finished) +
+                (per_polygon ? " sources, each failing alone" : " runs with values drawn from their distributions");
         if (failed && *failed > 0) source.notes.push_back(std::to_string(*failed) + " more runs failed");
         if (error)
             source.notes.insert(source.notes.end(),
                                 {"Standard error of", "probabilities at most", number_text(100 * *error, 2) + " %"});
     }
     const std::string& crs = source.extent.grid.crs_wkt;
-    struct Line {
-        const char *layer, *label;
-        Rgb colour;
-        bool dashed;
-    };
-    for (const Line& line : {Line{"probability_05", "Reached by 5 %", {90, 90, 90}, true},
-                             Line{"probability_50", "Reached by 50 %", {20, 20, 20}, false},
-                             Line{"probability_95", "Reached by 95 %", {150, 0, 60}, false}}) {
-        MultiPolygon area = outline(line.layer, crs);
-        if (!area.empty()) source.marks.push_back({line.label, std::move(area), line.colour, 1.6, line.dashed});
+    constexpr Rgb k_unlikely{90, 90, 90}, k_even_chance{20, 20, 20}, k_likely{150, 0, 60};
+    for (const StudyQuantile& quantile : k_study_quantiles) {
+        MultiPolygon area = outline(probability_layer(quantile.name), crs);
+        if (area.empty()) continue;
+        const Rgb colour = quantile.fraction < 0.5 ? k_unlikely : quantile.fraction > 0.5 ? k_likely : k_even_chance;
+        source.marks.push_back({"Reached by " + number_text(100 * quantile.fraction) + " %", std::move(area), colour,
+                                1.6, quantile.fraction < 0.5});
     }
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <iterator>
 
+#include "app/text/text_file.h"
 #include "core/error.h"
 #include "core/markup.h"
 
@@ -38,11 +38,6 @@ svg { max-width: 46rem; }
 @page { margin: 15mm; }
 )";
 
-std::string file_bytes(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 HtmlPage::HtmlPage(const std::string& path, const std::string& title, const std::string& origin)
@@ -60,7 +55,7 @@ void HtmlPage::add_warnings(const std::vector<std::string>& warnings) {
 
 void HtmlPage::add_picture(const std::string& path, const std::string& caption) {
     add("<figure>\n<img alt=\"" + escaped_markup(caption) + "\" src=\"data:image/png;base64,");
-    add(base64(file_bytes(path)));
+    add(base64(read_text_file(path)));
     add("\">\n</figure>\n");
 }
 
@@ -72,6 +67,13 @@ void HtmlPage::finish() {
                                                     aside_.path(), "", "", "Check the disk's space and the rights"});
     }
     aside_.rename_into_place();
+}
+
+std::string table_row(const std::vector<std::string>& cells, const char* cell) {
+    std::string html = "<tr>";
+    for (const std::string& text : cells)
+        html += std::string("<") + cell + ">" + escaped_markup(text) + "</" + cell + ">";
+    return html + "</tr>\n";
 }
 
 std::string base64(const std::string& bytes) {

@@ -7,6 +7,7 @@
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
 #include "gis/vector/vector_out.h"
+#include "simulation/run_intensity.h"
 
 namespace frana::app {
 namespace {
@@ -58,20 +59,20 @@ std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& s
 
 }  // namespace
 
+std::optional<HazardScheme> hazard_scheme_of(const HazardSpec& spec) {
+    if (!spec.scheme) return std::nullopt;
+    return hazard_scheme(*spec.scheme,
+                         {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
+}
+
 std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
                                        const ResultDirectory& directory) {
-    const HazardSpec& spec = prepared.spec.hazard;
-    if (!spec.scheme) return {};
+    const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec.hazard);
+    if (!scheme) return {};
     const std::map<std::string, std::string> origin = provenance(prepared);
-    const HazardScheme scheme =
-        hazard_scheme(*spec.scheme, {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
-    // For a scheme without flux or head none is recorded; depth is passed instead and not read.
-    const bool recorded = !result.max_flux.values.empty();
-    const Raster classes = hazard_classes(
-        scheme, {result.max_depth, result.max_velocity, recorded ? result.max_flux : result.max_depth,
-                 recorded ? result.max_head : result.max_depth, result.max_pressure, result.final_depth});
-    write_raster(classes, scheme, directory.path(std::string(k_hazard) + ".tif"), origin);
-    return write_zones(classes, scheme, directory.path(k_hazard_zones_file), prepared.scene.grid.crs_wkt);
+    const Raster classes = intensity_classes(result, *scheme);
+    write_raster(classes, *scheme, directory.path(std::string(k_hazard) + ".tif"), origin);
+    return write_zones(classes, *scheme, directory.path(k_hazard_zones_file), prepared.scene.grid.crs_wkt);
 }
 
 }  // namespace frana::app

@@ -7,6 +7,7 @@
 #include "analysis/trace.h"
 #include "app/store/scene_identity.h"
 #include "core/geometry.h"
+#include "params/keys/output_parameters.h"
 
 namespace frana::app {
 namespace {
@@ -56,7 +57,7 @@ struct Box {
 
 bool shows_reached_only(const Prepared& prepared) {
     const std::string& extent = prepared.spec.output.extent;
-    return extent == "reached" || (extent == "auto" && prepared.scene.terrain.values.is_tiled());
+    return extent == "reached" || (extent == "auto" && prepared.scene.grid.cell_count() > k_largest_whole_map);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -229,8 +230,11 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     if (frames) folders.emplace_back(k_frame_folder);
     std::error_code error, ignored;
     for (const std::string& folder : folders) {
+        std::set<fs::path> inner;  // of a calibration: the records of each event
         for (const auto& [name, mark] : manifest->files) {
             if (!name.starts_with(folder + "/")) continue;
+            for (fs::path parent = fs::path(name).parent_path(); parent != folder; parent = parent.parent_path())
+                inner.insert(parent);
             fs::remove(fs::path(result) / name, error);
             if (error) {
                 log.warn((fs::path(result) / name).string() +
@@ -239,6 +243,7 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
                 removed.push_back(name);
             }
         }
+        for (auto one = inner.rbegin(); one != inner.rend(); ++one) fs::remove(fs::path(result) / *one, ignored);
         fs::remove(fs::path(result) / folder, ignored);  // unless the user has files in it
     }
     remove_from_manifest(result, removed);

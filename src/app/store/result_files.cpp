@@ -73,14 +73,19 @@ std::vector<ResultFile> make_table() {
         table.add(FileKind::raster, {stem + ".tif", stem + ".asc"}).add(FileKind::text, {stem + ".prj"});
     }
     table.by("compare");
-    table.add(FileKind::text, {k_comparison_file}).add(FileKind::table, {k_comparison_curve});
+    table.add(FileKind::text, {k_comparison_file})
+        .add(FileKind::table, {k_comparison_curve, k_reliability_table, k_roc_table});
     table.add_rasters().add(FileKind::picture, {"comparison.png", "comparison.pdf"});
     table.by("ensemble");
     table.add(FileKind::text, {k_study_file, std::string(k_member_folder) + "/member_*/scene.ini"});
     table.add(FileKind::working, {k_record_identity, std::string(k_record_folder) + "/record_*.frana"});
+    table.add(FileKind::working, {std::string(k_record_folder) + "/*/" + k_record_folder + "/record_*.frana"});
     table.add(FileKind::table, {k_member_table, k_sensitivity_table});
     table.add(FileKind::vector, {k_member_outlines});
     table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});
+    table.by("calibrate");
+    table.add(FileKind::table, {k_posterior_table, posterior_of("*"), k_design_table});
+    table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});
     table.by("render");
     table.add_picture("maps/*");
     table.add(FileKind::picture, {"charts/*.png", "charts/*.pdf", "plates/*.png", "plates/*.pdf"});

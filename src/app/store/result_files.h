@@ -50,6 +50,9 @@ inline constexpr const char* k_gauge_places = "gauges.gpkg";
 inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
 inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
+/// Of a map of probability.
+inline constexpr const char* k_reliability_table = "reliability.csv";
+inline constexpr const char* k_roc_table = "roc.csv";
 inline constexpr const char* k_animation_file = "animation.mp4";
 inline constexpr const char* k_netcdf_file = "frames.nc";
 inline constexpr const char* k_zarr_folder = "frames.zarr";
@@ -75,8 +78,25 @@ inline constexpr const char* k_study_file = "study.ini";
 inline constexpr const char* k_member_table = "members.csv";
 inline constexpr const char* k_member_outlines = "members.gpkg";
 inline constexpr const char* k_sensitivity_table = "sensitivity.csv";
+/// Layer of k_outlines_file: the cells that a study reaches with at least the probability of a quantile of
+/// params/keys/result_rasters.h.
+inline std::string probability_layer(const std::string& quantile) {
+    return "probability_" + quantile;
+}
 /// Of a study: the maps of single members, if it keeps them.
 inline constexpr const char* k_member_folder = "members";
+/// Of a calibration.
+inline constexpr const char* k_posterior_table = "posterior.csv";
+inline constexpr const char* k_design_table = "design.csv";
+inline constexpr const char* k_calibration_file = "calibration.json";
+inline constexpr const char* k_best_scene = "best.ini";
+/// The same of one of several events.
+inline std::string posterior_of(const std::string& event) {
+    return "posterior_" + event + ".csv";
+}
+inline std::string best_scene_of(const std::string& event) {
+    return "best_" + event + ".ini";
+}
 /// In the folder in which the result of a study is being built: a record of each member, and what they belong to.
 inline constexpr const char* k_record_folder = "records";
 inline constexpr const char* k_record_identity = "records/study.txt";

@@ -29,6 +29,8 @@ std::vector<std::string> records_in(const std::string& folder) {
     std::vector<std::string> files;
     for (const fs::directory_entry& entry : folder_entries(fs::path(folder) / k_record_folder)) {
         const std::string name = entry.path().filename().string();
+        if (entry.is_directory())
+            for (std::string& file : records_in(entry.path().string())) files.push_back(std::move(file));
         const bool partial = name.find(".partial") != std::string::npos;
         if (name.starts_with(k_beginning) && name.ends_with(k_ending) && !partial)
             files.push_back(entry.path().string());

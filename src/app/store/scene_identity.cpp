@@ -2,7 +2,6 @@
 #include "app/store/scene_identity.h"
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -10,6 +9,7 @@
 #include "app/store/json_file.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
+#include "app/text/text_file.h"
 #include "core/shortest_text.h"
 
 namespace frana::app {
@@ -46,11 +46,6 @@ std::string identity(const std::string& scene_text, const std::vector<std::strin
     return text;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 std::vector<std::string> data_identity(const Prepared& prepared) {
@@ -79,7 +74,7 @@ std::string scene_identity(const Prepared& prepared) {
 
 std::optional<std::string> result_identity(const std::string& result_folder) {
     const std::filesystem::path folder = result_folder;
-    const std::string scene = text_of(folder / k_scene_file);
+    const std::string scene = read_text_file((folder / k_scene_file).string());
     const std::optional<Json> summary = read_json_file((folder / k_summary_file).string());
     if (scene.empty() || !summary || !summary->contains(k_data_key)) return std::nullopt;
     std::vector<std::string> data;

@@ -93,7 +93,7 @@ std::vector<Disturbance> disturbances() {
         all.push_back({std::string("particles-") + count,
                        std::string(count) + " particles per cell",
                        {std::string("numerics.particles-per-cell=") + count}});
-    for (const char* number : {"0.2", "0.3", "0.5", "0.7", "0.9"})
+    for (const char* number : {"0.2", "0.35", "0.5", "0.65", "0.8", "0.95"})
         all.push_back({std::string("cfl-") + number,
                        std::string("Courant number ") + number,
                        {std::string("numerics.cfl=") + number}});

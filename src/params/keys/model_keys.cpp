@@ -55,9 +55,9 @@ void check_structured(const SceneSpec& scene, const std::set<std::string>& given
         problems.add({"is missing", file + ": structured.phases", "", "fluid, solids-and-fluid",
                       "State the content of the release"});
     }
-    if (scene.numerics.cfl > 0.5) {
+    if (courant_number(scene) > 0.5) {
         problems.add({"is too large for material.model = structured", file + ": numerics.cfl",
-                      shortest_text(scene.numerics.cfl), "greater than 0, at most 0.5", "Choose at most 0.5"});
+                      shortest_text(courant_number(scene)), "greater than 0, at most 0.5", "Choose at most 0.5"});
     }
     if (scene.numerics.slope_correction == "surface") {
         problems.add({"is not available for material.model = structured", file + ": numerics.slope-correction",

@@ -67,8 +67,8 @@ void add_extra_output(std::vector<Parameter>& list) {
                           "under AvaFrame's names."));
     list.push_back(choice("output.extent", FRANA_MEMBER(output.extent), {"auto", "map", "reached"},
                           "What the rasters of a finished result cover: the whole map, or the rectangle round "
-                          "everything released, reached or surveyed, with a margin; auto: reached on maps of over ten "
-                          "million cells."));
+                          "everything released, reached or surveyed, with a margin; auto: reached on maps of over " +
+                              std::to_string(k_largest_whole_map / 1'000'000) + " million cells."));
     list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
                           "Write report.html: maps, parameters, inputs, results and warnings in one file."));
     list.push_back(on_map(text("output.gauges", FRANA_MEMBER(output.gauges), "file",
@@ -86,6 +86,9 @@ void add_extra_output(std::vector<Parameter>& list) {
                                   "`frana ensemble`: maximum depths whose probability of being exceeded is mapped."));
     list.push_back(rising_numbers("output.velocity-thresholds", FRANA_MEMBER(output.velocity_thresholds), "m/s",
                                   "`frana ensemble`: maximum speeds whose probability of being exceeded is mapped."));
+    list.push_back(
+        rising_numbers("output.pressure-thresholds", FRANA_MEMBER(output.pressure_thresholds), "kPa",
+                       "`frana ensemble`: maximum dynamic pressures whose probability of being exceeded is mapped."));
 }
 
 void add_hazard(std::vector<Parameter>& list) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "params/keys/parameter.h"
 
 namespace frana {
+
+/// Largest map [cells] whose rasters cover it all with output.extent = auto.
+inline constexpr std::int64_t k_largest_whole_map = 1'000'000;
 
 /// Adds the keys of [output] beyond maps, frames and animation: names, report, gauges, cross-sections, profiles.
 void add_extra_output(std::vector<Parameter>& list);

@@ -58,6 +58,10 @@ void add_study(Table& table) {
                 "Probability that the maximum depth exceeds {} m");
     probability("probability_velocity", "Probability of more than {} m/s",
                 "Probability that the maximum speed exceeds {} m/s");
+    probability("probability_pressure", "Probability of more than {} kPa",
+                "Probability that the maximum dynamic pressure exceeds {} kPa");
+    probability("probability_intensity", "Probability of intensity class {} or higher",
+                "Probability that the class of `hazard.scheme` is {} or higher");
     for_values("quantile_max_depth", "Maximum depth, {} % quantile", "Quantile {} % of the maximum depth, vertical",
                "m", "depth", k_progressive)
         .zero_is_blank = true;
@@ -79,6 +83,14 @@ void add_study(Table& table) {
     of_all("deviation_max_velocity", "Deviation of the maximum velocity", "Standard deviation of the maximum speed",
            "m/s", "velocity", k_even);
     of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even);
+    of_all("union_max_depth", "Maximum depth of all sources", "Greatest depth that any source causes, vertical", "m",
+           "depth", k_progressive);
+    of_all("union_max_velocity", "Maximum velocity of all sources", "Greatest speed that any source causes", "m/s",
+           "velocity", k_even);
+    of_all("union_arrival_time", "Arrival time of the first source", "Earliest arrival from any source", "s", "time",
+           k_even);
+    of_all("worst_source", "Number of the worst source", "Number of the source that causes the greatest depth", "-", "",
+           k_even);
     ResultRaster& sensitivity =
         for_values("sensitivity", "Sensitivity to {}", "Fraction of the variance of being reached that {} explains",
                    "-", "velocity", k_even);

@@ -48,6 +48,13 @@ struct ResultRaster {
 
 const std::vector<ResultRaster>& result_rasters();
 
+/// A quantile that a study maps, also the least probability of an outline.
+struct StudyQuantile {
+    double fraction;
+    const char* name;  ///< after the name of the row: quantile_max_depth_05
+};
+inline constexpr StudyQuantile k_study_quantiles[] = {{0.05, "05"}, {0.5, "50"}, {0.95, "95"}};
+
 /// Returns null for other names. Those of a value ("probability_depth_0.5") have the row of them all.
 const ResultRaster* find_result_raster(const std::string& name);
 /// Returns the title or description of a raster of this row: {} replaced by the value in its name, 05 as 5.

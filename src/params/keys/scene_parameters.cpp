@@ -76,7 +76,9 @@ void add_numerics(std::vector<Parameter>& list) {
                           "Velocity transfer to the particles; auto: the scheme's (default: apic, paper: pic)."));
     list.push_back(particles_per_cell_parameter());
     list.push_back(number("numerics.cfl", FRANA_MEMBER(numerics.cfl), "", Range{0, 1, true},
-                          "Courant number: fraction of the largest stable time step."));
+                          "Courant number: fraction of the largest stable time step.",
+                          shortest_text(default_courant(true)) + ", " + shortest_text(default_courant(false)) +
+                              " for scheme paper, with Bingham stress, and for material.model = structured"));
     list.push_back(on_off("numerics.well-balanced", FRANA_MEMBER(numerics.well_balanced),
                           "Keep still water at rest by a reference level per node (default scheme).",
                           "on for scheme default, off for paper"));
@@ -101,8 +103,10 @@ void add_numerics(std::vector<Parameter>& list) {
                                    "Edge of the working grid: open (outflow is counted) or a wall."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
                           "Acceleration of gravity."));
-    list.push_back(number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
-                          "Depth above which a cell counts as reached in maxima and arrival time."));
+    list.push_back(
+        number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
+               "Depth above which a cell counts as reached in maxima and arrival time. Film thinner than ten "
+               "times it, at most 10 cm, has fewer particles."));
     list.push_back(choice("numerics.precision", FRANA_MEMBER(numerics.precision), {"double"},
                           "Arithmetic of the engine.", {"single"}));
     list.push_back(accuracy_parameter());

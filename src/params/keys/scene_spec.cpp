@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "params/grammar/value_text.h"
+#include "params/keys/laws.h"
 
 namespace frana {
 namespace {
@@ -45,6 +46,14 @@ bool flight(const NumericsSpec& numerics) {
 
 bool well_balanced(const NumericsSpec& numerics) {
     return numerics.well_balanced.value_or(numerics.scheme != "paper");
+}
+
+double courant_number(const SceneSpec& scene) {
+    const MaterialSpec& material = scene.material;
+    const bool is_bingham =
+        in_plane_stress(material) == "bingham" && (material.viscosity > 0 || material.yield_stress > 0);
+    return scene.numerics.cfl.value_or(
+        default_courant(scene.numerics.scheme != "paper" && material.model != "structured" && !is_bingham));
 }
 
 double frame_interval(const SceneSpec& scene) {

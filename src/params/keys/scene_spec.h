@@ -163,6 +163,7 @@ struct OutputSpec {
     // Of the maps of probability that a study of many runs writes.
     std::vector<double> depth_thresholds{0.1, 0.5, 2};
     std::vector<double> velocity_thresholds{1, 5};
+    std::vector<double> pressure_thresholds;
 };
 
 /// [hazard]
@@ -220,6 +221,7 @@ bool can_fly(const NumericsSpec& numerics);
 bool flight(const NumericsSpec& numerics);
 /// Resolved: on for the default scheme, off for the paper's.
 bool well_balanced(const NumericsSpec& numerics);
+double courant_number(const SceneSpec& scene);
 /// Returns the interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 if nothing
 /// needs frames.
 double frame_interval(const SceneSpec& scene);

@@ -3,6 +3,7 @@
 // each once.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/default_values.h"
@@ -61,7 +62,7 @@ struct StructuredValues {
 enum class Boundary { open, wall };
 
 struct NumericsValues {
-    double cfl = 0.5;
+    std::optional<double> cfl;            ///< Courant number; none: default_courant
     double gravity = k_standard_gravity;  ///< [m/s2]
     double minimum_depth =
         k_minimum_depth;  ///< depth from which a cell counts as reached in maxima and arrival time [m]

@@ -82,8 +82,8 @@ void add_solids(std::vector<Parameter>& list) {
                           declare::Words<EarthPressure>{{"hydrostatic", EarthPressure::hydrostatic},
                                                         {"active", EarthPressure::active},
                                                         {"active-passive", EarthPressure::passive}},
-                          "Lateral thrust of broken material: hydrostatic, Rankine's active one, or also passive in "
-                          "compression. Intact material has Bell's active thrust."));
+                          "Lateral thrust of the load beyond the strength: hydrostatic, Bell's active one, or also "
+                          "passive in compression."));
     list.push_back(number("structured.basal-pore-pressure-fraction", FRANA_MEMBER(structured.pore_pressure_fraction),
                           "", Range{0, 1}, "Fraction B of the confined fluid's pressure that reaches the bed."));
     list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity), "",
@@ -95,7 +95,8 @@ void add_solids(std::vector<Parameter>& list) {
                           "that of the elastic waves"));
     list.push_back(number(
         "structured.modulus-reduction", FRANA_MEMBER(structured.modulus_reduction), "", Range{1, 100},
-        "Divides both moduli; elastic waves are slower by its square root, and substeps longer by the same factor."));
+        "Divides both moduli; elastic waves are slower by its square root, and substeps longer by the same factor. At "
+        "most so that the elastic strain at the strength is a twentieth of critical-strain."));
     list.push_back(number("structured.pic-fraction", FRANA_MEMBER(structured.pic_fraction), "", Range{0, 1},
                           "PIC fraction of the grid velocity that solids take over in a step."));
     list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "", Range{0, 1},

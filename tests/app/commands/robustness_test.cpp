@@ -42,7 +42,7 @@ TEST_F(RobustnessCommand, RunsTheSceneUnderEveryDisturbance) {
     for (const auto& row : rows) names.push_back(row[0]);
     EXPECT_EQ(names, (std::vector<std::string>{"disturbance", "base", "shifted", "turned-30", "turned-45", "turned-90",
                                                "rough", "particles-1", "particles-9", "particles-16", "cfl-0.2",
-                                               "cfl-0.3", "cfl-0.7", "cfl-0.9"}));
+                                               "cfl-0.35", "cfl-0.5", "cfl-0.65", "cfl-0.95"}));
     for (std::size_t row = 1; row < rows.size(); ++row) {
         ASSERT_EQ(rows[row].size(), rows[0].size());
         EXPECT_EQ(rows[row].back(), "done");

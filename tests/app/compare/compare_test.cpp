@@ -39,7 +39,7 @@ TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json_number(outcome.out, "observed_area_m2"), 200 * 150);
     EXPECT_EQ(json_number(outcome.out, "miss_m2"), 100 * 150);
-    EXPECT_NE(outcome.err.find("beyond the computed ground"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("beyond the result's rasters"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {

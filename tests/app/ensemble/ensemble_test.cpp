@@ -4,88 +4,16 @@
 #include <cmath>
 #include <csignal>
 #include <map>
-#include <sstream>
 
 #include "core/error.h"
+#include "ensemble/tiny_study.h"
 #include "gis/access/table_in.h"
 #include "gis/raster/raster_in.h"
-#include "started_program.h"
-#include "support/tiny_scene.h"
 
 namespace frana::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// members.csv by row and column.
-using Rows = std::vector<std::map<std::string, std::string>>;
-
-class Ensemble : public TinyScene {
-  protected:
-    Ensemble() { write_scene("stop-when-still = off\n" + k_numbers_only); }
-
-    void write_study(const std::string& head, const std::string& rest) const {
-        write("study.ini", "[study]\nscene = scene.ini\n" + head + rest);
-    }
-    [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> arguments{"ensemble", "study.ini", "--out", "out", "--quiet"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return frana(arguments);
-    }
-    [[nodiscard]] std::vector<std::string> records() const {
-        std::vector<std::string> names;
-        for (const std::string& name : files())
-            if (name.find("/records/record_") != std::string::npos && name.find("partial-") != std::string::npos)
-                names.push_back(name);
-        return names;
-    }
-    /// Starts the study and sends a signal as soon as so many members have their record.
-    [[nodiscard]] Outcome stop_after(std::size_t members, int signal_number) const {
-        StartedProgram program(folder_.string(), {"ensemble", "study.ini", "--out", "out", "--threads", "2"});
-        EXPECT_TRUE(program.wait_until([&] { return records().size() >= members; }));
-        program.send(signal_number);
-        return program.wait();
-    }
-    [[nodiscard]] Rows members(const std::string& result = "out") const {
-        const gis::Table table = gis::read_table(path(result + "/members.csv"), "members");
-        Rows rows;
-        for (const auto& cells : table.rows) {
-            auto& row = rows.emplace_back();
-            for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
-        }
-        return rows;
-    }
-    [[nodiscard]] double probability(const std::string& name, int row, int column) const {
-        return gis::read_result_raster(path("out/" + name + ".tif")).at(row, column);
-    }
-    /// Everything that must not differ: rasters with their styles, tables without wall times.
-    [[nodiscard]] std::map<std::string, std::string> lasting(const std::string& result) const {
-        std::map<std::string, std::string> files;
-        for (const std::string& name : TinyScene::files()) {
-            if (!name.starts_with(result + "/")) continue;
-            const std::string rest = name.substr(result.size() + 1);
-            if (rest.ends_with(".tif") || rest.ends_with(".qml") || rest == "sensitivity.csv" || rest == "study.ini")
-                files[rest] = read_text(path(name));
-        }
-        std::string rows;
-        for (auto row : members(result)) {
-            row.erase("engine_seconds");
-            for (const auto& [key, value] : row) rows += key + "=" + value + ";";
-        }
-        files["members"] = rows;
-        return files;
-    }
-    void expect_same(const std::string& a, const std::string& b) const {
-        const auto first = lasting(a), second = lasting(b);
-        EXPECT_GT(first.size(), 20U);
-        EXPECT_EQ(first.size(), second.size());
-        for (const auto& [name, content] : first)
-            EXPECT_TRUE(second.count(name) > 0 && second.at(name) == content) << name;
-    }
-};
-
-const std::string k_two_keys =
-    "[vary]\nmaterial.friction-angle = uniform(10, 20)\nmaterial.turbulence = log-uniform(300, 3000)\n";
 
 // A thin slab slides on a flat bed and stops after v^2 / (2 mu g): with mu even in [0.2, 0.4] its front passes x with
 // probability P(mu < v^2 / (2 g d)), d the distance of x from the front at the start. The slab is so thin that pressure
@@ -199,9 +127,35 @@ TEST_F(Ensemble, AMembersFiguresAreThoseOfARunWithItsValues) {
     EXPECT_NE(rows[0].at("terrain.error"), rows[1].at("terrain.error"));
 }
 
+// What members share is read once; a member with another file, or an error of its own, has its own ground.
+TEST_F(Ensemble, MembersWithOtherFilesHaveTheirOwnGround) {
+    write_dtm([](int, int column) { return 300 - 0.4 * std::min((column + 0.5) * k_cell, 200.0); }, true, "gentle.asc");
+    write_polygon("wide", {{30, 50}, {80, 50}, {80, 110}, {30, 110}});
+    write_study("sampling = grid\nsamples = 8\n",
+                "[set]\nterrain.error = 0.3, 40, 7\n[vary]\nterrain.dtm = choice(dtm.asc, gentle.asc)\n"
+                "release.perimeter = choice(perimeter.geojson, wide.geojson)\n"
+                "material.friction-angle = uniform(10, 20)\n");
+    const Outcome outcome = run({"--threads", "3"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::map<std::string, std::size_t> areas;
+    for (const auto& row : members()) {
+        std::vector<std::string> arguments{"run",     "scene.ini",   "--out", "alone",
+                                           "--quiet", "--overwrite", "--set", "terrain.error=0.3, 40, 7"};
+        for (const auto& [key, value] : row)
+            if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
+        const Outcome alone = frana(arguments);
+        ASSERT_EQ(alone.exit_code, 0) << alone.err;
+        const std::string summary = read_text(path("alone/summary.json"));
+        EXPECT_EQ(std::stod(row.at("covered_area_m2")), json_number(summary, "covered_area_m2")) << row.at("member");
+        EXPECT_EQ(std::stod(row.at("max_velocity_ms")), json_number(summary, "max_velocity_ms")) << row.at("member");
+        ++areas[row.at("max_velocity_ms")];
+    }
+    EXPECT_EQ(areas.size(), 8U);
+}
+
 TEST_F(Ensemble, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
     write("scene.ini", read_text(path("scene.ini")) + "formats = png\n[numerics]\naccuracy = 5 %\ncfll = 1\n");
-    write_study("samples = 0\nlevels = 3\n",
+    write_study("samples = 0\nlevls = 3\n",
                 "[vary]\nmaterial.friction-angle = uniform(10, 90)\nterrain.bounds = choice(a)\n"
                 "release.perimeter = choice(perimeter.geojson)\n");
     const auto before = files();
@@ -209,7 +163,7 @@ TEST_F(Ensemble, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
         const Outcome outcome = frana({command, "study.ini"});
         EXPECT_EQ(outcome.exit_code, 2);
         for (const std::string words :
-             {"study.samples", "study.levels: unknown key", "vary.material.friction-angle", "vary.terrain.bounds",
+             {"study.samples", "study.levls: unknown key", "vary.material.friction-angle", "vary.terrain.bounds",
               "output.formats", "numerics.accuracy", "numerics.cfll: unknown key"})
             EXPECT_NE(outcome.err.find(words), std::string::npos) << command << ": " << words << "\n" << outcome.err;
     }
@@ -328,6 +282,54 @@ TEST_F(Ensemble, MapsChartsAndReportAreDrawnAndRenderDrawsTheRest) {
     const Outcome drawn = frana({"render", "out", "--map", "quantile_arrival_time_05", "--map", "hit_count"});
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
     EXPECT_TRUE(fs::exists(path("out/maps/quantile_arrival_time_05.png")));
+}
+
+// Pressure is density times the speed squared, so its thresholds are those of the speed; the classes of a custom scheme
+// with depth limits are those of the depth.
+TEST_F(Ensemble, PressureAndIntensityHaveTheProbabilitiesOfWhatTheyAreMadeOf) {
+    write_scene("stop-when-still = off\n" + k_numbers_only +
+                "depth-thresholds = 0.2 0.5\nvelocity-thresholds = 4\npressure-thresholds = 32\n"
+                "[material]\ndensity = 2000\n[hazard]\nscheme = custom\ndepth-limits = 0.2 0.5\n");
+    write_study("samples = 12\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto expect_alike = [&](const std::string& a, const std::string& b) {
+        for (const std::string& name : {a, b}) EXPECT_TRUE(fs::exists(path("out/" + name + ".qml"))) << name;
+        const Raster first = gis::read_result_raster(path("out/" + a + ".tif")),
+                     second = gis::read_result_raster(path("out/" + b + ".tif"));
+        double between = 0;
+        for (std::size_t i = 0; i < first.values.size(); ++i) {
+            ASSERT_EQ(first.values[i], second.values[i]) << a << ", cell " << i;
+            between += first.values[i] > 0 && first.values[i] < 1 ? 1 : 0;
+        }
+        EXPECT_GT(between, 10) << a;
+    };
+    expect_alike("probability_pressure_32", "probability_velocity_4");  // 2000 * 4^2 / 1000
+    expect_alike("probability_intensity_2", "probability_depth_0.2");
+    expect_alike("probability_intensity_3", "probability_depth_0.5");
+    const Raster reached = gis::read_result_raster(path("out/probability_intensity_1.tif")),
+                 hits = gis::read_result_raster(path("out/hit_count.tif"));
+    for (std::size_t i = 0; i < hits.values.size(); ++i) {
+        EXPECT_EQ(reached.values[i] > 0, !std::isnan(hits.values[i])) << i;
+    }
+}
+
+TEST_F(Ensemble, TheMedianMemberIsNamedAndFilmed) {
+    write_scene("stop-when-still = off\nframe-interval = 2\n[output]\nmaps = off\nmap-size = 640x480\n");
+    write_study("samples = 9\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string summary = read_text(path("out/summary.json"));
+    const auto median = static_cast<std::size_t>(json_number(summary, "median_member.member"));
+    std::vector<double> areas;
+    for (const auto& row : members()) areas.push_back(std::stod(row.at("covered_area_m2")));
+    const double area = areas.at(median);
+    EXPECT_EQ(json_number(summary, "median_member.value"), area);
+    std::sort(areas.begin(), areas.end());
+    EXPECT_EQ(area, areas[4]);
+    EXPECT_GT(fs::file_size(path("out/animation.mp4")), 1000U);
+    EXPECT_FALSE(fs::exists(path("out/frames")));
+    EXPECT_NE(read_text(path("out/report.html")).find("Film of this member"), std::string::npos);
 }
 
 TEST_F(Ensemble, CheckTellsMembersTimeMemoryAndDisk) {

@@ -18,7 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Overwrite : public ResultScenes {};
+class Overwrite : public ResultScenes {
+  protected:
+    /// Makes results of all commands that run many scenes: "range", "union", "fitted", "fitted_to_two".
+    void make_studies() const;
+};
 
 TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
     const std::map<std::string, std::string> scenes{
@@ -45,19 +49,37 @@ TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
     }
 }
 
+void Overwrite::make_studies() const {
+    const std::string two_keys =
+        "[vary]\nmaterial.friction-angle = uniform(12, 20)\nmaterial.turbulence = uniform(200, 400)\n";
+    write_scene(k_numbers_only + "pressure-thresholds = 5\n[hazard]\nscheme = swiss-debris-flow\n");
+    write("study.ini", "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n" + two_keys);
+    write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
+    write("surveyed.ini", read_text(path("scene.ini")) + "[scar]\nperimeter = scar.geojson\n");
+    write("again.ini", read_text(path("surveyed.ini")));
+    const std::string few = "\nsamples = 6\nrefine = 6\n[objective]\njaccard = 1\n" + two_keys;
+    write("fitted.ini", "[study]\nscene = surveyed.ini" + few);
+    write("fitted_to_two.ini",
+          "[study]\nscene = surveyed.ini, again.ini" + few + "[vary again]\nrelease.volume = uniform(3000, 5000)\n");
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"ensemble", "study.ini", "--out", "range", "--quiet"},
+          {"compare", "range", "--scar", "scar.geojson"},
+          {"ensemble", "union.ini", "--out", "union", "--quiet"},
+          {"calibrate", "fitted.ini", "--out", "fitted", "--quiet"},
+          {"calibrate", "fitted_to_two.ini", "--out", "fitted_to_two", "--quiet"}}) {
+        const Outcome outcome = frana(command);
+        ASSERT_EQ(outcome.exit_code, 0) << command[1] << ": " << outcome.err;
+    }
+}
+
 // The table is complete, and every row of it exists.
 TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run(k_voellmy + k_entrainment + k_every_output, "old");
     render_all();
     run(k_structured + k_every_output, "other");
-    write_scene(k_numbers_only);
-    write("study.ini",
-          "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n[vary]\n"
-          "material.friction-angle = uniform(18, 24)\nmaterial.turbulence = uniform(200, 400)\n");
-    const Outcome study = frana({"ensemble", "study.ini", "--out", "range", "--quiet"});
-    ASSERT_EQ(study.exit_code, 0) << study.err;
+    make_studies();
     std::map<std::string, int> rows;
-    for (const std::string result : {"old", "other", "range"}) {
+    for (const std::string result : {"old", "other", "range", "union", "fitted", "fitted_to_two"}) {
         const auto manifest = app::read_manifest(path(result));
         ASSERT_TRUE(manifest);
         for (const std::string& name : files_below(path(result))) {

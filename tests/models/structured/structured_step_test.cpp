@@ -113,47 +113,6 @@ TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-// What rests is not computed again, and that takes not a bit off anything: a block that slides towards two at rest, one
-// of which it hits, with water on part of them.
-TEST(StructuredStep, WhatRestsSleepsToTheSameBits) {
-    ThreadPool pool(1);
-    std::int64_t slept = 0;
-    const auto run = [&](bool sleeps) {
-        Case c(2);
-        c.material.solid_fraction = 0.5;
-        c.material.grain_density = 2400;
-        c.material.cohesion = 2e4;
-        c.material.bed_friction = std::tan(12 * k_degree);
-        c.laws.solid.skips_rest = sleeps;
-        c.laws.solid.elastic = Elasticity::from_young_and_bulk(5e6, 5e6 / 1.5);
-        c.laws.fluid.wall = true;
-        c.fill(10, 20, 18, 12, [](Point) { return bench::Seed{3, 8, 0}; });
-        c.fill(32, 20, 24, 12, [](Point) { return bench::Seed{3}; });
-        c.fill(60, 20, 24, 12, [](Point) { return bench::Seed{3}; });
-        State state = c.start(flat(60, 24, 2), pool, true);
-        std::vector<FluidSource> water;
-        for (std::int64_t i = 28; i < 32; ++i) water.push_back({state.grid.index(i, 12), 0.2, 0, 0});
-        receive(water, *state.fluid, c.laws.fluid);
-        slept = 0;
-        for (int i = 0; i < 60; ++i) slept += step(state, c.laws, 0.05, pool).solids.skipped;
-        return state;
-    };
-    const State awake = run(false);
-    EXPECT_EQ(slept, 0);
-    const State sleeping = run(true);
-    EXPECT_GT(slept, 10000);
-    const ParticleSet &a = awake.solid->particles, &b = sleeping.solid->particles;
-    ASSERT_EQ(a.size(), b.size());
-    double lost = 0;
-    for (std::size_t f = 0; f < k_fields; ++f) {
-        const auto field = static_cast<Field>(f);
-        if (!a.mask().has(field)) continue;
-        EXPECT_EQ(std::memcmp(a[field], b[field], a.size() * sizeof(double)), 0) << k_field_table[f].name;
-    }
-    for (std::size_t i = 0; i < a.size(); ++i) lost += 1 - a[Field::cohesion_ratio][i];
-    EXPECT_GT(lost, 1);
-}
-
 // Drag, virtual mass and buoyancy at the nodes, taken over by the particles: what one phase gains the other
 // loses.
 TEST(Coupling, ExchangesMomentum) {

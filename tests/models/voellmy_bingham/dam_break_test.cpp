@@ -31,17 +31,20 @@ double depth_error(std::int64_t columns, double right, Scheme scheme, double jit
     return error / static_cast<double>(grid.cell_count());
 }
 
+// The errors of the table in share/doc/numerics.md, "What is known about the error"; 5 % for other compilers' rounding.
+constexpr double k_measured = 1.05;
+
 TEST(DamBreak, StokerConverges) {
     const double coarse = depth_error(200, 2, Scheme::standard), fine = depth_error(400, 2, Scheme::standard);
-    EXPECT_LT(coarse, 1.25 * 0.028);
-    EXPECT_LT(fine, 1.25 * 0.016);
+    EXPECT_LT(coarse, k_measured * 0.0352);
+    EXPECT_LT(fine, k_measured * 0.0179);
     EXPECT_LT(fine, 0.62 * coarse);  // order 0.7 at least
 }
 
 TEST(DamBreak, RitterConverges) {
     const double coarse = depth_error(200, 0, Scheme::standard), fine = depth_error(400, 0, Scheme::standard);
-    EXPECT_LT(coarse, 1.25 * 0.022);
-    EXPECT_LT(fine, 1.25 * 0.011);
+    EXPECT_LT(coarse, k_measured * 0.0182);
+    EXPECT_LT(fine, k_measured * 0.0090);
     EXPECT_LT(fine, 0.62 * coarse);
 }
 

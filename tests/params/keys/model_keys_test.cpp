@@ -96,5 +96,18 @@ TEST_F(ModelKeys, TheEchoContainsOnlyWhatTheModelReads) {
     }
 }
 
+TEST(CourantNumber, IsSmallerWhereStepsAreOfFirstOrder) {
+    const auto number = [](const auto& change) {
+        SceneSpec scene;
+        change(scene);
+        return courant_number(scene);
+    };
+    EXPECT_EQ(number([](SceneSpec&) {}), 0.8);
+    EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.scheme = "paper"; }), 0.5);
+    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.model = "structured"; }), 0.5);
+    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.yield_stress = 100; }), 0.5);
+    EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.cfl = 0.3; }), 0.3);
+}
+
 }  // namespace
 }  // namespace frana

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "models/structured/coupling/basal_pressure.h"
+#include "models/structured/solid/drucker_prager.h"
 #include "models/structured/solid/earth_pressure_bell.h"
 #include "models/structured/solid/solid_laws.h"
 #include "particles/particle_set.h"
@@ -42,8 +43,29 @@ struct ParticleLoad {
     double cohesion = 0;    ///< present [Pa]
     double structured = 0;  ///< f_sc
     double load = 0;        ///< N [Pa]
+    double borne = 0;       ///< mean vertical pressure that strength bears [Pa]
     double thrust = 0;      ///< P_lat [N/m]
 };
+
+/// Whether the load beyond a column's strength acts in all directions alike (next_stress).
+inline bool excess_is_hydrostatic(const SolidLaws& laws) noexcept {
+    return laws.earth_pressure == EarthPressure::hydrostatic && laws.broken == BrokenMaterial::earth_pressure;
+}
+
+/// Sets thrust and borne of a column whose depth, cohesion and load are known.
+/// @param passive it is broken and compressed, where that matters (EarthPressure::passive)
+inline void set_thrust(const SolidLaws& laws, double friction, bool passive, ParticleLoad& column) noexcept {
+    column.borne = 0.5 * column.load;
+    if (laws.earth_pressure == EarthPressure::hydrostatic) {
+        const double bears = DruckerPrager::of(friction, column.cohesion).uniaxial();
+        column.thrust = hydrostatic_thrust(column.load, column.depth, bears);
+        if (excess_is_hydrostatic(laws)) column.borne = std::min(column.borne, bears);
+    } else if (passive) {
+        column.thrust = passive_thrust(1 / active_coefficient(friction), column.load, column.depth, column.cohesion);
+    } else {
+        column.thrust = active_thrust(active_coefficient(friction), column.load, column.depth, column.cohesion);
+    }
+}
 
 /// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive
 /// thrust, divergence of particle p.
@@ -66,20 +88,23 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
     s.mass = grain_density * solids + laws.basal.fluid_density * confined;
     s.depth = (solids + confined) * inverse_area;
     s.load = laws.basal({solids * inverse_area, confined * inverse_area, s.structured, submerged}, grain_density);
-    const bool broken = ratio < k_broken_from;
-    if (broken && laws.earth_pressure == EarthPressure::hydrostatic) {
-        s.thrust = active_thrust(1, s.load, s.depth, s.cohesion);
-    } else if (broken && laws.earth_pressure == EarthPressure::passive && particles[Field::divergence][p] < 0) {
-        s.thrust = passive_thrust(1 / active_coefficient(friction), s.load, s.depth, s.cohesion);
-    } else {
-        s.thrust = active_thrust(active_coefficient(friction), s.load, s.depth, s.cohesion);
-    }
+    set_thrust(
+        laws, friction,
+        laws.earth_pressure == EarthPressure::passive && ratio < k_broken_from && particles[Field::divergence][p] < 0,
+        s);
     return s;
 }
 
 /// Whether a column's only stress is its earth pressure.
 inline bool flows_freely(const SolidLaws& laws, const ParticleLoad& column) noexcept {
     return laws.broken == BrokenMaterial::earth_pressure && !(column.cohesion > 0);
+}
+
+/// Greatest deceleration by friction at the bed [m/s2].
+/// @param density of the column [kg/m2]
+inline double bed_resistance(const SolidLaws& laws, const ParticleLoad& column, double density, double friction,
+                             double flatness) noexcept {
+    return column.load / density * friction * (laws.steep ? flatness : 1);
 }
 
 }  // namespace frana::structured

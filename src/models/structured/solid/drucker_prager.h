@@ -22,13 +22,16 @@ struct DruckerPrager {
         return {friction * root, 3 * cohesion * root};
     }
     [[nodiscard]] double yield(const Stress& s) const noexcept { return std::sqrt(s.j2()) + slope * s.i1() - strength; }
+    /// Greatest vertical pressure at which a column with free sides does not yield, k / (1 / sqrt(3) - a) [Pa].
+    [[nodiscard]] double uniaxial() const noexcept { return strength / (k_root - slope); }
     /// Least pressure from all sides at which a column under a vertical pressure does not yield [Pa]; 0 up to the
-    /// uniaxial strength k / (1 / sqrt(3) - a). In plane strain, where the law is matched, the least is Rankine's
-    /// active pressure; with yielding in both directions, as here, the law requires more.
+    /// uniaxial strength. In plane strain, where the law is matched, the least is Rankine's active pressure; with
+    /// yielding in both directions, as here, the law requires more.
     [[nodiscard]] double active_pressure(double vertical) const noexcept {
-        constexpr double k_root = 0.57735026918962576;  // 1 / sqrt(3)
         return std::max(0.0, ((k_root - slope) * vertical - strength) / (k_root + 2 * slope));
     }
+
+    static constexpr double k_root = 0.57735026918962576;  // 1 / sqrt(3)
 };
 
 struct Returned {

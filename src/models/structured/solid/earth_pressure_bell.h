@@ -37,4 +37,12 @@ inline double passive_thrust(double coefficient, double load, double depth, doub
     return (0.5 * coefficient * load + 2 * cohesion * std::sqrt(coefficient)) * depth;
 }
 
+/// Thrust of a column if the load that its strength does not bear acts in all directions alike,
+///     P = max(0, N / 2 - q) h                                                                [N/m]
+/// Without cohesion it is N h / 2, that of a fluid; a column that bears its own weight has none (ours).
+/// @param bears uniaxial strength q [Pa]
+inline double hydrostatic_thrust(double load, double depth, double bears) noexcept {
+    return std::max(0.0, 0.5 * load - bears) * depth;
+}
+
 }  // namespace frana::structured

@@ -13,14 +13,19 @@ namespace frana::structured {
 /// trial, return to the yield surface of the sum with the geostatic stress, -diag(p, p, N / 2). That vertical stress is
 /// given by the weight, so the particle's own is zero. p is the column's thrust over its depth or, where that is less,
 /// the strength's active pressure for yielding in both directions: the state at rest never yields.
+///
+/// If the excess of the load over the strength q is hydrostatic, p = N / 2 - q in all three directions adds no friction
+/// inside, as in material without cohesion: the check is that of the rest, -diag(0, 0, q). So a column that does not
+/// bear itself has the thrust p also while it yields, and both tend to those of broken material with the cohesion.
 inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, double friction, const Matrix2d& turn,
                             const Matrix2d& strain, const Stress& stress) noexcept {
     const auto strength = DruckerPrager::of(friction, column.cohesion);
     const Stress trial = Stress{rotated(stress.plane, turn), stress.zz} + laws.elastic.increment(strain);
     if (laws.strength_of_particle_stress) return return_by_itself(strength, laws.elastic, laws.sin_dilatancy, trial);
-    const double load = 0.5 * column.load;
-    const Matrix2d lateral =
-        std::max(column.thrust / column.depth, strength.active_pressure(load)) * Matrix2d::Identity();
+    const double load = column.borne;
+    const double pressure =
+        excess_is_hydrostatic(laws) ? 0 : std::max(column.thrust / column.depth, strength.active_pressure(load));
+    const Matrix2d lateral = pressure * Matrix2d::Identity();
     const Returned r = return_under_load(strength, laws.elastic, laws.sin_dilatancy, {trial.plane - lateral, -load});
     if (!r.yielded) return {{trial.plane, 0}, false};
     return {{r.stress.plane + lateral, 0}, true};
@@ -78,8 +83,8 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         w[PairWork::r_yy][p] = r(1, 1);
         w[PairWork::r_xy][p] = r(0, 1);
         w[PairWork::sound][p] = flows ? std::sqrt(laws.gravity * column.depth) : laws.viscosity.sound;
-        w[PairWork::resistance][p] = column.load / density * particles[Field::bed_friction][p] *
-                                     (laws.steep ? particles[Field::flatness][p] : 1);
+        w[PairWork::resistance][p] =
+            bed_resistance(laws, column, density, particles[Field::bed_friction][p], particles[Field::flatness][p]);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "models/structured/solid/pair_work.h"
 #include "models/structured/solid/solid_report.h"
+#include "models/structured/solid/still.h"
 #include "mpm/node_grid.h"
 #include "particles/cell_order.h"
 #include "particles/particle_set.h"
@@ -44,8 +45,8 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
         double u = w[PairWork::u][p] + dt * ax, v = w[PairWork::v][p] + dt * ay;
         const double speed = std::sqrt(u * u + v * v), loss = dt * w[PairWork::resistance][p];
         const double kept = speed > loss ? 1 - loss / speed : 0;
-        u *= kept;
-        v *= kept;
+        u = kept > 0 ? kept * u : 0;  // never -0: what rests has the same bits whatever pushes it
+        v = kept > 0 ? kept * v : 0;
         double x = w[PairWork::x][p] + dt * u, y = w[PairWork::y][p] + dt * v;
         if (!open && obstacles.at(x, y)) {
             const double x0 = w[PairWork::x][p], y0 = w[PairWork::y][p];
@@ -81,10 +82,7 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
         report.apart2 = std::max(report.apart2, apart2);
         report.acceleration2 = std::max(report.acceleration2, ax * ax + ay * ay);
         report.non_finite += finite ? 0 : 1;
-        // For any length of the next substep, rounding included.
-        constexpr double k_margin = 1e-9;
-        const double static_limit = (1 - k_margin) * w[PairWork::resistance][p];
-        report.rests = report.rests && speed2 == 0 && ax * ax + ay * ay <= static_limit * static_limit;
+        report.rests = report.rests && speed2 == 0 && friction_holds(ax, ay, w[PairWork::resistance][p]);
     }
     return report;
 }

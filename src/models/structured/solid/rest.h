@@ -5,39 +5,55 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/thread_pool.h"
 #include "models/structured/solid/pair_work.h"
 #include "models/structured/solid/solid_report.h"
 #include "particles/cell_order.h"
 
 namespace frana::structured {
 
-/// Cells in which nothing changes between one substep of a step and the next: their sums, stresses and moves are not
-/// computed again, since they would be the same to the bit. With Z_k(C): in cell C all velocities are zero after
-/// substep k (and, except for k = -1, friction exceeds the driving forces by a margin),
+/// Cells in which a substep changes nothing: their sums, stresses and moves are not computed, since they would be the
+/// same to the bit. With Z_k(C): in cell C all velocities are zero after substep k (and, except for k = -1, friction
+/// exceeds the driving forces by a margin),
 ///
 ///     C is inactive in k + 1  if  Z_k and Z_k-1 are true in it and four cells around, twice the reach of its particles
 ///
 /// Then velocity gradients are zero in it and within reach, in k and k + 1: areas, damage and (the return to the yield
-/// surface being idempotent) stresses keep their values of k, and so do the accelerations by them. The inputs from the
-/// grid (push, submergence) change only between steps: at the start of every step all cells are active.
+/// surface being idempotent) stresses keep their values of k, and so do the accelerations by them.
+///
+/// The inputs from the grid (push, submergence, area) change between steps. At the start of a step, therefore,
+///
+///     C is inactive  if  in it and four cells around all particles are still (still_report)
+///
+/// that is, have no stress which an input could change, and resist the new push: broken material that has come to rest
+/// costs that test alone. It reads nothing but the particles, so that a resumed run skips the same.
 class Rest {
   public:
     /// Call before the first substep of a step, and after particles were sorted.
-    void begin(const CellOrder& order, PairWork& work) {
+    /// @param report_still returns still_report of a run of particles
+    template <class Still>
+    void begin(const CellOrder& order, PairWork& work, bool skips, ThreadPool& pool, const Still& report_still) {
         columns_ = order.columns();
         rows_ = order.rows();
         const auto cells = static_cast<std::size_t>(rows_ * columns_);
         before_.assign(cells, 1);
-        now_.assign(cells, 0);
+        now_.assign(cells, 1);
         reports_.assign(cells, SolidReport{});
-        for (std::int64_t row = 0; row < rows_; ++row) {
+        pool.for_each(static_cast<std::size_t>(rows_), [&](std::size_t r) {
+            const auto row = static_cast<std::int64_t>(r);
             for (std::int64_t column = 0; column < columns_; ++column) {
                 const ParticleRun run = order.cell(row, column);
+                if (run.begin == run.end) continue;
+                const std::size_t cell = index(row, column);
                 for (std::size_t p = run.begin; p < run.end; ++p)
-                    if (work[PairWork::u][p] != 0 || work[PairWork::v][p] != 0) before_[index(row, column)] = 0;
+                    if (work[PairWork::u][p] != 0 || work[PairWork::v][p] != 0) before_[cell] = 0;
+                record(cell, report_still(run));
             }
-        }
-        work.resting.clear();
+        });
+        if (skips)
+            spread(now_, work.resting);
+        else
+            work.resting.clear();
     }
     [[nodiscard]] static bool resting(const PairWork& work, std::size_t cell) noexcept {
         return !work.resting.empty() && work.resting[cell] != 0;
@@ -45,7 +61,7 @@ class Rest {
     [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const noexcept {
         return static_cast<std::size_t>(row * columns_ + column);
     }
-    /// Report of a cell when it was last active.
+    /// Report of a cell when it was last active, or of a substep in which it is not.
     [[nodiscard]] const SolidReport& report_of(std::size_t cell) const noexcept { return reports_[cell]; }
     void record(std::size_t cell, const SolidReport& report) {
         reports_[cell] = report;
@@ -56,14 +72,19 @@ class Rest {
         both_.resize(now_.size());
         for (std::size_t c = 0; c < now_.size(); ++c) both_[c] = now_[c] & before_[c];
         before_ = now_;
-        along_.assign(now_.size(), 1);
-        work.resting.assign(now_.size(), 1);
-        erode(both_, along_, columns_, 1);
-        erode(along_, work.resting, rows_, columns_);
+        spread(both_, work.resting);
     }
 
   private:
     static constexpr std::int64_t k_far = 2 * CellOrder::k_near;
+
+    // Inactive are the cells that are still with four cells around them.
+    void spread(const std::vector<std::uint8_t>& still, std::vector<std::uint8_t>& resting) {
+        along_.assign(still.size(), 1);
+        resting.assign(still.size(), 1);
+        erode(still, along_, columns_, 1);
+        erode(along_, resting, rows_, columns_);
+    }
 
     // The minimum over nine neighbours along one direction; cells beyond the ends count as at rest.
     void erode(const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to, std::int64_t length,

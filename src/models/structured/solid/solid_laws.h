@@ -9,12 +9,12 @@
 
 namespace frana::structured {
 
-/// Earth pressure of broken material (cohesion ratio under 0.05) on its neighbours; intact material always exerts
-/// Bell's active one.
+/// Earth pressure of solids on their neighbours, intact or broken: what cohesion changes tends to zero with it.
 enum class EarthPressure {
-    hydrostatic,  ///< K = 1: it stops at the bed's friction angle, as heaps do
-    active,       ///< Rankine's K_a, as the paper: right on a smooth bed; too steep deposits on a rough one
-    passive       ///< K_p where it is compressed, K_a elsewhere (Pitman & Le 2005)
+    hydrostatic,  ///< the load beyond the strength, in all directions alike: heaps stop at the bed's friction angle
+    active,       ///< Bell's, K_a without cohesion, as the paper: right on a smooth bed; heaps on a rough one too steep
+    passive  ///< K_p where broken material (cohesion ratio under 0.05) is compressed, active elsewhere (Pitman & Le
+             ///< 2005); intact material that is compressed has its elastic stress, up to the passive state
 };
 
 /// Stress of material without cohesion.

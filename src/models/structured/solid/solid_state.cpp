@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/structured/solid/material_update.h"
+#include "models/structured/solid/still.h"
 #include "models/structured/solid/transfer.h"
 
 namespace frana::structured {
@@ -14,6 +15,7 @@ template <class Kind>
 SolidStages stages_of() {
     SolidStages stages;
     stages.update_material = update_material<Kind>;
+    stages.still_report = still_report<Kind>;
     stages.solids_to_nodes = solids_to_nodes<Kind>;
     stages.nodes_to_solids = nodes_to_solids<Kind>;
     return stages;

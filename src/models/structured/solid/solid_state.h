@@ -56,6 +56,7 @@ struct SolidStages {
     FieldMask fields;
     const PairKernels* pairs = nullptr;
     void (*update_material)(ParticleRun, double dt, const SolidLaws&, ParticleSet&, PairWork&) = nullptr;
+    SolidReport (*still_report)(ParticleRun, const SolidLaws&, Point mean, const ParticleSet&) = nullptr;
     void (*solids_to_nodes)(ParticleRun, const SolidLaws&, const ParticleSet&, const NodeGrid&, SolidNodes&) = nullptr;
     void (*nodes_to_solids)(ParticleRun, const SolidLaws&, double dt, const NodeGrid&, const SolidNodes&,
                             ParticleSet&) = nullptr;

@@ -28,7 +28,7 @@ class Substeps {
              const Obstacles& obstacles, ThreadPool& pool)
         : state_(state), stages_(stages), laws_(laws), grid_(grid), obstacles_(obstacles), pool_(pool) {
         if (!state_.work.near.of(state_.particles.size())) find_neighbours(state_, pool_);  // of a state that was read
-        rest_.begin(state_.order, state_.work);
+        begin_rest();
     }
     ~Substeps() { state_.work.resting.clear(); }
     Substeps(const Substeps&) = delete;
@@ -37,7 +37,7 @@ class Substeps {
     void sort_where_drifted(double dt) {
         if (!(state_.drift + dt * std::sqrt(state_.last.apart2) > 0.5 * state_.order.slack())) return;
         sort_solids(state_, laws_, grid_, pool_);
-        rest_.begin(state_.order, state_.work);
+        begin_rest();
     }
 
     void strain_and_stress(double dt) {
@@ -82,6 +82,10 @@ class Substeps {
     }
 
   private:
+    void begin_rest() {
+        rest_.begin(state_.order, state_.work, laws_.skips_rest, pool_,
+                    [&](ParticleRun run) { return stages_.still_report(run, laws_, state_.mean, state_.particles); });
+    }
     // Runs of active cells of a row.
     template <class Task>
     void over_awake(std::int64_t row, const Task& task) const {

@@ -118,13 +118,13 @@ struct Update {
         column.mass = column.depth = 5;
         column.cohesion = 26.7e3;
         column.load = 5 * 1700 * 9.81;
-        column.thrust = 0;
+        set_thrust(laws, friction, false, column);
     }
     [[nodiscard]] Returned operator()(const Matrix2d& l, double dt, const Stress& stress) const {
         return next_stress(laws, column, friction, rotation(dt * spin(l)), dt * strain_rate(l), stress);
     }
     /// With the geostatic stress, as the strength sees it.
-    [[nodiscard]] Stress total(const Stress& s) const { return {s.plane, s.zz - 0.5 * column.load}; }
+    [[nodiscard]] Stress total(const Stress& s) const { return {s.plane, s.zz - column.borne}; }
     [[nodiscard]] double yield(const Stress& s) const { return strength().yield(total(s)); }
     [[nodiscard]] DruckerPrager strength() const { return DruckerPrager::of(friction, column.cohesion); }
 
@@ -240,8 +240,9 @@ TEST(StressUpdate, TheGeostaticStateIsInsideForEveryCohesion) {
                 column.depth = depth;
                 column.cohesion = cohesion;
                 column.load = 1700 * 9.81 * depth;
-                for (const double k : {active_coefficient(friction), 1.0}) {
-                    column.thrust = active_thrust(k, column.load, depth, cohesion);
+                for (const auto pressure : {EarthPressure::hydrostatic, EarthPressure::active}) {
+                    laws.earth_pressure = pressure;
+                    set_thrust(laws, friction, false, column);
                     const auto [s, yielded] = next_stress(laws, column, friction, rotation(0), Matrix2d::Zero(), {});
                     EXPECT_FALSE(yielded) << degrees << " degrees, " << cohesion << " Pa, " << depth << " m";
                     EXPECT_EQ(s.xx(), 0);

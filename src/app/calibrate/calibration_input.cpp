@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/calibrate/calibration_input.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/calibrate/event_survey.h"
+#include "core/shortest_text.h"
+#include "params/grammar/value_text.h"
+
+namespace frana::app {
+namespace {
+
+constexpr const char* k_cell_size = "terrain.cell-size=";
+
+/// All keys of a calibration as one study, for its design.
+study::StudySpec all_keys(const study::CalibrationSpec& calibration) {
+    study::StudySpec all = calibration.study;
+    for (const study::EventSpec& event : calibration.events)
+        all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
+    return all;
+}
+
+void add_once(const Problems& from, Problems& to) {
+    for (const Problem& problem : from.list()) {
+        const auto& known = to.list();
+        if (std::none_of(known.begin(), known.end(),
+                         [&](const Problem& one) { return describe(one) == describe(problem); }))
+            to.add(problem);
+    }
+}
+
+/// Prepares what can be prepared; problems are collected over all events.
+std::optional<StudyInput> prepared_event(StudyTexts texts, const std::optional<Problem>& place, RunLog& log,
+                                         Problems& problems) {
+    try {
+        return prepare_study(std::move(texts), place, log);
+    } catch (const Error& error) {
+        Problems of_event;
+        of_event.add(error);
+        add_once(of_event, problems);
+        return std::nullopt;
+    }
+}
+
+study::StudyReading on_cells_of(study::StudyReading reading, double cell_size) {
+    std::erase_if(reading.study.set, [](const std::string& one) { return one.starts_with(k_cell_size); });
+    reading.study.set.push_back(k_cell_size + shortest_text(cell_size));
+    return reading;
+}
+
+bool weighs(const study::CalibrationSpec& calibration, study::Evidence evidence) {
+    return std::any_of(calibration.objective.begin(), calibration.objective.end(),
+                       [&](const study::Weight& one) { return row_of(one.measure).needs == evidence; });
+}
+
+/// Every event needs something that is compared, every measure an event, and gauges must exist.
+void check_evidence(const CalibrationInput& input, Problems& problems) {
+    const study::CalibrationSpec& calibration = input.spec();
+    std::vector<std::string> measures, sources;
+    std::vector<bool> used(calibration.objective.size());
+    for (const study::Weight& one : calibration.objective) {
+        measures.emplace_back(row_of(one.measure).name);
+        sources.emplace_back(study::source_of(row_of(one.measure).needs));
+    }
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const study::EventSpec& event = calibration.events[e];
+        const Prepared& base = input.own[e].base;
+        bool any = false;
+        for (std::size_t m = 0; m < measures.size(); ++m) {
+            if (!has_evidence(base, event, row_of(calibration.objective[m].measure).needs)) continue;
+            used[m] = any = true;
+        }
+        const std::string where = input.reading.where("event " + event.name);
+        if (!any)
+            problems.add({"has nothing that [objective] compares: " + joined(measures, ", "), where,
+                          event.members.study.scene, "", "Give it " + joined(sources, "; or ")});
+        check_gauges(base, event, where, problems);
+    }
+    for (std::size_t m = 0; m < measures.size(); ++m)
+        if (!used[m])
+            problems.add({"no event was surveyed for it", input.reading.where("objective." + measures[m]), "", "",
+                          "Give an event " + sources[m] + ", or remove the line"});
+}
+
+/// Measures the survey as the members will be compared with it.
+void check_survey(const study::CalibrationSpec& calibration, std::size_t event, const Prepared& base,
+                  Problems& problems) {
+    try {
+        const EventSurvey survey(base, calibration.events[event], calibration.objective, {});
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+}
+
+/// Figures and outlines of a member use the survey's threshold, and records contain what is compared.
+void compare_by_survey(const study::CalibrationSpec& calibration, StudyInput& input) {
+    input.base.spec.output.trace_threshold = scar_threshold(input.base.spec);
+    const Survey& survey = input.base.extra.survey;
+    const bool has_deposit = survey.elevation_change || !survey.deposit.empty();
+    input.keeps_final_depth = has_deposit && (weighs(calibration, study::Evidence::deposit) ||
+                                              weighs(calibration, study::Evidence::elevation_change));
+}
+
+}  // namespace
+
+study::SampleTable members_at(const study::CalibrationSpec& calibration, std::size_t event, const study::Places& places,
+                              Problems& problems) {
+    const study::EventSpec& spec = calibration.events[event];
+    const std::size_t shared = calibration.study.vary.size(), first = calibration.first_own_key(event);
+    study::Places of_event;
+    for (const std::vector<double>& place : places) {
+        std::vector<double>& one = of_event.emplace_back(place.begin(), place.begin() + static_cast<long>(shared));
+        for (std::size_t k = first; k < first + spec.vary.size(); ++k) one.push_back(place[k]);
+    }
+    return study::samples_at(spec.members.study, of_event, spec.members.label, problems);
+}
+
+CalibrationTexts read_calibration_texts(const std::string& path) {
+    CalibrationTexts texts;
+    texts.reading = study::read_calibration(path);
+    const study::CalibrationSpec& calibration = texts.reading.calibration;
+    texts.problems = texts.reading.problems;
+    if (calibration.events.empty()) texts.problems.throw_if_any();
+    const bool drawable = texts.problems.empty() && calibration.key_count() > 0;  // else values tell nothing
+    if (drawable) texts.design = study::draw_places(all_keys(calibration));
+    for (std::size_t e = 0; e < calibration.events.size(); ++e) {
+        const study::EventSpec& event = calibration.events[e];
+        study::SampleTable table;
+        if (drawable) table = members_at(calibration, e, texts.design, texts.problems);
+        try {
+            StudyTexts one = read_study_scenes(event.members, std::move(table));
+            add_once(one.central.problems, texts.problems);
+            if (texts.events.empty()) texts.first_scene = one.central;
+            texts.events.push_back(std::move(one));
+        } catch (const Error& error) {  // the scene is no INI
+            Problems of_scene;
+            of_scene.add(error);
+            add_once(of_scene, texts.problems);
+        }
+    }
+    if (texts.events.empty()) texts.problems.throw_if_any();
+    return texts;
+}
+
+CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional<Problem>& place, RunLog& log) {
+    CalibrationInput input{std::move(texts.reading), std::move(texts.design), {}, {}, {}};
+    const study::CalibrationSpec& calibration = input.spec();
+    Problems problems = std::move(texts.problems);
+    const bool alone = problems.empty();  // then a place that cannot be written is an error of the environment
+    if (place && !alone) problems.add(*place);
+    for (std::size_t e = 0; e < texts.events.size(); ++e) {
+        auto own = prepared_event(std::move(texts.events[e]), e == 0 && alone ? place : std::nullopt, log, problems);
+        if (own) input.own.push_back(std::move(*own));
+    }
+    problems.throw_if_any();
+    check_evidence(input, problems);
+    problems.throw_if_any();
+    RunLog silent(true);
+    for (StudyInput& own : input.own) {
+        const double cell_size = calibration.coarse * own.base.scene.grid.cell_size;
+        auto coarse = prepared_event(read_study_scenes(on_cells_of(own.reading, cell_size), own.table), std::nullopt,
+                                     silent, problems);
+        if (coarse) input.coarse.push_back(std::move(*coarse));
+    }
+    problems.throw_if_any();
+    for (std::size_t e = 0; e < input.events(); ++e)
+        for (const StudyInput* const study : {&input.own[e], &input.coarse[e]})
+            check_survey(calibration, e, study->base, problems);
+    problems.throw_if_any();
+    input.identity = calibration_text(calibration);
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        compare_by_survey(calibration, input.own[e]);
+        compare_by_survey(calibration, input.coarse[e]);
+        input.identity +=
+            "event " + calibration.events[e].name + ":\n" + input.coarse[e].identity + input.own[e].identity;
+    }
+    return input;
+}
+
+}  // namespace frana::app

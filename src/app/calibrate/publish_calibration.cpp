@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/calibrate/publish_calibration.h"
+
+#include "app/calibrate/calibration_charts.h"
+#include "app/calibrate/calibration_report.h"
+#include "app/calibrate/calibration_tables.h"
+#include "app/ensemble/study_result.h"
+#include "app/store/result_files.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "params/grammar/picture_text.h"
+#include "params/scene/write_scene.h"
+
+namespace frana::app {
+namespace {
+
+MapSource chart_source(const CalibrationInput& input) {
+    const OutputSpec& output = input.own.front().base.spec.output;
+    MapSource source;
+    source.title = calibration_title(input);
+    if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
+    source.style.formats = output.map_formats;
+    source.style.attribution = output.map_attribution.value_or("");
+    return source;
+}
+
+/// Returns false if a chart could not be drawn, with a warning.
+bool draw(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+          const ResultDirectory& directory, RunLog& log) {
+    const OutputSpec& output = input.own.front().base.spec.output;
+    if (output.maps.front() == "off" || !output.charts) return true;
+    const MapSource source = chart_source(input);
+    directory.make_folder("charts");
+    bool good = true;
+    for (const NamedChart& one : calibration_charts(input, runs, result, source)) {
+        try {
+            write_plain_picture(render::draw_chart(one.chart, source.style.size.width, source.style.size.height),
+                                source.style, one.chart.title, directory.path("charts/" + one.name));
+            log.note("drew charts/" + one.name);
+        } catch (const Error& error) {
+            log.warn("charts/" + one.name + " could not be drawn: " + error.what());
+            good = false;
+        }
+    }
+    return good;
+}
+
+void write_best_scenes(const CalibrationInput& input, const CalibrationResult& result,
+                       const ResultDirectory& directory) {
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
+        const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
+        write_text_file(directory.path(name), scene_text(study.member(result.best).scene, {}));
+    }
+}
+
+void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog& log) {
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventResult& event = result.events[e];
+        std::string text = input.spec().events[e].name + ": score " + number_text(event.fitted.best_score, 3) +
+                           " fitted (mean " + number_text(event.fitted.mean, 3) + ")";
+        if (input.events() > 1)
+            text += event.predicted.possible
+                        ? ", " + number_text(event.predicted.best_score, 3) + " predicted from the others (mean " +
+                              number_text(event.predicted.mean, 3) + ")"
+                        : ", not predicted: no member finished for the others";
+        log.info(text);
+    }
+    for (const std::string& sentence : result.sentences) log.info(sentence);
+}
+
+bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
+    const std::size_t failed = runs.last().failed(), all = runs.last().size() * events;
+    if (failed == 0) return false;
+    log.warn(std::to_string(failed) + " of " + std::to_string(all) +
+             " runs failed: their members have no weight. posterior.csv has the reason of each");
+    return static_cast<double>(failed) > k_most_failed * static_cast<double>(all);
+}
+
+}  // namespace
+
+StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,
+                                 const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
+    const CalibrationResult result = calibration_result(input, runs);
+    StudyOutcome outcome;
+    outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
+    write_text_file(directory.path(k_study_file), study::calibration_text(input.spec()));
+    write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));
+    write_text_file(directory.path(k_design_table), design_csv(input, runs));
+    for (std::size_t e = 0; input.events() > 1 && e < input.events(); ++e)
+        if (const study::EventSpec& event = input.spec().events[e]; !event.vary.empty())
+            write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
+    write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
+    write_best_scenes(input, result, directory);
+    outcome.pictures_failed = !draw(input, runs, result, directory, log);
+    tell(input, result, log);
+    const CalibrationFacts facts{since_start.seconds(), threads, log.warnings()};
+    if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);
+    write_text_file(directory.path(k_summary_file), calibration_summary_json(input, runs, facts));
+    write_text_file(directory.path(k_log_file), log.text());
+    return outcome;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/bench_ensemble.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "app/commands/bench_chart.h"
+#include "app/commands/bench_output.h"
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/ensemble/level_rounds.h"
+#include "app/ensemble/mapped_events.h"
+#include "app/ensemble/member_runs.h"
+#include "app/ensemble/study_result.h"
+#include "app/process/signals.h"
+#include "app/store/result_files.h"
+#include "app/text/text_file.h"
+#include "core/error.h"
+#include "core/shortest_text.h"
+#include "render/canvas/image.h"
+#include "render/chart/chart.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *k_csv = "ensemble.csv", *k_picture = "ensemble.png";
+
+struct Method {
+    const char* name;
+    study::Sampling sampling;
+    std::optional<std::size_t> levels;
+};
+constexpr Method k_methods[] = {{"random", study::Sampling::random, {}},
+                                {"latin-hypercube", study::Sampling::latin_hypercube, {}},
+                                {"sobol", study::Sampling::sobol, {}},
+                                {"random, levels = 2", study::Sampling::random, 2},
+                                {"random, levels = 3", study::Sampling::random, 3},
+                                {"sobol, levels = 3", study::Sampling::sobol, 3}};
+/// Plain Monte Carlo, with which the others are compared.
+constexpr const Method& k_plain = k_methods[0];
+
+/// How much is computed.
+struct Extent {
+    std::int64_t reference;
+    std::vector<std::int64_t> samples;
+    int seeds;
+};
+
+/// A folder for records, which disappears with the bench.
+class Scratch {
+  public:
+    Scratch() : folder_((fs::temp_directory_path() / ("frana_bench_" + std::to_string(::getpid()))).string()) {
+        clear();
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    void clear() const {
+        fs::remove_all(folder_);
+        fs::create_directories(fs::path(folder_) / k_record_folder);
+    }
+    [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
+
+  private:
+    std::string folder_;
+};
+
+/// The members of a study by one method, as far as they finished.
+struct Sample {
+    StudyResult result;
+    double seconds = 0;         ///< in the engine, of all runs
+    double particle_steps = 0;  ///< likewise
+};
+
+class StoppedBySignal {};
+
+Sample run_study(StudyInput& input, const Method& method, std::int64_t samples, std::int64_t seed, int threads,
+                 const Scratch& scratch) {
+    scratch.clear();
+    study::StudySpec& study = input.reading.study;
+    study.sampling = method.sampling;
+    study.levels = method.levels;
+    study.samples = samples;
+    study.seed = seed;
+    study.until.reset();
+    redraw(input);
+    const auto run_until = [&](std::size_t end) {
+        return MemberRunner(input, scratch.folder(), threads, true).run_until(end);
+    };
+    const bool complete = input.level_draws.empty()
+                              ? run_until(input.table.size())
+                              : run_levels(input, scratch.folder(), run_until, [](std::size_t) { return false; });
+    if (!complete) throw StoppedBySignal();
+    Sample sample{read_study_result(input, scratch.folder(), input.table.size())};
+    if (sample.result.failed() > 0)
+        throw Error(ErrorKind::numerical, Problem{std::to_string(sample.result.failed()) + " members failed",
+                                                  input.reading.label, "", "", "Change the study so that all finish"});
+    for (const MemberResult& member : sample.result.members) {
+        sample.seconds += member.engine_seconds;
+        sample.particle_steps += static_cast<double>(member.particle_steps);
+    }
+    return sample;
+}
+
+/// Probabilities that are neither 0 nor 1 in a large study: where the others are compared with it.
+class Reference {
+  public:
+    Reference(const StudyInput& input, const Sample& sample) : events_(mapped_events(input.base.spec)) {
+        for (const MappedEvents& events : events_) {
+            std::vector<Raster> maps(events.thresholds.size(), Raster(sample.result.grid));
+            const study::ProbabilityEstimate estimate(sample.result.finished);
+            study::for_each_reached_cell(sample.result.finished, events.quantity, sample.result.grid,
+                                         [&](std::size_t cell, std::span<const float> values) {
+                                             for (std::size_t t = 0; t < maps.size(); ++t) {
+                                                 const study::Probability p = estimate.of(values, events.thresholds[t]);
+                                                 if (!(p.value > 0 && p.value < 1)) continue;
+                                                 maps[t].values[cell] = p.value;
+                                                 squares_ += p.value * p.value;
+                                                 said_ += p.error * p.error;
+                                                 count_ += 1;
+                                             }
+                                         });
+            maps_.push_back(std::move(maps));
+        }
+    }
+    /// Mean squares over these places.
+    struct Squares {
+        double error = 0;  ///< of the difference from the reference
+        double said = 0;   ///< of the standard error that the study itself states
+    };
+    [[nodiscard]] Squares of(const StudyResult& result) const {
+        Squares sum{squares_, 0};  // as if nothing were reached
+        const study::ProbabilityEstimate estimate(result.finished);
+        for (std::size_t e = 0; e < events_.size(); ++e) {
+            study::for_each_reached_cell(result.finished, events_[e].quantity, result.grid,
+                                         [&](std::size_t cell, std::span<const float> values) {
+                                             for (std::size_t t = 0; t < maps_[e].size(); ++t) {
+                                                 const double exact = maps_[e][t].values[cell];
+                                                 if (exact == 0) continue;
+                                                 const study::Probability p =
+                                                     estimate.of(values, events_[e].thresholds[t]);
+                                                 sum.error += (p.value - exact) * (p.value - exact) - exact * exact;
+                                                 sum.said += p.error * p.error;
+                                             }
+                                         });
+        }
+        return {sum.error / count_, sum.said / count_};
+    }
+    [[nodiscard]] double own_error() const { return std::sqrt(said_ / count_); }
+    [[nodiscard]] double places() const noexcept { return count_; }
+
+  private:
+    std::vector<MappedEvents> events_;
+    std::vector<std::vector<Raster>> maps_;
+    double squares_ = 0, said_ = 0, count_ = 0;
+};
+
+/// A method with one number of members: means over the seeds.
+struct Row {
+    const Method* method;
+    std::int64_t samples = 0;
+    double runs = 0, particle_steps = 0, seconds = 0;
+    double error = 0;                             ///< root of the mean square
+    double said = 0;                              ///< standard error as the study states it, likewise
+    double at_equal_cost = 0, at_equal_time = 0;  ///< error over that of plain Monte Carlo
+
+    /// Plain Monte Carlo's error falls with the root of the cost; these are its error's squares at a cost of 1.
+    void compare(double plain_by_cost, double plain_by_time) {
+        at_equal_cost = error / std::sqrt(plain_by_cost / particle_steps);
+        at_equal_time = error / std::sqrt(plain_by_time / seconds);
+    }
+};
+
+Row measure(StudyInput& input, const Method& method, std::int64_t samples, const Extent& extent,
+            std::int64_t first_seed, int threads, const Reference& reference, const Scratch& scratch) {
+    Row row{&method, samples};
+    for (int i = 0; i < extent.seeds; ++i) {
+        const Sample sample = run_study(input, method, samples, first_seed + 1 + i, threads, scratch);
+        const Reference::Squares squares = reference.of(sample.result);
+        row.runs += static_cast<double>(sample.result.members.size()) / extent.seeds;
+        row.particle_steps += sample.particle_steps / extent.seeds;
+        row.seconds += sample.seconds / extent.seeds;
+        row.error += squares.error / extent.seeds;
+        row.said += squares.said / extent.seeds;
+    }
+    row.error = std::sqrt(row.error);
+    row.said = std::sqrt(row.said);
+    return row;
+}
+
+void compare_with_plain(std::vector<Row>& rows) {
+    double by_cost = 0, by_time = 0, count = 0;
+    for (const Row& row : rows) {
+        if (row.method != &k_plain) continue;
+        by_cost += row.error * row.error * row.particle_steps;
+        by_time += row.error * row.error * row.seconds;
+        count += 1;
+    }
+    for (Row& row : rows) row.compare(by_cost / count, by_time / count);
+}
+
+std::string table_text(const std::vector<Row>& rows) {
+    std::string text =
+        "sampling            samples   runs  particle-steps  engine s   error  standard error  against plain at equal\n"
+        "                                                                        as stated        cost     time\n";
+    for (const Row& row : rows) {
+        char line[200];
+        std::snprintf(line, sizeof line, "%-18s %8lld %6.0f  %14.4g %9.1f  %6.4f          %6.4f      %6.2f   %6.2f\n",
+                      row.method->name, static_cast<long long>(row.samples), row.runs, row.particle_steps, row.seconds,
+                      row.error, row.said, row.at_equal_cost, row.at_equal_time);
+        text += line;
+    }
+    return text;
+}
+
+/// The mark: half of plain Monte Carlo's error at equal time, with the most members.
+std::string verdict(const std::vector<Row>& rows, std::int64_t samples) {
+    std::string text;
+    for (const Row& row : rows) {
+        if (row.samples != samples || row.method == &k_plain) continue;
+        char line[160];
+        std::snprintf(line, sizeof line, "%-18s %.2f of plain Monte Carlo's error at equal time: half is %s\n",
+                      row.method->name, row.at_equal_time, row.at_equal_time <= 0.5 ? "reached" : "not reached");
+        text += line;
+    }
+    return text;
+}
+
+std::string csv_text(const std::vector<Row>& rows) {
+    std::string text =
+        "sampling,levels,samples,runs,particle_steps,engine_seconds,rms_error,stated_error,ratio_at_equal_cost,"
+        "ratio_at_equal_time\n";
+    for (const Row& row : rows)
+        text += study::name_of(row.method->sampling) + "," + std::to_string(row.method->levels.value_or(1)) + "," +
+                std::to_string(row.samples) + "," + shortest_text(row.runs) + "," + shortest_text(row.particle_steps) +
+                "," + shortest_text(row.seconds) + "," + shortest_text(row.error) + "," + shortest_text(row.said) +
+                "," + shortest_text(row.at_equal_cost) + "," + shortest_text(row.at_equal_time) + "\n";
+    return text;
+}
+
+render::Image picture(const std::vector<Row>& rows) {
+    render::ChartPanel panel{"Error of the probabilities", "time in the engine [s]", "root mean square error [-]", {}};
+    panel.x = panel.y = render::Scale::logarithmic;
+    constexpr render::Stroke k_strokes[] = {render::Stroke::solid, render::Stroke::dashed, render::Stroke::dotted};
+    for (const Method& method : k_methods) {
+        const auto index = static_cast<std::size_t>(&method - k_methods);
+        render::ChartSeries series{method.name, render::k_chart_colours[index], {}};
+        series.stroke = k_strokes[method.levels.value_or(1) - 1];
+        series.marker = static_cast<render::Marker>(index % 4);
+        for (const Row& row : rows)
+            if (row.method == &method) series.points.push_back({row.seconds, row.error});
+        panel.series.push_back(std::move(series));
+    }
+    return render::draw_chart({"Sampling of a study", "against a large reference", k_csv, 1, {panel}}, 1600, 1200);
+}
+
+}  // namespace
+
+int bench_ensemble(const std::string& file, const boost::program_options::variables_map& values) {
+    const int threads = thread_count(values);
+    const bool quick = values.count("quick") > 0, quiet = values.count("quiet") > 0;
+    const Extent extent = quick ? Extent{256, {16, 32}, 2} : Extent{2048, {25, 50, 100}, 4};
+    RunLog log(quiet);
+    StudyInput input = prepare_study(read_study_texts(file), std::nullopt, log);
+    if (input.reading.study.sampling == study::Sampling::table)
+        throw Error(ErrorKind::input,
+                    Problem{"has no distributions to draw from", input.reading.where("study.sampling"), "", "",
+                            "Use a study with [vary]"});
+    const auto out = bench_output(values, {k_csv, k_picture}, {input.reading.study.file, input.reading.study.scene});
+    const auto say = [&](const std::string& text) {
+        if (!quiet) std::cerr << text << '\n';
+    };
+    catch_stop_signals();
+    const std::int64_t seed = input.reading.study.seed;
+    const Scratch scratch;
+    std::vector<Row> rows;
+    try {
+        say("reference: " + std::to_string(extent.reference) + " members ...");
+        const Method sobol{"sobol", study::Sampling::sobol, {}};
+        const Reference reference(input, run_study(input, sobol, extent.reference, seed, threads, scratch));
+        std::printf("%.0f probabilities between 0 and 1, %d seeds; standard error of the reference at most %.4f\n",
+                    reference.places(), extent.seeds, reference.own_error());
+        for (const Method& method : k_methods) {
+            for (const std::int64_t samples : extent.samples) {
+                say(std::string(method.name) + ", " + std::to_string(samples) + " samples ...");
+                rows.push_back(measure(input, method, samples, extent, seed, threads, reference, scratch));
+            }
+        }
+    } catch (const StoppedBySignal&) {
+        return static_cast<int>(ExitCode::signal) + stop_signal();
+    }
+    compare_with_plain(rows);
+    std::cout << table_text(rows) << verdict(rows, extent.samples.back()) << std::flush;
+    if (out) {
+        out->begin();
+        write_text_file(out->path(k_csv), csv_text(rows));
+        render::write_png(out->path(k_picture), picture(rows));
+        out->list();
+    }
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <boost/program_options/variables_map.hpp>
+#include <string>
+
+namespace frana::app {
+
+/// `frana bench ensemble STUDY.ini`: computes maps of probability by plain, Latin hypercube, Sobol' and multilevel
+/// sampling with several numbers of members and seeds, prints their errors against a large reference and their cost,
+/// and writes ensemble.csv and ensemble.png into --out. Returns the exit code. Throws Error.
+int bench_ensemble(const std::string& study, const boost::program_options::variables_map& values);
+
+}  // namespace frana::app

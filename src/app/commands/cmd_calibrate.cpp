@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "app/calibrate/calibration_runs.h"
+#include "app/calibrate/publish_calibration.h"
+#include "app/commands/calibration_check.h"
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/memory_limit.h"
+#include "app/commands/study_check.h"
+#include "app/commands/study_command.h"
+#include "app/process/signals.h"
+#include "app/process/stopwatch.h"
+#include "app/store/result_directory.h"
+#include "app/store/result_files.h"
+#include "app/store/result_place.h"
+#include "app/store/saved_work.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "app/text/version.h"
+
+namespace frana::app {
+namespace {
+
+CommandForm calibrate_form() {
+    return study_form(
+        "calibrate",
+        "Finds the values of uncertain keys that explain one or several surveyed events, and how uncertain "
+        "they stay:\na table of weighted members that `frana ensemble` takes, with charts and a report.",
+        "that of the first scene, with -calibration", "calibration");
+}
+
+}  // namespace
+
+int cmd_calibrate(const Arguments& arguments) {
+    const Stopwatch since_start;
+    const auto values = parse_arguments(calibrate_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const int threads = thread_count(*values);
+    const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
+               resume = values->count("resume") > 0;
+    RunLog log(quiet);
+    apply_memory_limit(*values, log);
+
+    CalibrationTexts texts = read_calibration_texts((*values)["operand"].as<std::string>());
+    const auto out = text_option(*values, "out");
+    const std::string place = out.value_or(calibration_directory(texts.first_scene.scene)), target = result_path(place);
+    const std::string interrupted = interrupted_study(target);
+    const bool may_be_complete = resume && !overwrite && interrupted.empty() && has_files(target);
+    std::vector<std::string> inputs{texts.reading.calibration.study.file};
+    for (const StudyTexts& event : texts.events)
+        for (std::string& file : input_files(event.central.scene)) inputs.push_back(std::move(file));
+    std::optional<Problem> place_problem;
+    if (!may_be_complete)
+        place_problem =
+            check_result_directory(place, overwrite, inputs, out ? "--out" : "the result's place", texts.problems);
+    if (!resume && !overwrite) refuse_to_discard(target, interrupted, texts.problems);
+    log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.calibration.study.file + ", " +
+             std::to_string(threads) + " threads");
+    CalibrationInput input = prepare_calibration(std::move(texts), place_problem, log);
+    if (may_be_complete && is_complete(input.identity, target)) {
+        log.info("the calibration is complete: " + target);
+        remove_working_files(target, false, log);
+        return static_cast<int>(ExitCode::done);
+    }
+    for (const StudyInput& event : input.own)
+        refuse_study_beyond_memory(event, forecast_study(event, threads, false), threads);
+    const std::string left = resume ? interrupted : "";
+    if (!left.empty()) require_same_study(input.identity, left);
+
+    catch_stop_signals();
+    ResultDirectory directory(target, overwrite, left);
+    directory.make_folder(k_record_folder);
+    write_text_file(directory.path(k_record_identity), input.identity);
+    const auto runs = run_calibration(input, {directory.folder(), threads, quiet}, log);
+    if (!runs) {
+        log.info("the calibration was stopped after " + std::to_string(records_in(directory.folder()).size()) +
+                 " runs: the same command with --resume runs the others");
+        return static_cast<int>(ExitCode::signal) + stop_signal();
+    }
+    log.note("computed " + std::to_string(runs->computed) + " runs in " + number_text(since_start.seconds(), 3) + " s");
+    const StudyOutcome outcome = publish_calibration(input, *runs, threads, since_start, directory, log);
+    return publish_result(input.identity, outcome, directory, log);
+}
+
+}  // namespace frana::app

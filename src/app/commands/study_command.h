@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/commands/command_line.h"
+#include "app/ensemble/publish_study.h"
+#include "app/store/result_directory.h"
+#include "core/error.h"
+
+namespace frana::app {
+
+// What the commands that run many members have in common.
+
+/// Returns the form of such a command.
+/// @param what the study is called in its sentences
+CommandForm study_form(const std::string& command, const std::string& meaning, const std::string& default_place,
+                       const std::string& what);
+
+/// Adds a problem for work that an interrupted study or run has kept for this result.
+/// @param study folder of the interrupted study; empty: none
+void refuse_to_discard(const std::string& target, const std::string& study, Problems& problems);
+
+/// Throws Error(input) if the members kept in a folder belong to a study with another identity, with the differences.
+void require_same_study(const std::string& identity, const std::string& folder);
+
+/// Whether a result is complete and of the same study: nothing is left to do. Throws Error(input) if it is the finished
+/// result of another one.
+bool is_complete(const std::string& identity, const std::string& target);
+
+/// Gives a written result its name, and returns the exit code. Throws Error(environment).
+int publish_result(const std::string& identity, const StudyOutcome& outcome, ResultDirectory& directory, RunLog& log);
+
+}  // namespace frana::app

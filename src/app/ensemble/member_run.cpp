@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ensemble/member_run.h"
+
+#include "app/ensemble/mapped_events.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+/// Files that members share come from memory: reading a terrain takes longer than all other preparation.
+Scene scene_of(const StudyInput& input, const MemberTask& task) {
+    const gis::UseRemembered remember(*input.files);
+    RunLog silent(true);
+    SceneReading reading = input.scene_with(task.overrides);
+    reading.scene.scar = {};  // read once, for the maps
+    reading.scene.output.profiles.reset();
+    Scene scene = prepare(reading, silent).scene;
+    scene.time.frame_interval = 0;
+    return scene;
+}
+
+}  // namespace
+
+std::optional<study::MemberRecord> run_member(const StudyInput& input, const MemberTask& task,
+                                              const std::function<bool()>& stops) {
+    try {
+        const Scene scene = scene_of(input, task);
+        RunOptions options;
+        options.stop_requested = stops;
+        const RunResult result = run(scene, options);
+        if (result.stop_reason == StopReason::requested) return std::nullopt;
+        study::RecordExtras extras = record_extras(input.base.spec);
+        extras.final_depth = input.keeps_final_depth;
+        return study::record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::environment) throw;
+        study::MemberRecord record = study::empty_record(task.member, input.base.scene.grid);
+        record.failure = describe(error.problems().front());
+        return record;
+    }
+}
+
+}  // namespace frana::app

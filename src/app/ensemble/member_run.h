@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/ensemble/study_input.h"
+#include "study/member_record.h"
+
+namespace frana::app {
+
+/// A member and its values; the study's table need not have it.
+struct MemberTask {
+    std::size_t member = 0;
+    std::vector<std::string> overrides;  ///< "key=value"
+};
+
+/// Runs a member on one thread, as `frana run` computes it; several may run at once. A member that cannot be prepared
+/// or ends early has failed, and its record says why. Returns none if `stops` said so before its end. Throws
+/// Error(environment).
+std::optional<study::MemberRecord> run_member(const StudyInput& input, const MemberTask& task,
+                                              const std::function<bool()>& stops);
+
+}  // namespace frana::app

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/calibration_spec.h"
+#include "study/sampling.h"
+
+namespace frana::study {
+
+/// The misfit that counts as perfect: cells and surveys are not more exact.
+inline constexpr double k_least_misfit = 0.01;
+
+/// Number of members with equal weights that would tell as much: (sum w)^2 / sum w^2; 0 without weight.
+double effective_count(const std::vector<double>& weights);
+
+/// Misfits by member and event; NaN: the member failed there.
+using Misfits = std::vector<std::vector<double>>;
+
+/// Returns the weights of members given the surveys, with a sum of 1:
+///
+///     w_i ~ prod_e max(D_ie, 0.01)^-N / q_i
+///
+/// D_ie misfit of member i at event e, q_i density from which it was drawn. (sum |d|)^-N is the likelihood of N
+/// independent Laplace-distributed errors d of unknown scale with Jeffreys' prior for the scale, and the form of Beven
+/// and Binley (1992). Those below 1e-4 of the greatest are 0, as are those of failed members; all 0 if none is left.
+/// @param without an event whose survey is not used
+std::vector<double> posterior_weights(const Misfits& misfits, const std::vector<double>& density, double exponent,
+                                      std::optional<std::size_t> without = std::nullopt);
+
+/// Effective number of members that a posterior needs at least: with fewer its intervals would be as narrow as the
+/// members are few.
+inline constexpr double k_least_effective = 8;
+/// Returns the exponent, or the greatest below it with which the effective number of members is k_least_effective, or a
+/// quarter of those that finished where they are fewer than 32: tempering, as in sequential Monte Carlo (Del Moral,
+/// Doucet and Jasra 2006).
+double supported_exponent(const Misfits& misfits, const std::vector<double>& density, double exponent,
+                          std::optional<std::size_t> without = std::nullopt);
+
+/// Returns the member that explains the surveys best, whatever its weight in the design; none if all failed.
+std::optional<std::size_t> best_member(const Misfits& misfits, std::optional<std::size_t> without = std::nullopt);
+
+/// What the surveys say of one key.
+struct KeyPosterior {
+    std::string key, event;  ///< event: empty if all share the key
+    bool nominal = false;
+    double low = 0, median = 0, high = 0;  ///< 5, 50, 95 % of the weight
+    double prior_low = 0, prior_high = 0;  ///< the same of the distribution
+    /// Width of the interval in places of the distribution, over 0.9, that of the distribution itself.
+    double width = 1;
+    std::vector<std::pair<std::string, double>> values;  ///< of a choice: probabilities
+
+    /// Whether its interval is clearly narrower than before; choices and fields have none.
+    [[nodiscard]] bool determined() const noexcept;
+};
+
+/// Two keys that the surveys cannot tell apart.
+struct IndistinctPair {
+    std::size_t first = 0, second = 0;  ///< places in the list of keys
+    double correlation = 0;             ///< weighted, of the places in the distributions
+};
+
+/// Width of an interval, in units of the prior's, from which a key counts as not determined.
+inline constexpr double k_undetermined_width = 0.8;
+/// Correlation from which two keys count as not told apart.
+inline constexpr double k_indistinct_correlation = 0.6;
+
+/// One key of a calibration: its prior and its values in the members.
+struct KeySample {
+    std::string key, event;
+    Distribution prior;
+    std::vector<double> places, numbers;  ///< by member
+    std::vector<std::string> texts;
+};
+
+std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, const std::vector<double>& weights);
+/// Returns the pairs of keys with an order, the most correlated first.
+std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys, const std::vector<double>& weights);
+
+/// Returns plain sentences on what the surveys tell and do not tell.
+std::vector<std::string> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs,
+                                   double effective);
+
+}  // namespace frana::study

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/calibration_spec.h"
+
+namespace frana::study {
+
+const char* source_of(Evidence evidence) {
+    switch (evidence) {
+        case Evidence::scar:
+            return "scar.perimeter in the scene";
+        case Evidence::runout:
+            return "scar.perimeter in the scene, or runout in [event NAME]";
+        case Evidence::deposit:
+            return "scar.deposit in the scene";
+        case Evidence::elevation_change:
+            return "scar.deposit in the scene, as a raster";
+        case Evidence::arrival:
+            return "arrival GAUGE in [event NAME]";
+        case Evidence::speed:
+            return "speed GAUGE in [event NAME]";
+        case Evidence::depth:
+            break;
+    }
+    return "depth GAUGE in [event NAME]";
+}
+
+std::size_t CalibrationSpec::key_count() const {
+    return first_own_key(events.size());
+}
+
+std::size_t CalibrationSpec::first_own_key(std::size_t event) const {
+    std::size_t keys = study.vary.size();
+    for (std::size_t e = 0; e < event; ++e) keys += events[e].vary.size();
+    return keys;
+}
+
+}  // namespace frana::study

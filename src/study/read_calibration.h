@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/error.h"
+#include "study/calibration_spec.h"
+
+namespace frana::study {
+
+/// A calibration as far as its file could be read, and all its problems.
+struct CalibrationReading {
+    CalibrationSpec calibration;
+    Problems problems;
+    std::string label;  ///< the file as the user named it
+
+    /// Returns where a key is given, for messages: "study.ini: objective.jaccard".
+    [[nodiscard]] std::string where(const std::string& name) const { return label + ": " + name; }
+};
+
+/// Whether a study is a calibration: it has a section [objective] or [event NAME]. Throws Error(input) as read_ini.
+bool is_calibration(const std::string& path);
+
+/// Reads a calibration's file; every problem is collected, those of [set] and [vary] as read_study() finds them. Throws
+/// Error(input) only if the file is no INI.
+CalibrationReading read_calibration(const std::string& path);
+
+/// Returns the file with every key, its meaning and the distributions as used; reading it back gives the same.
+std::string calibration_text(const CalibrationSpec& calibration);
+
+}  // namespace frana::study

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gis/access/table_in.h"
+#include "gis/raster/raster_in.h"
+#include "started_program.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+
+/// members.csv by row and column.
+using Rows = std::vector<std::map<std::string, std::string>>;
+
+class Ensemble : public TinyScene {
+  protected:
+    Ensemble() { write_scene("stop-when-still = off\n" + k_numbers_only); }
+
+    void write_study(const std::string& head, const std::string& rest) const {
+        write("study.ini", "[study]\nscene = scene.ini\n" + head + rest);
+    }
+    [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"ensemble", "study.ini", "--out", "out", "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return frana(arguments);
+    }
+    [[nodiscard]] std::vector<std::string> records() const {
+        std::vector<std::string> names;
+        try {
+            for (const std::string& name : files())
+                if (name.find("/records/record_") != std::string::npos && name.find("partial-") != std::string::npos)
+                    names.push_back(name);
+        } catch (const std::filesystem::filesystem_error&) {  // a folder went while it was read
+            names.clear();
+        }
+        return names;
+    }
+    /// Starts the study and sends a signal as soon as so many members have their record.
+    [[nodiscard]] Outcome stop_after(std::size_t members, int signal_number) const {
+        StartedProgram program(folder_.string(), {"ensemble", "study.ini", "--out", "out", "--threads", "2"});
+        EXPECT_TRUE(program.wait_until([&] { return records().size() >= members; }));
+        program.send(signal_number);
+        return program.wait();
+    }
+    [[nodiscard]] Rows members(const std::string& result = "out") const {
+        const gis::Table table = gis::read_table(path(result + "/members.csv"), "members");
+        Rows rows;
+        for (const auto& cells : table.rows) {
+            auto& row = rows.emplace_back();
+            for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
+        }
+        return rows;
+    }
+    [[nodiscard]] double probability(const std::string& name, int row, int column) const {
+        return gis::read_result_raster(path("out/" + name + ".tif")).at(row, column);
+    }
+    /// Everything that must not differ: rasters with their styles, tables without wall times.
+    [[nodiscard]] std::map<std::string, std::string> lasting(const std::string& result) const {
+        std::map<std::string, std::string> files;
+        for (const std::string& name : TinyScene::files()) {
+            if (!name.starts_with(result + "/")) continue;
+            const std::string rest = name.substr(result.size() + 1);
+            if (rest.ends_with(".tif") || rest.ends_with(".qml") || rest == "sensitivity.csv" || rest == "study.ini")
+                files[rest] = read_text(path(name));
+        }
+        std::string rows;
+        for (auto row : members(result)) {
+            row.erase("engine_seconds");
+            for (const auto& [key, value] : row) rows += key + "=" + value + ";";
+        }
+        files["members"] = rows;
+        return files;
+    }
+    void expect_same(const std::string& a, const std::string& b) const {
+        const auto first = lasting(a), second = lasting(b);
+        EXPECT_GT(first.size(), 20U);
+        EXPECT_EQ(first.size(), second.size());
+        for (const auto& [name, content] : first)
+            EXPECT_TRUE(second.count(name) > 0 && second.at(name) == content) << name;
+    }
+};
+
+inline const std::string k_two_keys =
+    "[vary]\nmaterial.friction-angle = uniform(10, 20)\nmaterial.turbulence = log-uniform(300, 3000)\n";
+
+}  // namespace frana::test

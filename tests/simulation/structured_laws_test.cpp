@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene's choices become in the structured model, and what its run counts.
+#include "simulation/structured_laws.h"
+
+#include <gtest/gtest.h>
+
+#include "played_runs.h"
+#include "simulation/structured_flow.h"
+
+namespace frana {
+namespace {
+
+TEST(StructuredLaws, EveryChoiceArrives) {
+    Scene scene = breaking();
+    StructuredMaterial& m = *scene.structured;
+    const auto laws = [&] { return structured_laws(m, scene.numerics, scene.grid); };
+    const structured::Laws usual = laws();
+    EXPECT_EQ(usual.coupling.drag.exponent_of, structured::RichardsonZaki::constant);
+    EXPECT_EQ(usual.coupling.drag.mixing, structured::DragMixing::quotient);
+    EXPECT_EQ(usual.coupling.virtual_mass.law, structured::VirtualMassLaw::pudasaini_2012);
+    EXPECT_EQ(usual.solid.earth_pressure, structured::EarthPressure::hydrostatic);
+    EXPECT_EQ(usual.solid.broken, structured::BrokenMaterial::earth_pressure);
+    EXPECT_FALSE(usual.solid.strength_of_particle_stress);
+    m.exponent_by_grains = m.mixing_by_solids = m.yield_on_own_stress = m.broken_is_elastic = true;
+    m.virtual_mass = StructuredMaterial::VirtualMass::pudasaini_2019;
+    m.earth_pressure = StructuredMaterial::EarthPressure::passive;
+    m.initial_structured = 0.7;
+    m.pic_fraction = 0.05;
+    m.modulus_reduction = 4;
+    const structured::Laws chosen = laws();
+    EXPECT_EQ(chosen.coupling.drag.exponent_of, structured::RichardsonZaki::by_grains);
+    EXPECT_EQ(chosen.coupling.drag.mixing, structured::DragMixing::solids_fraction);
+    EXPECT_EQ(chosen.coupling.virtual_mass.law, structured::VirtualMassLaw::pudasaini_2019);
+    EXPECT_EQ(chosen.solid.earth_pressure, structured::EarthPressure::passive);
+    EXPECT_EQ(chosen.solid.broken, structured::BrokenMaterial::elastic);
+    EXPECT_TRUE(chosen.solid.strength_of_particle_stress);
+    EXPECT_EQ(chosen.solid.initial_structured, 0.7);
+    EXPECT_EQ(chosen.solid.pic_fraction, 0.05);
+    EXPECT_DOUBLE_EQ(chosen.solid.elastic.shear, usual.solid.elastic.shear / 4);
+}
+
+// Loose material on a plain, too low for its friction to let it spread: nothing moves, and nothing is counted.
+TEST(StructuredRun, DoesNotCountWhatRests) {
+    Scene scene = loose_and_dry();
+    for (double& z : scene.terrain.values) z = 0;
+    scene.release[0].thickness = 0.2;
+    scene.structured->bed_friction = 0.6;
+    const Release release = make_release(scene);
+    StructuredFlow flow(release.bed_at_start, scene.walls, *scene.structured, scene.numerics, release.particles, 1);
+    for (int i = 0; i < 5; ++i) flow.advance(0.1);
+    EXPECT_GT(flow.particle_count(), 100);
+    EXPECT_EQ(flow.steps(), 5);
+    EXPECT_EQ(flow.particle_steps(), 0);
+}
+
+}  // namespace
+}  // namespace frana
