@@ -25,8 +25,9 @@ bool is_picture(const std::string& path) {
 bool is_result(const std::string& path) {
     return path.rfind("out/r/", 0) == 0 && !is_users(path) && path.find("partial") == std::string::npos &&
            path.find("/checkpoint/") == std::string::npos &&
-           !path.ends_with("/manifest.json") &&   // it lists checkpoints
-           !path.ends_with("/being_built.json");  // removed when the result has its name
+           path.find("/records/") == std::string::npos &&  // working files
+           !path.ends_with("/manifest.json") &&            // it lists checkpoints
+           !path.ends_with("/being_built.json");           // removed when the result has its name
 }
 
 // A user's file that the program had to leave beside the result; the next run moves it into the result.
