@@ -14,11 +14,11 @@
 #include "app/ensemble/study_tables.h"
 #include "app/store/result_files.h"
 #include "app/store/saved_work.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "core/shortest_text.h"
 #include "gis/raster/rasterize.h"
-#include "gis/vector/vector_out.h"
 
 namespace frana::app {
 namespace {
@@ -81,7 +81,7 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
             feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
         layer.features.push_back(std::move(feature));
     }
-    gis::write_outlines(path, result.grid.crs_wkt, {layer});
+    write_result_outlines(path, result.grid.crs_wkt, {layer});
 }
 
 bool is_kept(study::Keep keep, const MemberResult& member) {
