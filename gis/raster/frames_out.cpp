@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "gis/access/gdal_session.h"
+#include "gis/access/time_origin.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/zarr_metadata.h"
 
@@ -87,7 +88,7 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
                               {"standard_name", "time"},
                               {"calendar", "proleptic_gregorian"},
                               {"axis", "T"}},
-                             std::string("seconds since ") + k_time_origin + " 00:00:00");
+                             "seconds since " + date_text(0).substr(0, 10) + " 00:00:00");
     const auto north = p.axis("y", GDAL_DIM_TYPE_HORIZONTAL_Y, "NORTH", y,
                               {{"standard_name", "projection_y_coordinate"}, {"axis", "Y"}}, "m");
     const auto east = p.axis("x", GDAL_DIM_TYPE_HORIZONTAL_X, "EAST", x,

@@ -10,14 +10,12 @@
 
 namespace frana::gis {
 
-/// Times of frames begin here: CF conventions and QGIS need a date, and a scene has none.
-inline constexpr const char* k_time_origin = "2000-01-01";
-
 enum class StackFormat { netcdf, zarr };
 
 /// Frames as arrays (time, y, x) in one NetCDF-4 file or Zarr (version 2) folder, following the CF conventions (1.8):
-/// time as a date from k_time_origin, coordinates of cell centres with standard names, units, grid mapping, _FillValue -9999. Depth and velocity, Float32,
-/// compressed. Frames are written one by one, so that memory contains only one.
+/// time as a date (gis/access/time_origin.h), coordinates of cell centres with standard names, units, grid mapping,
+/// _FillValue -9999. Depth and velocity, Float32, compressed. Frames are written one by one, so that memory contains
+/// only one.
 class FrameStack {
   public:
     /// Creates the file or folder. `times` [s] of all frames to come. Throws Error(environment).

@@ -5,8 +5,8 @@
 #include <cpl_vsi.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <sstream>
 
@@ -15,24 +15,13 @@
 #include "core/markup.h"
 #include "core/shortest_text.h"
 #include "gis/access/gdal_session.h"
-#include "gis/raster/frames_out.h"
+#include "gis/access/time_origin.h"
 
 namespace frana::gis {
 namespace {
 
 std::string element(const std::string& name, const std::string& text) {
     return "<" + name + ">" + escaped_markup(text) + "</" + name + ">";
-}
-
-/// Returns "2000-01-01T00:01:30.500Z" for 90.5.
-std::string date_text(double seconds) {
-    const auto milliseconds = static_cast<long long>(std::llround(seconds * 1000));
-    const long long days = milliseconds / 86'400'000, of_day = milliseconds % 86'400'000;
-    // Of a run: well below the 31 days of the origin's month.
-    char text[48];
-    std::snprintf(text, sizeof text, "%.8s%02lldT%02lld:%02lld:%02lld.%03lldZ", k_time_origin, 1 + days,
-                  of_day / 3'600'000, of_day / 60'000 % 60, of_day / 1000 % 60, of_day % 1000);
-    return text;
 }
 
 std::string crs_element(const std::string& wkt) {
@@ -90,10 +79,11 @@ class Document {
   private:
     void add(const ProjectGroup& group) {
         const auto state = [](bool on) { return on ? "Qt::Checked" : "Qt::Unchecked"; };
-        tree_ += "    <layer-tree-group name=\"" + escaped_markup(group.name) + "\" checked=\"" +
-                 state(group.visible) + "\" expanded=\"" + (group.expanded ? "1" : "0") + "\">\n";
+        tree_ += "    <layer-tree-group name=\"" + escaped_markup(group.name) + "\" checked=\"" + state(group.visible) +
+                 "\" expanded=\"" + (group.expanded ? "1" : "0") + "\">\n";
         for (const ProjectLayer& layer : group.layers) {
-            const std::string id = "layer_" + std::to_string(++count_);
+            // QGIS replaces ids of up to ten letters, and then does not find the layers of the tree.
+            const std::string id = "frana_layer_" + std::to_string(++count_);
             const std::string source = source_of(layer);
             tree_ += "      <layer-tree-layer id=\"" + id + "\" name=\"" + escaped_markup(layer.title) +
                      "\" source=\"" + escaped_markup(source) + "\" providerKey=\"" +
@@ -177,7 +167,8 @@ std::string hillshade_style() {
     return qml_document(
         "  <pipe>\n    <rasterrenderer type=\"hillshade\" band=\"1\" azimuth=\"315\" angle=\"45\" zfactor=\"1\" "
         "multidirection=\"0\" opacity=\"1\" alphaBand=\"-1\" nodataColor=\"\"/>\n    <brightnesscontrast "
-        "brightness=\"40\"/>\n    <huesaturation/>\n    <rasterresampler maxOversampling=\"2\"/>\n  </pipe>\n");
+        "brightness=\"40\"/>\n    <huesaturation/>\n    <rasterresampler "
+        "zoomedInResampler=\"bilinear\" zoomedOutResampler=\"bilinear\" maxOversampling=\"2\"/>\n  </pipe>\n");
 }
 
 }  // namespace frana::gis

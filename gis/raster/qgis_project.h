@@ -14,12 +14,13 @@ namespace frana::gis {
 /// A layer of a project. Files are named relative to the project's folder, so that the folder can be moved.
 struct ProjectLayer {
     std::string title;
-    std::string file;               ///< "max_depth.tif", "extent.gpkg"
-    std::string layer{};            ///< of a GeoPackage; empty: a raster
-    Shape shape = Shape::area;      ///< of its features
-    std::string style{};            ///< QML document; empty: QGIS's own choice
+    std::string file;           ///< "max_depth.tif", "extent.gpkg"
+    std::string layer{};        ///< of a GeoPackage; empty: a raster
+    Shape shape = Shape::area;  ///< of its features
+    std::string style{};        ///< QML document; empty: QGIS's own choice
     bool visible = false;
-    std::optional<std::pair<double, double>> seconds{};  ///< shown from the first to before the second, after k_time_origin
+    std::optional<std::pair<double, double>>
+        seconds{};  ///< shown from the first to before the second (gis/access/time_origin.h)
 };
 
 struct ProjectGroup {

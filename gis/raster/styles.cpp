@@ -66,7 +66,8 @@ std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, S
 std::string sld(const std::string& name, const std::string& title, const std::vector<ColourStop>& stops,
                 const std::string& unit, StyleKind kind) {
     std::ostringstream out;
-    out << "        <Rule>\n          <RasterSymbolizer>\n            <ColorMap type=\"" << sld_map_type(kind) << "\">\n";
+    out << "        <Rule>\n          <RasterSymbolizer>\n            <ColorMap type=\"" << sld_map_type(kind)
+        << "\">\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
         // The same open end as in the QGIS style, as the largest Float32 number.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
@@ -95,12 +96,12 @@ std::string polygon_qml(const std::string& attribute, const std::vector<ColourSt
                 << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
                 << "          <prop k=\"outline_style\" v=\"no\"/>\n        </layer>\n      </symbol>\n";
     }
-    out << "    </categories>\n    <symbols>\n"
-        << symbols.str() << "    </symbols>\n  </renderer-v2>\n";
+    out << "    </categories>\n    <symbols>\n" << symbols.str() << "    </symbols>\n  </renderer-v2>\n";
     return qml_document(out.str());
 }
 
-std::string polygon_sld(const std::string& name, const std::string& title, const std::string& attribute, const std::vector<ColourStop>& stops) {
+std::string polygon_sld(const std::string& name, const std::string& title, const std::string& attribute,
+                        const std::vector<ColourStop>& stops) {
     std::ostringstream out;
     for (const ColourStop& stop : stops) {
         out << "        <Rule>\n          <Name>" << escaped_markup(stop.label) << "</Name>\n          <ogc:Filter>\n"

@@ -46,8 +46,7 @@ void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
 bool write_layer_styles(GDALDataset& dataset, const std::vector<LayerStyle>& styles) {
     OGRLayer* table = dataset.CreateLayer(k_style_table, nullptr, wkbNone, nullptr);
     if (!table) return false;
-    const auto column = [&](const char* name, OGRFieldType type, int width = 0,
-                            OGRFieldSubType subtype = OFSTNone) {
+    const auto column = [&](const char* name, OGRFieldType type, int width = 0, OGRFieldSubType subtype = OFSTNone) {
         OGRFieldDefn field(name, type);
         field.SetWidth(width);
         field.SetSubType(subtype);

@@ -121,9 +121,10 @@ void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, co
     std::vector<LayerStyle> styles;
     add_styles(layers, Shape::area, styles);
     write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
-        return std::all_of(layers.begin(), layers.end(), [&](const OutlineLayer& layer) {
-                   return write_layer<OutlineKind>(dataset, crs, layer.name, layer.features);
-               }) &&
+        return std::all_of(layers.begin(), layers.end(),
+                           [&](const OutlineLayer& layer) {
+                               return write_layer<OutlineKind>(dataset, crs, layer.name, layer.features);
+                           }) &&
                write_layer_styles(dataset, styles);
     });
 }
@@ -138,9 +139,10 @@ void write_lines_and_points(const std::string& gpkg_path, const std::string& crs
                            [&](const LineLayer& layer) {
                                return write_layer<LineKind>(dataset, crs, layer.name, layer.features);
                            }) &&
-               std::all_of(points.begin(), points.end(), [&](const PointLayer& layer) {
-                   return write_layer<PointKind>(dataset, crs, layer.name, layer.features);
-               }) &&
+               std::all_of(points.begin(), points.end(),
+                           [&](const PointLayer& layer) {
+                               return write_layer<PointKind>(dataset, crs, layer.name, layer.features);
+                           }) &&
                write_layer_styles(dataset, styles);
     });
 }

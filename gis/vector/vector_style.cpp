@@ -72,10 +72,11 @@ std::string sld_rule(Shape shape, const VectorLook& look) {
     } else {
         const char* const element = shape == Shape::area ? "PolygonSymbolizer" : "LineSymbolizer";
         const double width = look.width_mm * k_pixels_per_mm;
-        text += std::string("<") + element + "><Stroke>" + css("stroke", hex(look.colour)) +
-                css("stroke-width", shortest_text(width)) +
-                (look.dashed ? css("stroke-dasharray", shortest_text(4 * width) + " " + shortest_text(2 * width)) : "") +
-                "</Stroke></" + element + ">\n";
+        text +=
+            std::string("<") + element + "><Stroke>" + css("stroke", hex(look.colour)) +
+            css("stroke-width", shortest_text(width)) +
+            (look.dashed ? css("stroke-dasharray", shortest_text(4 * width) + " " + shortest_text(2 * width)) : "") +
+            "</Stroke></" + element + ">\n";
     }
     if (!look.label.empty())
         text += "          <TextSymbolizer><Label><ogc:PropertyName>" + escaped_markup(look.label) +

@@ -112,17 +112,16 @@ int custom(const HazardLimits& limits, const HazardQuantities& q, std::size_t i)
 
 HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) {
     if (name == "swiss-debris-flow")
-        return {name,
-                k_swiss,
-                {{2, "Medium intensity",
-                  up_to(k_depth, k_debris_depth, k_metres) + " or " +
-                      up_to(k_speed, k_debris_speed, k_metres_per_second),
-                  k_middle},
-                 {3, "High intensity",
-                  over(k_depth, k_debris_depth, k_metres) + " and " +
-                      over(k_speed, k_debris_speed, k_metres_per_second),
-                  k_dark}},
-                {}};
+        return {
+            name,
+            k_swiss,
+            {{2, "Medium intensity",
+              up_to(k_depth, k_debris_depth, k_metres) + " or " + up_to(k_speed, k_debris_speed, k_metres_per_second),
+              k_middle},
+             {3, "High intensity",
+              over(k_depth, k_debris_depth, k_metres) + " and " + over(k_speed, k_debris_speed, k_metres_per_second),
+              k_dark}},
+            {}};
     if (name == "swiss-flood")
         return {name,
                 k_swiss,
@@ -136,11 +135,13 @@ HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) 
     if (name == "austrian-torrent")
         return {name,
                 "BMLFUW (2011): Richtlinie fuer die Gefahrenzonenplanung, Vienna (torrents, design event)",
-                {{1, "Yellow zone",
+                {{1,
+                  "Yellow zone",
                   over("energy head", k_torrent_head, k_metres, " < ") + " and " +
                       over("deposit", k_torrent_deposit, k_metres, " < "),
                   {255, 221, 51}},
-                 {2, "Red zone",
+                 {2,
+                  "Red zone",
                   over("energy head", k_torrent_head, k_metres, " \u2265 ") + " or " +
                       over("deposit", k_torrent_deposit, k_metres, " \u2265 "),
                   {215, 25, 28}}},

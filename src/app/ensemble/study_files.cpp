@@ -52,7 +52,7 @@ class MapWriter {
         if (!row.is_drawn()) return;
         const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
         gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
-                          gis::StyleKind::classed);
+                          gis::StyleKind::classed, text_for(row, row.title, name));
     }
 
     const ResultDirectory& directory_;

@@ -88,8 +88,8 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool 
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
     const auto probability = probability_of(text);
-    const bool is_known = probability ? set_from_table(*probability, classes, layer)
-                                      : !foreign && set_from_table(kind, classes, layer);
+    const bool is_known =
+        probability ? set_from_table(*probability, classes, layer) : !foreign && set_from_table(kind, classes, layer);
     if (!is_known) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;

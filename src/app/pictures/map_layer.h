@@ -29,8 +29,8 @@ struct MapLayer {
 };
 
 /// Reads the first band of a raster. How it is drawn depends on the known names of frana's own files and on the file's
-/// texts (description, unit, classes with colours, TIME_S); `classes`: as the scene chose them. `foreign`: a file of another program, in which a value of 0
-/// means no flow. Throws Error(input).
+/// texts (description, unit, classes with colours, TIME_S); `classes`: as the scene chose them. `foreign`: a file of
+/// another program, in which a value of 0 means no flow. Throws Error(input).
 MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool foreign = false);
 
 /// Returns the name of the map of probability that a file contains, whatever the file's own name; none for others.

@@ -27,13 +27,15 @@ std::string release_words(const MapSource& source) {
     constexpr std::size_t k_most = 4, k_longest = 60;  // names; letters
     if (source.release_names.empty() || source.release_names.size() > k_most) return "Release";
     std::string words = "Release: ";
-    for (std::size_t i = 0; i < source.release_names.size(); ++i) words += (i > 0 ? ", " : "") + source.release_names[i];
+    for (std::size_t i = 0; i < source.release_names.size(); ++i)
+        words += (i > 0 ? ", " : "") + source.release_names[i];
     return elided(valid_utf8(words), k_longest);
 }
 
 std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) {
     std::vector<render::Outline> outlines = source.marks;
-    if (!source.release.empty()) outlines.push_back({release_words(source), source.release, k_release_colour, 2.5, true});
+    if (!source.release.empty())
+        outlines.push_back({release_words(source), source.release, k_release_colour, 2.5, true});
     if (!source.scar.empty()) {
         outlines.push_back({"Surveyed scar", source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
     }

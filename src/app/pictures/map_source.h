@@ -58,9 +58,9 @@ struct MapSource {
     std::function<Point(Point)> longitude_latitude;
     MultiPolygon release;
     std::vector<std::string> release_names{};  ///< that its polygons have in the user's file
-    MultiPolygon scar;                   ///< empty: none
-    std::vector<render::Outline> marks;  ///< zones, gauges, sections, profiles
-    bool foreign = false;                ///< computed by another program
+    MultiPolygon scar;                         ///< empty: none
+    std::vector<render::Outline> marks;        ///< zones, gauges, sections, profiles
+    bool foreign = false;                      ///< computed by another program
     MapStyle style;
 };
 

@@ -57,8 +57,7 @@ void note_volumes(const RunResult& result, RunLog& log) {
     for (std::size_t i = 0; i < result.released.size(); ++i) {
         const ReleasedArea& area = result.released[i];
         std::string text = "release area " + std::to_string(i + 1) + (area.name.empty() ? "" : " '" + area.name + "'") +
-                           ": " + grouped(area.volume) + " m3 from " +
-                           grouped(area.area) + " m2";
+                           ": " + grouped(area.volume) + " m3 from " + grouped(area.area) + " m2";
         if (area.start > 0) text += ", at " + shortest_text(area.start) + " s";
         if (!area.failed) {
             log.warn(text + ": not before the end of the run");

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
-
 #include "app/pictures/result_reader.h"
+#include "app/store/layers.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
@@ -54,9 +54,9 @@ class ProjectWriter {
             if (!group.layers.empty()) project.groups.push_back(group);
         for (const ResultRaster* row : frame_rasters(result_)) project.groups.push_back(frames(*row));
         if (result_.has(raster_file("dtm")))
-            project.groups.push_back({"Terrain",
-                                      {{named("Terrain"), raster_file("dtm"), "", gis::Shape::area,
-                                        gis::hillshade_style(), true, {}}}});
+            project.groups.push_back(
+                {"Terrain",
+                 {{named("Terrain"), raster_file("dtm"), "", gis::Shape::area, gis::hillshade_style(), true, {}}}});
         gis::write_qgis_project(result_.path(k_project_file), project);
     }
 
@@ -69,8 +69,13 @@ class ProjectWriter {
         for (const VectorLayer& row : vector_layers()) {
             if (!result_.has(row.file) || !gis::has_layer(result_.path(row.file), row.name, "RESULT_DIR")) continue;
             const bool visible = row.file == k_outlines_file || row.file == k_gauge_places;
-            group.layers.push_back({named(row.title), row.file, row.name, row.shape,
-                                    gis::style_of(row.name, row.shape, row.look).qml, visible, {}});
+            group.layers.push_back({named(row.title),
+                                    row.file,
+                                    row.name,
+                                    row.shape,
+                                    gis::style_of(row.name, row.shape, row.look).qml,
+                                    visible,
+                                    {}});
         }
         return group;
     }
@@ -78,9 +83,13 @@ class ProjectWriter {
     [[nodiscard]] gis::ProjectGroup maps() const {
         gis::ProjectGroup group{named("Maps"), {}};
         if (result_.has(k_hazard_zones_file))
-            group.layers.push_back({named("Zones of intensity"), k_hazard_zones_file,
-                                    fs::path(k_hazard_zones_file).stem().string(), gis::Shape::area,
-                                    style_beside(k_hazard_zones_file), false, {}});
+            group.layers.push_back({named("Zones of intensity"),
+                                    k_hazard_zones_file,
+                                    fs::path(k_hazard_zones_file).stem().string(),
+                                    gis::Shape::area,
+                                    style_beside(k_hazard_zones_file),
+                                    false,
+                                    {}});
         const std::vector<std::string> names = result_.drawable();
         const bool has_shown = std::find(names.begin(), names.end(), k_shown) != names.end();
         for (const std::string& name : names) {
@@ -92,8 +101,8 @@ class ProjectWriter {
                     title += ", scheme " + scheme->second;
             }
             const bool visible = has_shown ? name == k_shown : name == names.front();
-            group.layers.push_back({named(title), raster_file(name), "", gis::Shape::area,
-                                    style_beside(raster_file(name)), visible, {}});
+            group.layers.push_back(
+                {named(title), raster_file(name), "", gis::Shape::area, style_beside(raster_file(name)), visible, {}});
         }
         return group;
     }
@@ -104,8 +113,9 @@ class ProjectWriter {
         const std::vector<StoredFrame>& all = result_.frames();
         const std::string style = style_beside(frame_style(row.name) + ".tif");
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const double step = all.size() < 2 ? 1 : i + 1 < all.size() ? all[i + 1].time - all[i].time
-                                                                         : all[i].time - all[i - 1].time;
+            const double step = all.size() < 2       ? 1
+                                : i + 1 < all.size() ? all[i + 1].time - all[i].time
+                                                     : all[i].time - all[i - 1].time;
             const std::string file =
                 std::string(k_frame_folder) + "/" + fs::path(all[i].raster_file(row.name)).filename().string();
             group.layers.push_back({named(with_unit(row.title, row.unit) + ", " + number_text(all[i].time, 6) + " s"),
@@ -132,9 +142,13 @@ void publish_project(const std::string& folder, const std::string& title) {
 void publish_frame_styles(const std::string& folder) {
     const ResultReader result(folder);
     for (const ResultRaster* row : frame_rasters(result)) {
-        const MapLayer layer = result.map_layer(row->name + "@0");
+        // Only classes up to the maximum need the values.
+        const ClassSpec chosen = result.classes();
+        const bool known = !row->bounds.empty() || (chosen.fixed && !row->classes.empty());
+        const std::vector<double> bounds =
+            known ? class_bounds(*row, chosen, 0) : result.map_layer(row->name + "@0").classes;
         gis::write_styles(result.path(frame_style(row->name) + ".tif"),
-                          gis::class_stops(palette(row->palette), layer.classes, row->unit), row->unit,
+                          gis::class_stops(palette(row->palette), bounds, row->unit), row->unit,
                           gis::StyleKind::classed, row->title);
     }
 }

@@ -22,9 +22,9 @@ void write(const ResultDirectory& directory, const ResultRaster& row, const Rast
     const std::string file = directory.path(row.name + ".tif");
     gis::write_geotiff(file, raster, {row.name, row.description, row.unit, origin});
     if (row.is_drawn())
-        gis::write_styles(
-            file, gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit),
-            row.unit, gis::StyleKind::classed);
+        gis::write_styles(file,
+                          gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit),
+                          row.unit, gis::StyleKind::classed, row.title);
 }
 
 PolygonFeature feature(MultiPolygon parts, double threshold) {
@@ -65,7 +65,8 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const std::map<std::string, std::string> origin = provenance(prepared);
     for (const ResultRaster& row : result_rasters())
-        if (const Raster* raster = find_raster(result, row)) write(directory, row, *raster, origin, prepared.spec.output.classes);
+        if (const Raster* raster = find_raster(result, row))
+            write(directory, row, *raster, origin, prepared.spec.output.classes);
 }
 
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {

@@ -124,8 +124,10 @@ void add_trace(Json& json, const SummaryFacts& facts) {
                              {"tip_y", one.tip.y}});
     }
     for (const HazardArea& area : facts.hazard)
-        json["hazard"].push_back({{"class", area.kind.value}, {"label", area.kind.name},
-                                  {"thresholds", area.kind.thresholds}, {"area_m2", area.area_m2}});
+        json["hazard"].push_back({{"class", area.kind.value},
+                                  {"label", area.kind.name},
+                                  {"thresholds", area.kind.thresholds},
+                                  {"area_m2", area.area_m2}});
 }
 
 void add_run_problems(Json& json, const RunResult& result) {

@@ -73,6 +73,7 @@ std::vector<ResultFile> make_table() {
     for (const PeakFile& file : k_peak_files) {
         const std::string stem = std::string(k_peak_folder) + "/*_C_null_dfa_" + file.kind;
         table.add(FileKind::raster, {stem + ".tif", stem + ".asc"}).add(FileKind::text, {stem + ".prj"});
+        table.add_styles(stem + ".tif");
     }
     table.by("compare");
     table.add(FileKind::text, {k_comparison_file})

@@ -7,7 +7,7 @@ namespace frana {
 
 const std::vector<QuantityClasses>& quantity_classes() {
     static const std::vector<QuantityClasses> k_table{
-        {"max-depth", "depths and thicknesses", "m", {0.2, 0.5, 1, 2, 5, 10, 20}},
+        {"max-depth", "depths and thicknesses", "m", {0.2, 0.5, 1, 2, 5, 10, 20, 50}},
         {"max-velocity", "speeds", "m/s", {1, 2, 5, 10, 20, 30, 50}},
         {"max-pressure", "dynamic pressures", "kPa", {1, 3, 10, 30, 100, 300, 1000}},
         {"arrival-time", "times of arrival", "s", {10, 30, 60, 120, 300, 600, 1800}},

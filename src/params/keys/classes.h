@@ -9,9 +9,9 @@ namespace frana {
 /// Classes of one quantity on maps, in films and in GIS styles: from 0 to the first bound, between neighbouring bounds,
 /// and above the last.
 struct QuantityClasses {
-    std::string name;            ///< "max-depth": key output.classes-max-depth
-    std::string words;           ///< "depths", in the key's sentence
-    std::string unit;            ///< rasters of this unit have the classes of its first row, unless theirs names another
+    std::string name;   ///< "max-depth": key output.classes-max-depth
+    std::string words;  ///< "depths", in the key's sentence
+    std::string unit;   ///< rasters of this unit have the classes of its first row, unless theirs names another
     std::vector<double> bounds;  ///< greater than 0, rising
 };
 
@@ -20,7 +20,8 @@ struct QuantityClasses {
 /// - depth: 0.5 and 2 m are the Swiss limits of flood intensity, 1 m that of debris flows (BWW, BRP, BUWAL 1997);
 /// - velocity: 1 m/s is the Swiss limit of debris flows (the same), above 5 m/s a landslide is extremely rapid (Cruden
 ///   and Varnes 1996, Landslide types and processes, TRB special report 247);
-/// - pressure: 3 and 30 kPa are the Swiss limits of avalanche zones (BFF and SLF 1984, Richtlinien zur Beruecksichtigung
+/// - pressure: 3 and 30 kPa are the Swiss limits of avalanche zones (BFF and SLF 1984, Richtlinien zur
+/// Beruecksichtigung
 ///   der Lawinengefahr), 1 and 10 kPa the Austrian ones (Richtlinie fuer die Gefahrenzonenplanung);
 /// - flux: 0.5 and 2 m2/s are the Swiss limits of flood intensity;
 /// - energy head: 1.5 m is the Austrian limit of the red zone of torrents;

@@ -133,8 +133,9 @@ std::vector<ResultRaster> make_table() {
         .flow("max_flux", "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s", "velocity",
               k_progressive)
         .if_it_happens = true;
-    ResultRaster& head = table.flow("max_head", "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment",
-                                    "m", "velocity", k_progressive);
+    ResultRaster& head =
+        table.flow("max_head", "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment", "m",
+                   "velocity", k_progressive);
     head.if_it_happens = true;
     head.classes = "max-head";
 
