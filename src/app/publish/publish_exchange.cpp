@@ -39,9 +39,7 @@ Raster filled(const Raster& values, const Raster& terrain) {
 }
 
 /// With the classes of the result's own raster of that quantity; nothing is drawn where there was no flow.
-void write_peak_raster(const std::string& path, const Raster& raster, const PeakFile& file,
-                       const std::map<std::string, std::string>& origin, const ClassSpec& classes) {
-    gis::write_geotiff(path, raster, {file.kind, file.text, file.unit, origin});
+void write_peak_style(const std::string& path, const Raster& raster, const PeakFile& file, const ClassSpec& classes) {
     const ResultRaster& row = *find_result_raster(file.like);
     const std::vector<double> bounds = class_bounds(row, classes, maximum(raster));
     gis::write_styles(path, gis::class_stops(palette(row.palette), bounds, file.unit, true), file.unit,
@@ -87,14 +85,15 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
     const Raster* const values_of[] = {&result.max_pressure, &thickness, &result.max_velocity};
     static_assert(std::size(values_of) == std::size(k_peak_files));
     for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
-        const char* const kind = k_peak_files[i].kind;
+        const auto& [kind, text, unit, like] = k_peak_files[i];
         const Raster& values = *values_of[i];
         const Raster raster = filled(values, prepared.scene.terrain);
+        const std::string stem = directory.path(name + "_" + kind);
         if (has_format(prepared.spec, "ascii"))
-            gis::write_ascii_grid(directory.path(name + "_" + kind + ".asc"), raster);
+            gis::write_ascii_grid(stem + ".asc", raster);
         else
-            write_peak_raster(directory.path(name + "_" + kind + ".tif"), raster, k_peak_files[i], origin,
-                              prepared.spec.output.classes);
+            gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});
+        write_peak_style(stem + ".tif", raster, k_peak_files[i], prepared.spec.output.classes);
     }
 }
 
