@@ -138,6 +138,7 @@ class Document {
 /// Returns a zip archive with one file.
 std::string zipped(const std::string& name, const std::string& content, const std::string& path,
                    const GdalSession& session) {
+    const CPLConfigOptionSetter one_thread("GDAL_NUM_THREADS", "1", false);  // otherwise the bytes depend on it
     const std::string archive = "/vsimem/frana_project_" + std::to_string(reinterpret_cast<std::uintptr_t>(&content));
     const auto refuse = [&] {
         VSIUnlink(archive.c_str());

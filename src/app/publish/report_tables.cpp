@@ -233,8 +233,9 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
     for (const HazardArea& area : areas) {
         table.raw("<tr><td>" + std::to_string(area.kind.value) +
                   "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) + "\"></span> " +
-                  escaped_markup(area.kind.name) + "</td><td>" + escaped_markup(area.kind.thresholds) +
-                  "</td><td class=\"n\">" + grouped(area.area_m2) + "</td></tr>\n");
+                  (area.kind.name == area.kind.thresholds ? "" : escaped_markup(area.kind.name)) + "</td><td>" +
+                  escaped_markup(area.kind.thresholds) + "</td><td class=\"n\">" + grouped(area.area_m2) +
+                  "</td></tr>\n");
     }
     return "<p>Scheme " + escaped_markup(*spec.hazard.scheme) + ", after " +
            escaped_markup(hazard_scheme_of(spec.hazard)->source) +
