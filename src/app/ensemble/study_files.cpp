@@ -83,8 +83,8 @@ PolygonFeature probability_outline(const Raster& probability, double least) {
 /// Layers of extent.gpkg that are known before the members run.
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
     gis::OutlineLayer release{"release", {}};
-    for (const ReleaseArea& area : input.other_releases.empty() ? input.base.scene.release : input.other_releases)
-        release.features.push_back({area.outline, {}, {}});
+    const auto& areas = input.other_releases.empty() ? input.base.scene.release : input.other_releases;
+    for (std::size_t i = 0; i < areas.size(); ++i) release.features.push_back(release_outline(areas[i], i));
     std::vector<gis::OutlineLayer> layers{std::move(release)};
     if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
     return layers;

@@ -34,11 +34,6 @@ PolygonFeature feature(MultiPolygon parts, double threshold) {
     return result;
 }
 
-/// The polygon's name, else its number.
-std::string release_label(const std::string& name, std::size_t index) {
-    return name.empty() ? std::to_string(index + 1) : name;
-}
-
 /// Returns one layer with one feature, or an empty layer if there is no area to outline.
 gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold, const RunResult& result,
                           const Runout& run_out) {
@@ -62,6 +57,12 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
 
 }  // namespace
 
+PolygonFeature release_outline(const ReleaseArea& area, std::size_t index) {
+    PolygonFeature outline = feature(area.outline, 0);
+    outline.texts["name"] = area.name.empty() ? std::to_string(index + 1) : area.name;
+    return outline;
+}
+
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const std::map<std::string, std::string> origin = provenance(prepared);
     for (const ResultRaster& row : result_rasters())
@@ -76,11 +77,8 @@ void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
     publish_dtm(prepared, directory);
     gis::OutlineLayer release{"release", {}};
-    for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
-        const ReleaseArea& area = prepared.scene.release[i];
-        release.features.push_back(feature(area.outline, 0));
-        release.features.back().texts["name"] = release_label(area.name, i);
-    }
+    for (std::size_t i = 0; i < prepared.scene.release.size(); ++i)
+        release.features.push_back(release_outline(prepared.scene.release[i], i));
     std::vector<gis::OutlineLayer> layers{std::move(release)};
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
     write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
@@ -93,8 +91,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
     for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
         const ReleaseArea& area = prepared.scene.release[i];
         const ReleasedArea& released = result.released[i];
-        PolygonFeature release = feature(area.outline, 0);
-        release.texts["name"] = release_label(area.name, i);
+        PolygonFeature release = release_outline(area, i);
         if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness * released.scaled;
         release.numbers["volume_m3"] = released.volume;
         release.numbers["start_s"] = released.start;
