@@ -115,6 +115,17 @@ TEST_F(ResultTable, NamesOfReleaseAreasReachOutlinesSummaryLogReportAndMap) {
     EXPECT_NE(read_text(path("reported/report.html")).find("<td>Upper scar</td>"), std::string::npos);
 }
 
+// The project follows the files of the result; one that was saved from QGIS is kept.
+TEST_F(ResultTable, AComparisonIsAddedToTheProject) {
+    run(k_voellmy + k_numbers_only, "old");
+    const std::string before = read_text(path("old/result.qgz"));
+    write("old/result.qgz", "saved from QGIS");
+    const Outcome outcome = frana({"compare", "old", "--scar", "scar.geojson"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_GT(read_text(path("old/result.qgz")).size(), before.size()) << "one layer more";
+    EXPECT_EQ(read_text(path("old/result.kept-1.qgz")), "saved from QGIS");
+}
+
 TEST_F(ResultTable, MapsThatNoRasterIsMadeForAreRefused) {
     write_scene(k_voellmy + k_entrainment + "[output]\nmaps = eroded_depth, solid_depth, max_depth_3d, hazard\n");
     const Outcome outcome = frana({"check", "scene.ini"});
