@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "gis/access/gdal_session.h"
+#include "gis/access/time_origin.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/zarr_metadata.h"
 
@@ -83,7 +84,11 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
     for (std::int64_t i = 0; i < grid.columns; ++i) x.push_back(grid.cell_centre(0, i).x);
     for (std::int64_t j = 0; j < grid.rows; ++j) y.push_back(grid.cell_centre(j, 0).y);
     const auto time = p.axis("time", GDAL_DIM_TYPE_TEMPORAL, "", times,
-                             {{"long_name", "time since the release"}, {"axis", "T"}}, "s");
+                             {{"long_name", "time since the release, as seconds from an arbitrary date"},
+                              {"standard_name", "time"},
+                              {"calendar", "proleptic_gregorian"},
+                              {"axis", "T"}},
+                             "seconds since " + date_text(0).substr(0, 10) + " 00:00:00");
     const auto north = p.axis("y", GDAL_DIM_TYPE_HORIZONTAL_Y, "NORTH", y,
                               {{"standard_name", "projection_y_coordinate"}, {"axis", "Y"}}, "m");
     const auto east = p.axis("x", GDAL_DIM_TYPE_HORIZONTAL_X, "EAST", x,

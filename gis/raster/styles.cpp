@@ -40,9 +40,10 @@ const char* sld_map_type(StyleKind kind) {
 
 std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, StyleKind kind) {
     std::ostringstream out;
-    const double least = stops.empty() ? 0 : stops.front().value, most = stops.empty() ? 1 : stops.back().value;
-    out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
-        << "<qgis version=\"3.22.0\" styleCategories=\"Symbology\">\n  <pipe>\n"
+    const double least = stops.empty() ? 0 : stops.front().value;
+    double most = stops.empty() ? 1 : stops.back().value;
+    if (std::isinf(most)) most = stops.size() > 1 ? stops[stops.size() - 2].value : 1;
+    out << "  <pipe>\n"
         << "    <rasterrenderer type=\"singlebandpseudocolor\" band=\"1\" opacity=\"1\" alphaBand=\"-1\" "
         << "nodataColor=\"\" classificationMin=\"" << shortest_text(kind == StyleKind::classed ? 0 : least)
         << "\" classificationMax=\"" << shortest_text(most) << "\">\n"
@@ -58,20 +59,15 @@ std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, S
     out << "          <rampLegendSettings suffix=\"" << escaped_markup(unit.empty() ? "" : " " + unit) << "\"/>\n"
         << "        </colorrampshader>\n      </rastershader>\n    </rasterrenderer>\n"
         << "    <brightnesscontrast/>\n    <huesaturation/>\n    <rasterresampler maxOversampling=\"1\"/>\n"
-        << "  </pipe>\n  <blendMode>0</blendMode>\n</qgis>\n";
-    return out.str();
+        << "  </pipe>\n";
+    return qml_document(out.str());
 }
 
-std::string sld(const std::string& name, const std::vector<ColourStop>& stops, const std::string& unit,
-                StyleKind kind) {
+std::string sld(const std::string& name, const std::string& title, const std::vector<ColourStop>& stops,
+                const std::string& unit, StyleKind kind) {
     std::ostringstream out;
-    const std::string title = name + (unit.empty() ? "" : " [" + unit + "]");
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
-        << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n"
-        << "  <NamedLayer>\n    <Name>" << escaped_markup(name) << "</Name>\n    <UserStyle>\n      <Title>"
-        << escaped_markup(title) << "</Title>\n      <FeatureTypeStyle>\n        <Rule>\n          <RasterSymbolizer>\n"
-        << "            <ColorMap type=\"" << sld_map_type(kind) << "\">\n";
+    out << "        <Rule>\n          <RasterSymbolizer>\n            <ColorMap type=\"" << sld_map_type(kind)
+        << "\">\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
         // The same open end as in the QGIS style, as the largest Float32 number.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
@@ -79,10 +75,8 @@ std::string sld(const std::string& name, const std::vector<ColourStop>& stops, c
             << "\" color=\"" << hex(stops[i].colour) << "\" opacity=\"" << (stops[i].transparent ? 0 : 1)
             << "\" label=\"" << escaped_markup(stops[i].label) << "\"/>\n";
     }
-    out << "            </ColorMap>\n          </RasterSymbolizer>\n        </Rule>\n      "
-           "</FeatureTypeStyle>\n"
-        << "    </UserStyle>\n  </NamedLayer>\n</StyledLayerDescriptor>\n";
-    return out.str();
+    out << "            </ColorMap>\n          </RasterSymbolizer>\n        </Rule>\n";
+    return sld_document(name, title + (unit.empty() ? "" : " [" + unit + "]"), out.str());
 }
 
 // Half transparent, so that the ground below the zones is visible.
@@ -90,9 +84,7 @@ constexpr double k_zone_opacity = 0.6;
 
 std::string polygon_qml(const std::string& attribute, const std::vector<ColourStop>& stops) {
     std::ostringstream out, symbols;
-    out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
-        << "<qgis version=\"3.22.0\" styleCategories=\"Symbology\">\n"
-        << "  <renderer-v2 type=\"categorizedSymbol\" attr=\"" << escaped_markup(attribute)
+    out << "  <renderer-v2 type=\"categorizedSymbol\" attr=\"" << escaped_markup(attribute)
         << "\" symbollevels=\"0\" enableorderby=\"0\" forceraster=\"0\">\n    <categories>\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
         out << "      <category symbol=\"" << i << "\" value=\"" << shortest_text(stops[i].value)
@@ -104,17 +96,13 @@ std::string polygon_qml(const std::string& attribute, const std::vector<ColourSt
                 << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
                 << "          <prop k=\"outline_style\" v=\"no\"/>\n        </layer>\n      </symbol>\n";
     }
-    out << "    </categories>\n    <symbols>\n"
-        << symbols.str() << "    </symbols>\n  </renderer-v2>\n  <blendMode>0</blendMode>\n</qgis>\n";
-    return out.str();
+    out << "    </categories>\n    <symbols>\n" << symbols.str() << "    </symbols>\n  </renderer-v2>\n";
+    return qml_document(out.str());
 }
 
-std::string polygon_sld(const std::string& name, const std::string& attribute, const std::vector<ColourStop>& stops) {
+std::string polygon_sld(const std::string& name, const std::string& title, const std::string& attribute,
+                        const std::vector<ColourStop>& stops) {
     std::ostringstream out;
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
-        << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n  <NamedLayer>\n    <Name>" << escaped_markup(name)
-        << "</Name>\n    <UserStyle>\n      <FeatureTypeStyle>\n";
     for (const ColourStop& stop : stops) {
         out << "        <Rule>\n          <Name>" << escaped_markup(stop.label) << "</Name>\n          <ogc:Filter>\n"
             << "            <ogc:PropertyIsEqualTo><ogc:PropertyName>" << escaped_markup(attribute)
@@ -125,8 +113,7 @@ std::string polygon_sld(const std::string& name, const std::string& attribute, c
             << k_zone_opacity << "</CssParameter>\n            </Fill>\n          </PolygonSymbolizer>\n"
             << "        </Rule>\n";
     }
-    out << "      </FeatureTypeStyle>\n    </UserStyle>\n  </NamedLayer>\n</StyledLayerDescriptor>\n";
-    return out.str();
+    return sld_document(name, title, out.str());
 }
 
 }  // namespace
@@ -139,27 +126,29 @@ std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<do
     const std::size_t classes = bounds.size() < 2 ? 0 : bounds.size() - 1;
     for (std::size_t i = 0; i < classes; ++i) {
         const double t = classes == 1 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1);
-        stops.push_back(
-            {bounds[i + 1], colour_at(palette, t),
-             shortest_text(bounds[i]) + " \u2013 " + shortest_text(bounds[i + 1]) + (unit.empty() ? "" : " " + unit)});
+        const std::string range = std::isinf(bounds[i + 1])
+                                      ? "> " + shortest_text(bounds[i])
+                                      : shortest_text(bounds[i]) + " \u2013 " + shortest_text(bounds[i + 1]);
+        stops.push_back({bounds[i + 1], colour_at(palette, t), range + (unit.empty() ? "" : " " + unit)});
     }
     return stops;
 }
 
 void write_styles(const std::string& tif_path, const std::vector<ColourStop>& stops, const std::string& unit,
-                  StyleKind kind) {
-    const std::filesystem::path tif(tif_path);
-    std::filesystem::path beside = tif;
-    write_file(beside.replace_extension(".qml").string(), qml(stops, unit, kind));
-    write_file(beside.replace_extension(".sld").string(), sld(tif.stem().string(), stops, unit, kind));
+                  StyleKind kind, const std::string& title) {
+    const std::string name = std::filesystem::path(tif_path).stem().string();
+    write_style(tif_path, {qml(stops, unit, kind), sld(name, title.empty() ? name : title, stops, unit, kind)});
 }
 
-void write_polygon_styles(const std::string& gpkg_path, const std::string& attribute,
-                          const std::vector<ColourStop>& stops) {
-    const std::filesystem::path file(gpkg_path);
-    std::filesystem::path beside = file;
-    write_file(beside.replace_extension(".qml").string(), polygon_qml(attribute, stops));
-    write_file(beside.replace_extension(".sld").string(), polygon_sld(file.stem().string(), attribute, stops));
+StyleText polygon_style(const std::string& name, const std::string& title, const std::string& attribute,
+                        const std::vector<ColourStop>& stops) {
+    return {polygon_qml(attribute, stops), polygon_sld(name, title, attribute, stops)};
+}
+
+void write_style(const std::string& path, const StyleText& style) {
+    std::filesystem::path beside = path;
+    write_file(beside.replace_extension(".qml").string(), style.qml);
+    write_file(beside.replace_extension(".sld").string(), style.sld);
 }
 
 }  // namespace frana::gis

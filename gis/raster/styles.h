@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/colour.h"
+#include "gis/vector/vector_style.h"
 
 namespace frana::gis {
 
@@ -24,19 +25,23 @@ enum class StyleKind {
 };
 
 /// Returns classes bounds[0]..bounds[1], bounds[1]..bounds[2], ... in colours spread evenly over the palette, the first
-/// class at its start and the last at its end, as on the maps. `bounds` as from nice_classes.
+/// class at its start and the last at its end, as on the maps. `bounds` as from nice_classes; the last may
+/// be infinite.
 /// @param zero_is_blank a first, transparent class up to bounds[0]
 std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit,
                                     bool zero_is_blank = false);
 
 /// Writes NAME.qml (QGIS) and NAME.sld (OGC) beside NAME.tif; cells without data are transparent. Throws
 /// Error(environment).
+/// @param title in the SLD; empty: the file's name
 void write_styles(const std::string& tif_path, const std::vector<ColourStop>& stops, const std::string& unit,
-                  StyleKind kind);
+                  StyleKind kind, const std::string& title = "");
 
-/// Writes NAME.qml and NAME.sld beside a polygon layer NAME.gpkg: one fill for each value of an integer attribute, half
-/// transparent. Throws Error(environment).
-void write_polygon_styles(const std::string& gpkg_path, const std::string& attribute,
-                          const std::vector<ColourStop>& stops);
+/// Returns the style of a polygon layer: one fill for each value of an integer attribute, half transparent.
+StyleText polygon_style(const std::string& name, const std::string& title, const std::string& attribute,
+                        const std::vector<ColourStop>& stops);
+
+/// Writes NAME.qml and NAME.sld beside a file NAME.*. Throws Error(environment).
+void write_style(const std::string& path, const StyleText& style);
 
 }  // namespace frana::gis

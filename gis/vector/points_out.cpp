@@ -37,6 +37,7 @@ void write_points(const std::string& gpkg_path, const std::string& crs_wkt, cons
     write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
         // One transaction: otherwise every row would be written to disk separately.
         return dataset.StartTransaction() == OGRERR_NONE && write_layer(dataset, crs, layer_name, table) &&
+               write_layer_styles(dataset, {{layer_name, style_of(layer_name, Shape::point, {})}}) &&
                dataset.CommitTransaction() == OGRERR_NONE;
     });
 }

@@ -109,26 +109,41 @@ bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::stri
     return true;
 }
 
+template <class Layer>
+void add_styles(const std::vector<Layer>& layers, Shape shape, std::vector<LayerStyle>& styles) {
+    for (const Layer& layer : layers)
+        styles.push_back({layer.name, layer.style.qml.empty() ? style_of(layer.name, shape, {}) : layer.style});
+}
+
 }  // namespace
 
 void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers) {
+    std::vector<LayerStyle> styles;
+    add_styles(layers, Shape::area, styles);
     write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
-        return std::all_of(layers.begin(), layers.end(), [&](const OutlineLayer& layer) {
-            return write_layer<OutlineKind>(dataset, crs, layer.name, layer.features);
-        });
+        return std::all_of(layers.begin(), layers.end(),
+                           [&](const OutlineLayer& layer) {
+                               return write_layer<OutlineKind>(dataset, crs, layer.name, layer.features);
+                           }) &&
+               write_layer_styles(dataset, styles);
     });
 }
 
 void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
                             const std::vector<LineLayer>& lines, const std::vector<PointLayer>& points) {
+    std::vector<LayerStyle> styles;
+    add_styles(lines, Shape::line, styles);
+    add_styles(points, Shape::point, styles);
     write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
         return std::all_of(lines.begin(), lines.end(),
                            [&](const LineLayer& layer) {
                                return write_layer<LineKind>(dataset, crs, layer.name, layer.features);
                            }) &&
-               std::all_of(points.begin(), points.end(), [&](const PointLayer& layer) {
-                   return write_layer<PointKind>(dataset, crs, layer.name, layer.features);
-               });
+               std::all_of(points.begin(), points.end(),
+                           [&](const PointLayer& layer) {
+                               return write_layer<PointKind>(dataset, crs, layer.name, layer.features);
+                           }) &&
+               write_layer_styles(dataset, styles);
     });
 }
 

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "gis/vector/vector_style.h"
 
 namespace frana::gis {
 
 struct OutlineLayer {
     std::string name;  ///< "release", "trace", "deposit"
     std::vector<PolygonFeature> features;
+    StyleText style{};  ///< empty: outlines of the default look
 };
 
 /// A line or a point with its attributes.
@@ -28,13 +30,16 @@ struct PointFeature {
 struct LineLayer {
     std::string name;
     std::vector<LineFeature> features;
+    StyleText style{};
 };
 struct PointLayer {
     std::string name;
     std::vector<PointFeature> features;
+    StyleText style{};
 };
 
-/// Writes a GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own attributes.
+/// Writes a GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own attributes,
+/// each with its style, which QGIS uses without being asked (table layer_styles).
 /// Written aside and renamed. An empty CRS is stored as undefined. Throws Error(environment).
 void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers);
 

@@ -9,6 +9,7 @@
 #include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/network.h"
+#include "gis/vector/geopackage.h"
 
 namespace frana::gis {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 std::string layer_names(GDALDataset& dataset) {
     std::string names;
     for (OGRLayer* layer : dataset.GetLayers()) {
+        if (std::string(layer->GetName()) == k_style_table) continue;
         names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
     }
     return names;

@@ -71,7 +71,8 @@ ColourScale::ColourScale(const ScaleRequest& request) {
     }
     const bool rising = std::adjacent_find(request.classes.begin(), request.classes.end(),
                                            [](double a, double b) { return !(a < b); }) == request.classes.end();
-    if (request.classes.size() == 1 || !rising) {
+    const bool only_open = request.classes.size() == 2 && request.classes.back() == k_infinity;
+    if (request.classes.size() == 1 || !rising || only_open) {
         problems.add({"class bounds must be at least two and rise", "", "", "", "for example 0, 0.5, 1, 2, 5"});
     }
     problems.throw_if_any();
@@ -81,11 +82,13 @@ ColourScale::ColourScale(const ScaleRequest& request) {
         return;
     }
     const ValueRange range = request.layer != nullptr ? value_range(*request.layer) : ValueRange{};
-    const std::vector<double> bounds = usual_bounds(request, range);
+    std::vector<double> bounds = usual_bounds(request, range);
+    const bool fixed_open = bounds.back() == k_infinity;
+    if (fixed_open) bounds.pop_back();
     const bool given = !request.classes.empty() || request.maximum;
     const bool unseen = request.for_unseen_values && given;
     const bool open_below = range.least < bounds.front() || (unseen && bounds.front() > 0);
-    const bool open_above = range.greatest > bounds.back() || unseen;
+    const bool open_above = fixed_open || range.greatest > bounds.back() || unseen;
     bounds_ = bounds;
     if (request.continuous) slices_ = k_slices;
     set_bounds(open_below, open_above, palette(request.palette));

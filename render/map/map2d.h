@@ -74,7 +74,7 @@ struct MapSpec {
     const Dots* dots = nullptr;          ///< over the layer, in the same colours; may be absent
     std::string palette = "depth";       ///< name of a palette in core/colour.h
     std::optional<double> maximum;       ///< end of the colour scale; values above it get a separate open class
-    std::vector<double> classes;         ///< rising class bounds; empty: nice classes up to the maximum
+    std::vector<double> classes;         ///< rising bounds, the last may be infinite; empty: up to the maximum
     bool continuous = false;             ///< colours are continuous between the bounds
     std::vector<ClassLabel> categories;  ///< not empty: the raster's values are classes, exactly these
     std::vector<Outline> outlines;

@@ -18,18 +18,66 @@ const std::string k_swiss =
     "BWW, BRP, BUWAL (1997): Beruecksichtigung der Hochwassergefahren bei raumwirksamen Taetigkeiten, Bern "
     "(Loat and Petrascheck)";
 
+// Thresholds of the schemes, in SI units.
+constexpr double k_debris_depth = 1, k_debris_speed = 1, k_flood_low = 0.5, k_flood_high = 2, k_torrent_head = 1.5,
+                 k_torrent_deposit = 0.7;
+
+const std::string k_metres = " m", k_metres_per_second = " m/s", k_flux_unit = " m\u00B2/s", k_pressure_unit = " kPa";
+const std::string k_depth = "depth", k_speed = "speed", k_flux = "depth \u00D7 speed";
+
+std::string over(const std::string& what, double limit, const std::string& unit, const char* sign = " > ") {
+    return what + sign + shortest_text(limit) + unit;
+}
+
+std::string up_to(const std::string& what, double limit, const std::string& unit) {
+    return over(what, limit, unit, " \u2264 ");
+}
+
+/// A quantity of scheme custom and its limits.
+struct LimitedQuantity {
+    std::string words, unit;
+    const std::vector<double>& limits;
+};
+
+/// Returns what puts a cell into the class that exceeds `exceeded` limits: of one quantity its range, of several what
+/// each must exceed.
+std::string custom_thresholds(const std::vector<LimitedQuantity>& quantities, std::size_t exceeded) {
+    if (quantities.size() == 1) {
+        const auto& [words, unit, limits] = quantities.front();
+        if (exceeded == 0) return up_to(words, limits.front(), unit);
+        if (exceeded == limits.size()) return over(words, limits.back(), unit);
+        return words + " " + shortest_text(limits[exceeded - 1]) + " \u2013 " + shortest_text(limits[exceeded]) + unit;
+    }
+    std::string text;
+    for (const auto& [words, unit, limits] : quantities) {
+        if (limits.size() < exceeded) continue;
+        if (!text.empty()) text += exceeded == 0 ? " and " : " or ";
+        text += exceeded == 0 ? up_to(words, limits.front(), unit) : over(words, limits[exceeded - 1], unit);
+    }
+    return text;
+}
+
 std::vector<HazardClass> custom_classes(const HazardLimits& limits) {
+    std::vector<LimitedQuantity> quantities{{k_depth, k_metres, limits.depth},
+                                            {k_speed, k_metres_per_second, limits.velocity},
+                                            {k_flux, k_flux_unit, limits.flux},
+                                            {"pressure", k_pressure_unit, limits.pressure}};
+    std::vector<LimitedQuantity> given;
     std::size_t most = 0;
-    for (const auto* list : {&limits.depth, &limits.velocity, &limits.flux, &limits.pressure})
-        most = std::max(most, list->size());
+    for (const LimitedQuantity& one : quantities) {
+        most = std::max(most, one.limits.size());
+        if (!one.limits.empty()) given.push_back(one);
+    }
     std::vector<HazardClass> classes;
     for (std::size_t i = 0; i <= most; ++i) {
         const double t = most == 0 ? 0 : static_cast<double>(i) / static_cast<double>(most);
         const auto mix = [t](std::uint8_t a, std::uint8_t b) {
             return static_cast<std::uint8_t>(std::lround(a + t * (b - a)));
         };
+        const std::string thresholds = custom_thresholds(given, i);
         classes.push_back({static_cast<int>(i) + 1,
-                           "Class " + std::to_string(i + 1),
+                           thresholds,
+                           thresholds,
                            {mix(k_light.r, k_dark.r), mix(k_light.g, k_dark.g), mix(k_light.b, k_dark.b)}});
     }
     return classes;
@@ -41,16 +89,16 @@ int count_exceeded(const std::vector<double>& limits, double value) {
 }
 
 int swiss_debris_flow(const HazardQuantities& q, std::size_t i) {
-    return q.depth.values[i] > 1 && q.velocity.values[i] > 1 ? 3 : 2;
+    return q.depth.values[i] > k_debris_depth && q.velocity.values[i] > k_debris_speed ? 3 : 2;
 }
 
 int swiss_flood(const HazardQuantities& q, std::size_t i) {
     const double worst = std::max(q.depth.values[i], q.flux.values[i]);
-    return worst > 2 ? 3 : worst > 0.5 ? 2 : 1;
+    return worst > k_flood_high ? 3 : worst > k_flood_low ? 2 : 1;
 }
 
 int austrian_torrent(const HazardQuantities& q, std::size_t i) {
-    return q.head.values[i] >= 1.5 || q.deposit.values[i] >= 0.7 ? 2 : 1;
+    return q.head.values[i] >= k_torrent_head || q.deposit.values[i] >= k_torrent_deposit ? 2 : 1;
 }
 
 int custom(const HazardLimits& limits, const HazardQuantities& q, std::size_t i) {
@@ -64,16 +112,39 @@ int custom(const HazardLimits& limits, const HazardQuantities& q, std::size_t i)
 
 HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) {
     if (name == "swiss-debris-flow")
-        return {name, k_swiss, {{2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}}, {}};
+        return {
+            name,
+            k_swiss,
+            {{2, "Medium intensity",
+              up_to(k_depth, k_debris_depth, k_metres) + " or " + up_to(k_speed, k_debris_speed, k_metres_per_second),
+              k_middle},
+             {3, "High intensity",
+              over(k_depth, k_debris_depth, k_metres) + " and " + over(k_speed, k_debris_speed, k_metres_per_second),
+              k_dark}},
+            {}};
     if (name == "swiss-flood")
         return {name,
                 k_swiss,
-                {{1, "Low intensity", k_light}, {2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}},
+                {{1, "Low intensity",
+                  up_to(k_depth, k_flood_low, k_metres) + " and " + up_to(k_flux, k_flood_low, k_flux_unit), k_light},
+                 {2, "Medium intensity",
+                  over(k_depth, k_flood_low, k_metres) + " or " + over(k_flux, k_flood_low, k_flux_unit), k_middle},
+                 {3, "High intensity",
+                  over(k_depth, k_flood_high, k_metres) + " or " + over(k_flux, k_flood_high, k_flux_unit), k_dark}},
                 {}};
     if (name == "austrian-torrent")
         return {name,
                 "BMLFUW (2011): Richtlinie fuer die Gefahrenzonenplanung, Vienna (torrents, design event)",
-                {{1, "Yellow zone", {255, 221, 51}}, {2, "Red zone", {215, 25, 28}}},
+                {{1,
+                  "Yellow zone",
+                  over("energy head", k_torrent_head, k_metres, " < ") + " and " +
+                      over("deposit", k_torrent_deposit, k_metres, " < "),
+                  {255, 221, 51}},
+                 {2,
+                  "Red zone",
+                  over("energy head", k_torrent_head, k_metres, " \u2265 ") + " or " +
+                      over("deposit", k_torrent_deposit, k_metres, " \u2265 "),
+                  {215, 25, 28}}},
                 {}};
     if (name == "custom") return {name, "limits of the scene", custom_classes(limits), limits};
     throw Error(ErrorKind::input, Problem{"is not a hazard scheme", "hazard.scheme", name,

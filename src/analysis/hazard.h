@@ -31,9 +31,13 @@ struct HazardLimits {
 };
 
 struct HazardClass {
-    int value = 0;  ///< 1: the lowest
-    std::string label;
+    int value = 0;           ///< 1: the lowest
+    std::string name;        ///< "High intensity"; of scheme custom the thresholds
+    std::string thresholds;  ///< "depth > 1 m and speed > 1 m/s"
     Rgb colour;
+
+    /// "High intensity: depth > 1 m and speed > 1 m/s"
+    [[nodiscard]] std::string label() const { return name == thresholds ? name : name + ": " + thresholds; }
 };
 
 struct HazardScheme {

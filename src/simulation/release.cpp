@@ -164,6 +164,7 @@ ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet&
         return t;
     };
     ReleasedArea released;
+    released.name = area.name;
     released.start = area.start;
     released.volume = fill_outline(to_local(area.outline, grid), lattice_spacing(scene), thickness, particles);
     for (std::size_t p = 0; p < particles.size(); ++p) released.area += particles[Field::area][p];

@@ -137,6 +137,7 @@ enum class StopReason {
 
 /// The actual release of one area.
 struct ReleasedArea {
+    std::string name;    ///< as ReleaseArea::name
     double start = 0;    ///< [s]
     double volume = 0;   ///< [m3]
     double area = 0;     ///< in map view, where there is thickness [m2]

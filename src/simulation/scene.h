@@ -151,6 +151,7 @@ struct ReleaseArea {
     double speed = 0;                          ///< at the start, along the bed [m/s]
     /// Direction of that speed, clockwise from the grid's north [rad]; none: down the mean slope.
     std::optional<double> azimuth{};
+    std::string name{};  ///< of its polygon in the user's file; empty: none
 };
 
 /// Discharge and velocity at one time; linear between times, zero before the first and after the last.

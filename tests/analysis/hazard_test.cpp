@@ -66,6 +66,23 @@ TEST(Hazard, EveryClassOfASchemeHasItsOwnColourAndEverySchemeASource) {
     EXPECT_THROW(hazard_scheme("swiss", {}), Error);
 }
 
+TEST(Hazard, EveryClassNamesItsThresholds) {
+    const auto labels = [](const std::string& name, const HazardLimits& limits = {}) {
+        std::vector<std::string> all;
+        for (const HazardClass& kind : hazard_scheme(name, limits).classes) all.push_back(kind.label());
+        return all;
+    };
+    using Labels = std::vector<std::string>;
+    EXPECT_EQ(labels("swiss-debris-flow"), (Labels{"Medium intensity: depth ≤ 1 m or speed ≤ 1 m/s",
+                                                   "High intensity: depth > 1 m and speed > 1 m/s"}));
+    EXPECT_EQ(labels("swiss-flood").back(), "High intensity: depth > 2 m or depth × speed > 2 m²/s");
+    EXPECT_EQ(labels("austrian-torrent").back(), "Red zone: energy head ≥ 1.5 m or deposit ≥ 0.7 m");
+    EXPECT_EQ(labels("custom", {{0.5, 2}, {}, {}, {}}), (Labels{"depth ≤ 0.5 m", "depth 0.5 – 2 m", "depth > 2 m"}));
+    EXPECT_EQ(
+        labels("custom", {{0.5}, {}, {}, {10, 30}}),
+        (Labels{"depth ≤ 0.5 m and pressure ≤ 10 kPa", "depth > 0.5 m or pressure > 10 kPa", "pressure > 30 kPa"}));
+}
+
 TEST(Hazard, ClassesDifferInLightnessForPrintsWithoutColours) {
     for (const char* name : {"swiss-debris-flow", "swiss-flood", "austrian-torrent"}) {
         const std::vector<HazardClass> classes = hazard_scheme(name, {}).classes;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs draw_style.py NAME RESULT and goes by what it drew: judge.py NAME RESULT.
+"""Runs SCRIPT NAME RESULT (draw_style.py) and goes by what it drew: judge.py NAME RESULT [SCRIPT].
 
 QGIS may crash or hang while it leaves, when every picture is drawn and compared. So the drawing has a time limit, and
 the verdict that it writes at the end counts, not how it left."""
@@ -12,11 +12,11 @@ LIMIT = 120  # seconds for the two pictures, which need about two
 SKIPPED = 77
 
 
-def judge(name, result):
+def judge(name, result, script="draw_style.py"):
     verdict = os.path.join(result, name + ".verdict")
     if os.path.exists(verdict):
         os.remove(verdict)
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "draw_style.py")
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), script)
     # The drawing may end in any way: its profile is removed here.
     with tempfile.TemporaryDirectory(prefix="frana_qgis_", ignore_cleanup_errors=True) as profile:
         environment = dict(os.environ, QGIS_CUSTOM_CONFIG_PATH=profile)

@@ -8,4 +8,4 @@ program, sample, result = sys.argv[1:]
 sys.exit(subprocess.call([
     program, "run", sample + "/scene.ini", "--out", result, "--overwrite", "--quiet",
     "--set", "time.end=6", "--set", "terrain.cell-size=10", "--set", "output.maps=off", "--set", "output.animation=off",
-    "--set", "output.frames=off", "--set", "output.report=off", "--set", "hazard.scheme=swiss-flood"]))
+    "--set", "time.frame-interval=1.5", "--set", "output.report=off", "--set", "hazard.scheme=swiss-flood"]))

@@ -12,6 +12,7 @@
 #include "app/compare/probability_comparison.h"
 #include "app/compare/ranking.h"
 #include "app/pictures/result_reader.h"
+#include "app/publish/publish_project.h"
 #include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
@@ -214,6 +215,17 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
     return comparison;
 }
 
+/// Adds the comparison to the QGIS project of a result that has one.
+void renew_project(const std::string& folder) {
+    const std::string project = (fs::path(folder) / k_project_file).string();
+    if (!fs::exists(project)) return;
+    const ResultReader result(folder);
+    begin_own(folder, {project});
+    const std::string name = fs::absolute(result.directory()).lexically_normal().filename().string();
+    publish_project(folder, result.scene_value("output.title").value_or(name));
+    record_files({project});
+}
+
 /// Of a map of probability: its scores are others, so it is in no ranking.
 int compare_probability(const Pair& pair, const std::optional<double>& threshold, const std::optional<Size>& size) {
     ProbabilityMap map = read_probability_map(pair.operand, threshold);
@@ -274,6 +286,7 @@ int cmd_compare(const Arguments& arguments) {
         simulated.input.survey = read_survey(pair.scar, deposit, simulated.input.depth.grid, log);
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
+        renew_project(pair.folder);
         if (pair.name.empty()) {
             std::cout << comparison_json(comparison, simulated.input);
             return static_cast<int>(ExitCode::done);

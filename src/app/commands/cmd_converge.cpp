@@ -9,21 +9,25 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/convergence.h"
+#include "analysis/trace.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/scene_variants.h"
 #include "app/process/signals.h"
 #include "app/store/error_estimate.h"
 #include "app/store/kept_files.h"
+#include "app/store/layers.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
 #include "app/store/replace_result.h"
+#include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/json.h"
 #include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
+#include "gis/raster/styles.h"
 #include "params/keys/result_rasters.h"
 #include "render/chart/chart.h"
 #include "simulation/run_statistics.h"
@@ -192,6 +196,7 @@ constexpr const char *k_uncertainty = "uncertainty", *k_chart = "convergence.png
 std::vector<std::string> files_of(const fs::path& folder) {
     std::vector<std::string> files;
     files.push_back((folder / k_uncertainty).string() + ".tif");
+    for (const char* ending : k_style_endings) files.push_back((folder / k_uncertainty).string() + ending);
     for (const char* file : {k_chart, k_table, k_study, k_error_estimate_file})
         files.push_back((folder / file).string());
     return files;
@@ -253,8 +258,13 @@ int cmd_converge(const Arguments& arguments) {
     for (Level& level : levels) depths.push_back(std::move(level.depth));
     const std::string text = sentences(levels);
     const ResultRaster& row = *find_result_raster(k_uncertainty);
-    gis::write_geotiff((folder / k_uncertainty).string() + ".tif", field_uncertainty(depths),
+    const std::string raster = (folder / k_uncertainty).string() + ".tif";
+    const Raster uncertainty = field_uncertainty(depths);
+    gis::write_geotiff(raster, uncertainty,
                        {row.name, row.description, row.unit, {{"PROGRAM", k_program}, {"VERSION", k_version}}});
+    const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
+    gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit), row.unit,
+                      gis::StyleKind::classed, row.title);
     render::write_png((folder / k_chart).string(), chart_of(levels));
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, text);

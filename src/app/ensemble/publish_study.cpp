@@ -12,13 +12,14 @@
 #include "app/ensemble/study_report.h"
 #include "app/ensemble/study_result.h"
 #include "app/ensemble/study_tables.h"
+#include "app/publish/publish_project.h"
 #include "app/store/result_files.h"
 #include "app/store/saved_work.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "core/shortest_text.h"
 #include "gis/raster/rasterize.h"
-#include "gis/vector/vector_out.h"
 
 namespace frana::app {
 namespace {
@@ -81,7 +82,7 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
             feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
         layer.features.push_back(std::move(feature));
     }
-    gis::write_outlines(path, result.grid.crs_wkt, {layer});
+    write_result_outlines(path, result.grid.crs_wkt, {layer});
 }
 
 bool is_kept(study::Keep keep, const MemberResult& member) {
@@ -160,6 +161,9 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
     if (!result.finished_at.empty() && !draw_study(input, result, figures, directory, log))
         outcome.pictures_failed = true;
+    if (!result.finished_at.empty())
+        publish_project(directory.folder(),
+                        input.base.spec.output.title.value_or(scene_name(input.base.spec)) + ", study");
     facts.wall_seconds = study.since_start.seconds();
     facts.warnings = log.warnings();
     if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);

@@ -16,12 +16,12 @@
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
-#include "gis/vector/vector_out.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/write_scene.h"
 
@@ -32,7 +32,7 @@ namespace {
 class MapWriter {
   public:
     MapWriter(const StudyInput& input, const ResultDirectory& directory)
-        : directory_(directory), metadata_(provenance(input.base)) {}
+        : directory_(directory), metadata_(provenance(input.base)), classes_(input.base.spec.output.classes) {}
 
     void write(const std::string& name, const Raster& raster) const { write(name, {band_of(name, raster)}); }
     void write_probability(const std::string& name, const Raster& probability, const Raster& error) const {
@@ -50,14 +50,14 @@ class MapWriter {
         const std::string file = directory_.path(name + ".tif");
         gis::write_geotiff(file, bands);
         if (!row.is_drawn()) return;
-        const std::vector<double> bounds =
-            row.bounds.empty() ? class_bounds(row.progressive, maximum(bands.front().raster)) : row.bounds;
+        const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
         gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
-                          gis::StyleKind::classed);
+                          gis::StyleKind::classed, text_for(row, row.title, name));
     }
 
     const ResultDirectory& directory_;
     std::map<std::string, std::string> metadata_;
+    ClassSpec classes_;
 };
 
 /// Quantiles and moments, of depth and velocity alone.
@@ -83,8 +83,8 @@ PolygonFeature probability_outline(const Raster& probability, double least) {
 /// Layers of extent.gpkg that are known before the members run.
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
     gis::OutlineLayer release{"release", {}};
-    for (const ReleaseArea& area : input.other_releases.empty() ? input.base.scene.release : input.other_releases)
-        release.features.push_back({area.outline, {}, {}});
+    const auto& areas = input.other_releases.empty() ? input.base.scene.release : input.other_releases;
+    for (std::size_t i = 0; i < areas.size(); ++i) release.features.push_back(release_outline(areas[i], i));
     std::vector<gis::OutlineLayer> layers{std::move(release)};
     if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
     return layers;
@@ -100,7 +100,7 @@ void write_probability_outlines(const StudyInput& input, const Raster& probabili
         if (!feature.parts.empty()) layer.features.push_back(std::move(feature));
         layers.push_back(std::move(layer));
     }
-    gis::write_outlines(path, probability.grid.crs_wkt, layers);
+    write_result_outlines(path, probability.grid.crs_wkt, layers);
 }
 
 void make_folder(const std::string& folder) {
@@ -139,7 +139,7 @@ void publish_union_maps(const StudyInput& input, const StudyResult& result, cons
     std::vector<gis::OutlineLayer> layers = known_outlines(input);
     layers.push_back({"trace", {}});
     if (!reached.parts.empty()) layers.back().features.push_back(std::move(reached));
-    gis::write_outlines(directory.path(k_outlines_file), result.grid.crs_wkt, layers);
+    write_result_outlines(directory.path(k_outlines_file), result.grid.crs_wkt, layers);
 }
 
 study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,

@@ -19,6 +19,22 @@ std::string name_of(const gis::PolygonLayer& layer, std::size_t feature) {
     return "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
 }
 
+/// The name of a polygon in the user's file, else its number there; empty without either.
+std::string own_name(const PolygonFeature& feature) {
+    const auto lower = [](std::string word) {
+        for (char& c : word)
+            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        return word;
+    };
+    for (const std::string wanted : {"name", "label", "id"}) {
+        for (const auto& [attribute, text] : feature.texts)
+            if (lower(attribute) == wanted && !text.empty()) return text;
+        for (const auto& [attribute, number] : feature.numbers)
+            if (lower(attribute) == wanted && std::isfinite(number)) return shortest_text(number);
+    }
+    return {};
+}
+
 bool by_attribute(const std::optional<SourceSpec>& source) {
     return source && source->kind == SourceSpec::Kind::attribute;
 }
@@ -95,6 +111,7 @@ double common_factor(const std::vector<FittedSurface>& surfaces, const gis::Poly
 void set_details(const SceneReading& reading, const gis::PolygonLayer* layer, std::size_t feature, ReleaseArea& area,
                  Problems& problems) {
     const ReleaseSpec& spec = reading.scene.release;
+    if (layer != nullptr) area.name = own_name(layer->features[feature]);
     area.normal_to_bed = spec.thickness_direction == "normal";
     const auto value = [&](const std::string& key, const std::optional<SourceSpec>& source) -> std::optional<double> {
         if (!source) return std::nullopt;

@@ -9,8 +9,8 @@
 
 namespace frana::app {
 
-/// Sets start, velocity, direction and volume of an area: the scene's numbers, or a feature's own in the columns named
-/// by the keys (null layer: numbers only).
+/// Sets name, start, velocity, direction and volume of an area: the scene's numbers, or a feature's own in the columns
+/// named by the keys (null layer: numbers only).
 void set_details(const SceneReading& reading, const gis::PolygonLayer* layer, std::size_t feature, ReleaseArea& area,
                  Problems& problems);
 

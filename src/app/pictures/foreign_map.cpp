@@ -26,7 +26,7 @@ Raster terrain_for(const Raster& layer, const std::string& dtm) {
 ForeignMap read_foreign_map(const std::string& file, const std::optional<std::string>& dtm,
                             const std::optional<std::string>& unit, const std::optional<double>& above) {
     ForeignMap map;
-    map.layer = read_map_layer(file, true);
+    map.layer = read_map_layer(file, {}, true);
     if (map.layer.unit.empty()) map.layer.unit = unit.value_or("");
     if (above) {
         for (double& value : map.layer.values.values)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "analysis/trace.h"
 #include "app/store/layers.h"
@@ -24,12 +25,12 @@ void hide_zeros(Raster& raster) {
 }
 
 /// Sets title and colours of a raster of the table; returns false for others.
-bool set_from_table(const std::string& name, MapLayer& layer) {
+bool set_from_table(const std::string& name, const ClassSpec& classes, MapLayer& layer) {
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
     layer.title = text_for(*row, row->title, name);
     layer.palette = row->palette;
-    layer.classes = row->bounds.empty() ? class_bounds(row->progressive, maximum(layer.values)) : row->bounds;
+    layer.classes = class_bounds(*row, classes, maximum(layer.values));
     if (row->zero_is_blank) hide_zeros(layer.values);
     return true;
 }
@@ -47,6 +48,16 @@ std::string bare_description(std::string text) {
     return bracket == std::string::npos ? text : text.substr(0, bracket);
 }
 
+/// Names the scheme in the titles, and its source and meaning on the map itself: maps are passed on without the log.
+void add_scheme(const std::map<std::string, std::string>& metadata, MapLayer& layer) {
+    std::vector<std::string> notes{"Intensity of one scenario,", "not a hazard level"};
+    if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
+        layer.title += ", scheme " + scheme->second;
+    if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
+        notes.push_back("Thresholds: " + source->second);
+    layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());
+}
+
 /// The name of the table's row that frana wrote to a band, before its description.
 std::optional<std::string> probability_of(const gis::RasterText& text) {
     const std::string name = text.description.substr(0, text.description.find(": "));
@@ -61,7 +72,7 @@ std::optional<std::string> probability_name(const std::string& path) {
     return probability_of(gis::read_raster_text(path));
 }
 
-MapLayer read_map_layer(const std::string& path, bool foreign) {
+MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool foreign) {
     const gis::RasterText text = gis::read_raster_text(path);
     MapLayer layer;
     layer.values = gis::read_result_raster(path);
@@ -77,7 +88,8 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
     const auto probability = probability_of(text);
-    const bool is_known = probability ? set_from_table(*probability, layer) : !foreign && set_from_table(kind, layer);
+    const bool is_known =
+        probability ? set_from_table(*probability, classes, layer) : !foreign && set_from_table(kind, classes, layer);
     if (!is_known) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;
@@ -88,14 +100,13 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
         for (const gis::NamedClass& one : text.classes)
             layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
         layer.notes = class_areas(layer);
-        if (kind == "hazard")  // on the map itself, since maps are passed on without the log
-            layer.notes.insert(layer.notes.begin(), {"Intensity of one scenario,", "not a hazard level"});
+        if (kind == "hazard") add_scheme(text.metadata, layer);
     }
     return layer;
 }
 
-MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
-    MapLayer layer = read_map_layer(paths.front());
+MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes) {
+    MapLayer layer = read_map_layer(paths.front(), classes);
     for (std::size_t i = 1; i < paths.size(); ++i) {
         const Raster more = gis::read_result_raster(paths[i]);
         if (!more.grid.same_cells(layer.values.grid))
@@ -105,7 +116,7 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
             greatest = std::fmax(greatest, value);  // a number takes precedence over nodata
         });
     }
-    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), layer);
+    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), classes, layer);
     layer.time.reset();
     return layer;
 }
@@ -116,7 +127,7 @@ std::vector<std::string> class_areas(const MapLayer& layer) {
         std::int64_t cells = 0;
         layer.values.values.for_each_stored([&](std::size_t, double value) { cells += value == one.value; });
         const std::string name = one.label.substr(0, one.label.find(':'));
-        lines.push_back(name + " " + grouped(static_cast<double>(cells) * layer.values.grid.cell_area()) + " m²");
+        lines.push_back(name + ": " + grouped(static_cast<double>(cells) * layer.values.grid.cell_area()) + " m²");
     }
     return lines;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/raster.h"
+#include "params/keys/classes.h"
 #include "render/map/map2d.h"
 
 namespace frana::app {
@@ -16,7 +17,7 @@ struct MapLayer {
     std::string title;  ///< "Maximum depth"
     std::string unit;
     std::string palette = "depth";
-    std::vector<double> classes;                 ///< bounds; empty: chosen from the values
+    std::vector<double> classes;                 ///< bounds, the last may be infinite; empty: from the values
     std::vector<render::ClassLabel> categories;  ///< of a raster of classes
     Raster values;
     std::optional<render::Dots> dots;  ///< drawn instead of the values, which then only specify place and range
@@ -28,18 +29,18 @@ struct MapLayer {
 };
 
 /// Reads the first band of a raster. How it is drawn depends on the known names of frana's own files and on the file's
-/// texts (description, unit, classes with colours, TIME_S). `foreign`: a file of another program, in which a value of 0
-/// means no flow. Throws Error(input).
-MapLayer read_map_layer(const std::string& path, bool foreign = false);
+/// texts (description, unit, classes with colours, TIME_S); `classes`: as the scene chose them. `foreign`: a file of
+/// another program, in which a value of 0 means no flow. Throws Error(input).
+MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool foreign = false);
 
 /// Returns the name of the map of probability that a file contains, whatever the file's own name; none for others.
 /// Throws Error(input) if it cannot be read.
 std::optional<std::string> probability_name(const std::string& path);
 
 /// Returns the greatest values of frames of one quantity, coloured as its maximum over time. Throws Error(input).
-MapLayer read_greatest_layer(const std::vector<std::string>& paths);
+MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes);
 
-/// Returns the areas of a comparison or hazard map, one line per class: "Hit 12 300 m²".
+/// Returns the areas of a comparison or hazard map, one line per class: "Hit: 12 300 m²".
 std::vector<std::string> class_areas(const MapLayer& layer);
 
 }  // namespace frana::app

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/error.h"
@@ -18,15 +19,23 @@
 namespace frana::app {
 namespace {
 
-// Release and scar must be distinguishable from each other and from every palette: black dashes, bright cyan; a dark
-// red on classes, whose colours are as bright.
-constexpr Rgb k_release_colour{20, 20, 20};
-constexpr Rgb k_scar_colour{0, 160, 220};
+// A dark red on classes, whose colours are as bright as that of the survey elsewhere.
 constexpr Rgb k_scar_on_classes{120, 0, 80};
+
+/// "Release: North, South" if its areas have names, and few.
+std::string release_words(const MapSource& source) {
+    constexpr std::size_t k_most = 4, k_longest = 60;  // names; letters
+    if (source.release_names.empty() || source.release_names.size() > k_most) return "Release";
+    std::string words = "Release: ";
+    for (std::size_t i = 0; i < source.release_names.size(); ++i)
+        words += (i > 0 ? ", " : "") + source.release_names[i];
+    return elided(valid_utf8(words), k_longest);
+}
 
 std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) {
     std::vector<render::Outline> outlines = source.marks;
-    if (!source.release.empty()) outlines.push_back({"Release", source.release, k_release_colour, 2.5, true});
+    if (!source.release.empty())
+        outlines.push_back({release_words(source), source.release, k_release_colour, 2.5, true});
     if (!source.scar.empty()) {
         outlines.push_back({"Surveyed scar", source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
     }

@@ -57,9 +57,10 @@ struct MapSource {
     /// Longitude and latitude of a map point; may be absent.
     std::function<Point(Point)> longitude_latitude;
     MultiPolygon release;
-    MultiPolygon scar;                   ///< empty: none
-    std::vector<render::Outline> marks;  ///< zones, gauges, sections, profiles
-    bool foreign = false;                ///< computed by another program
+    std::vector<std::string> release_names{};  ///< that its polygons have in the user's file
+    MultiPolygon scar;                         ///< empty: none
+    std::vector<render::Outline> marks;        ///< zones, gauges, sections, profiles
+    bool foreign = false;                      ///< computed by another program
     MapStyle style;
 };
 

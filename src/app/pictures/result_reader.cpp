@@ -14,6 +14,7 @@
 #include "app/store/result_files.h"
 #include "app/store/series_ends.h"
 #include "app/store/unfinished_results.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/error.h"
@@ -186,7 +187,7 @@ const MapLayer& ResultReader::greatest(const std::string& quantity) const {
     }
     std::vector<std::string> files;
     for (const StoredFrame& frame : frames()) files.push_back(frame.raster_file(quantity));
-    return greatest_.emplace(quantity, read_greatest_layer(files)).first->second;
+    return greatest_.emplace(quantity, read_greatest_layer(files, classes())).first->second;
 }
 
 MapLayer ResultReader::particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const {
@@ -220,7 +221,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         });
         if (of_particles != nullptr) return particle_layer(*nearest, *of_particles);
         const std::string file = nearest->raster_file(kind);
-        MapLayer layer = read_map_layer(file);
+        MapLayer layer = read_map_layer(file, classes());
         require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + number_text(nearest->time, 6);
@@ -230,7 +231,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         return layer;
     }
     if (has(name + ".tif")) {
-        MapLayer layer = read_map_layer(path(name + ".tif"));
+        MapLayer layer = read_map_layer(path(name + ".tif"), classes());
         // Other rasters of the user beside those of a run may have any grid.
         if (const ResultRaster* row = find_result_raster(name); row != nullptr && row->in_result())
             require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
@@ -238,7 +239,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         return layer;
     }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
-    if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
+    if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study, classes());
     std::string known = joined(drawable(), ", ");
     if (has(k_frame_list)) {
         known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
@@ -340,11 +341,12 @@ void ResultReader::add_study(MapSource& source) const {
                                 {"Standard error of", "probabilities at most", number_text(100 * *error, 2) + " %"});
     }
     const std::string& crs = source.extent.grid.crs_wkt;
-    constexpr Rgb k_unlikely{90, 90, 90}, k_even_chance{20, 20, 20}, k_likely{150, 0, 60};
     for (const StudyQuantile& quantile : k_study_quantiles) {
         MultiPolygon area = outline(probability_layer(quantile.name), crs);
         if (area.empty()) continue;
-        const Rgb colour = quantile.fraction < 0.5 ? k_unlikely : quantile.fraction > 0.5 ? k_likely : k_even_chance;
+        const Rgb colour = quantile.fraction < 0.5   ? k_unlikely_colour
+                           : quantile.fraction > 0.5 ? k_likely_colour
+                                                     : k_even_chance_colour;
         source.marks.push_back({"Reached by " + number_text(100 * quantile.fraction) + " %", std::move(area), colour,
                                 1.6, quantile.fraction < 0.5});
     }
@@ -360,6 +362,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
         gis::meridian_convergence_deg(grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
     if (has(raster_file("dtm"))) source.terrain = raster_on(grid, "dtm");
     source.release = outline("release", grid.crs_wkt);
+    source.release_names = release_names(grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
     source.style = style();

@@ -34,6 +34,9 @@ class ResultReader {
     /// The same as a number, or a default.
     [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
 
+    /// The classes of colours that its scene chose; the default ones in older results.
+    [[nodiscard]] ClassSpec classes() const;
+
     /// Returns NAME.tif for a map; "depth@12.5", "cohesion_ratio@12.5" (any raster of the frames), "particles@12.5" and
     /// "particle_cohesion@12.5" name the frame nearest in time [s]; "uncertainty" is that of `frana converge` beside
     /// the result. Throws Error(input) listing the available names.
@@ -62,6 +65,8 @@ class ResultReader {
     [[nodiscard]] MapStyle style() const;
     [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
+    /// Of the polygons of the release that have one.
+    [[nodiscard]] std::vector<std::string> release_names(const std::string& crs_wkt) const;
     [[nodiscard]] MapFacts facts(const std::optional<MainStatistics>& statistics) const;
 
     void add_study(MapSource& source) const;

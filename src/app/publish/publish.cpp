@@ -12,6 +12,7 @@
 #include "app/publish/publish_exchange.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_pictures.h"
+#include "app/publish/publish_project.h"
 #include "app/publish/publish_rasters.h"
 #include "app/publish/publish_series.h"
 #include "app/publish/report.h"
@@ -55,8 +56,8 @@ double released_volume(const RunResult& result) {
 void note_volumes(const RunResult& result, RunLog& log) {
     for (std::size_t i = 0; i < result.released.size(); ++i) {
         const ReleasedArea& area = result.released[i];
-        std::string text = "release area " + std::to_string(i + 1) + ": " + grouped(area.volume) + " m3 from " +
-                           grouped(area.area) + " m2";
+        std::string text = "release area " + std::to_string(i + 1) + (area.name.empty() ? "" : " '" + area.name + "'") +
+                           ": " + grouped(area.volume) + " m3 from " + grouped(area.area) + " m2";
         if (area.start > 0) text += ", at " + shortest_text(area.start) + " s";
         if (!area.failed) {
             log.warn(text + ": not before the end of the run");
@@ -217,6 +218,8 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
     publish_frame_stacks(prepared, directory);
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
+    if (frames.count() > 0) publish_frame_styles(directory.folder());
+    publish_project(directory.folder(), prepared.spec.output.title.value_or(scene_name(prepared.spec)));
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/trace.h"
+#include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/text/file_stems.h"
 #include "gis/raster/frames_out.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
+#include "gis/raster/styles.h"
 
 namespace frana::app {
 namespace {
@@ -33,6 +36,14 @@ Raster filled(const Raster& values, const Raster& terrain) {
         if (!std::isnan(ground) && std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = 0;
     });
     return raster;
+}
+
+/// With the classes of the result's own raster of that quantity; nothing is drawn where there was no flow.
+void write_peak_style(const std::string& path, const Raster& raster, const PeakFile& file, const ClassSpec& classes) {
+    const ResultRaster& row = *find_result_raster(file.like);
+    const std::vector<double> bounds = class_bounds(row, classes, maximum(raster));
+    gis::write_styles(path, gis::class_stops(palette(row.palette), bounds, file.unit, true), file.unit,
+                      gis::StyleKind::classed, file.text);
 }
 
 }  // namespace
@@ -74,13 +85,15 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
     const Raster* const values_of[] = {&result.max_pressure, &thickness, &result.max_velocity};
     static_assert(std::size(values_of) == std::size(k_peak_files));
     for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
-        const auto& [kind, text, unit] = k_peak_files[i];
+        const auto& [kind, text, unit, like] = k_peak_files[i];
         const Raster& values = *values_of[i];
         const Raster raster = filled(values, prepared.scene.terrain);
+        const std::string stem = directory.path(name + "_" + kind);
         if (has_format(prepared.spec, "ascii"))
-            gis::write_ascii_grid(directory.path(name + "_" + kind + ".asc"), raster);
+            gis::write_ascii_grid(stem + ".asc", raster);
         else
-            gis::write_geotiff(directory.path(name + "_" + kind + ".tif"), raster, {kind, text, unit, origin});
+            gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});
+        write_peak_style(stem + ".tif", raster, k_peak_files[i], prepared.spec.output.classes);
     }
 }
 

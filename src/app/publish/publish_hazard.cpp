@@ -27,14 +27,14 @@ void write_raster(const Raster& classes, const HazardScheme& scheme, const std::
     std::vector<gis::ClassEntry> entries;
     std::vector<gis::ColourStop> stops;
     for (const HazardClass& kind : scheme.classes) {
-        entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label, kind.colour});
-        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label});
+        entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label(), kind.colour});
+        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label()});
     }
     metadata["HAZARD_SCHEME"] = scheme.name;
     metadata["HAZARD_SOURCE"] = scheme.source;
     gis::write_class_geotiff(path, classes, entries,
                              {k_hazard, "Intensity after " + scheme.name, "", std::move(metadata)});
-    gis::write_styles(path, stops, "", gis::StyleKind::exact);
+    gis::write_styles(path, stops, "", gis::StyleKind::exact, "Intensity, scheme " + scheme.name);
 }
 
 std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme, const std::string& path,
@@ -43,17 +43,22 @@ std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& s
     std::vector<gis::ColourStop> stops;
     std::vector<HazardArea> areas;
     for (const HazardClass& kind : scheme.classes) {
-        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label});
+        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label()});
         PolygonFeature feature;
         feature.parts = gis::polygonise(mask_of(classes, kind.value));
         areas.push_back({kind, area(feature.parts)});
         if (feature.parts.empty()) continue;
         feature.numbers["class"] = kind.value;
-        feature.texts = {{"label", kind.label}, {"scheme", scheme.name}};
+        feature.texts = {{"label", kind.label()},
+                         {"name", kind.name},
+                         {"thresholds", kind.thresholds},
+                         {"scheme", scheme.name},
+                         {"source", scheme.source}};
         zones.features.push_back(std::move(feature));
     }
+    zones.style = gis::polygon_style(zones.name, "Intensity, scheme " + scheme.name, "class", stops);
     gis::write_outlines(path, crs_wkt, {zones});
-    gis::write_polygon_styles(path, "class", stops);
+    gis::write_style(path, zones.style);
     return areas;
 }
 

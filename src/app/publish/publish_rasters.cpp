@@ -6,25 +6,25 @@
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "core/colour.h"
 #include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
-#include "gis/vector/vector_out.h"
 
 namespace frana::app {
 namespace {
 
 void write(const ResultDirectory& directory, const ResultRaster& row, const Raster& raster,
-           const std::map<std::string, std::string>& origin) {
+           const std::map<std::string, std::string>& origin, const ClassSpec& classes) {
     const std::string file = directory.path(row.name + ".tif");
     gis::write_geotiff(file, raster, {row.name, row.description, row.unit, origin});
     if (row.is_drawn())
-        gis::write_styles(
-            file, gis::class_stops(palette(row.palette), class_bounds(row.progressive, maximum(raster)), row.unit),
-            row.unit, gis::StyleKind::classed);
+        gis::write_styles(file,
+                          gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit),
+                          row.unit, gis::StyleKind::classed, row.title);
 }
 
 PolygonFeature feature(MultiPolygon parts, double threshold) {
@@ -57,23 +57,31 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
 
 }  // namespace
 
+PolygonFeature release_outline(const ReleaseArea& area, std::size_t index) {
+    PolygonFeature outline = feature(area.outline, 0);
+    outline.texts["name"] = area.name.empty() ? std::to_string(index + 1) : area.name;
+    return outline;
+}
+
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const std::map<std::string, std::string> origin = provenance(prepared);
     for (const ResultRaster& row : result_rasters())
-        if (const Raster* raster = find_raster(result, row)) write(directory, row, *raster, origin);
+        if (const Raster* raster = find_raster(result, row))
+            write(directory, row, *raster, origin, prepared.spec.output.classes);
 }
 
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
-    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared));
+    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared), {});
 }
 
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
     publish_dtm(prepared, directory);
     gis::OutlineLayer release{"release", {}};
-    for (const ReleaseArea& area : prepared.scene.release) release.features.push_back(feature(area.outline, 0));
+    for (std::size_t i = 0; i < prepared.scene.release.size(); ++i)
+        release.features.push_back(release_outline(prepared.scene.release[i], i));
     std::vector<gis::OutlineLayer> layers{std::move(release)};
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    gis::write_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
+    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
     write_text_file(directory.path(k_scene_file), echoed_scene(prepared));
 }
 
@@ -83,7 +91,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
     for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
         const ReleaseArea& area = prepared.scene.release[i];
         const ReleasedArea& released = result.released[i];
-        PolygonFeature release = feature(area.outline, 0);
+        PolygonFeature release = release_outline(area, i);
         if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness * released.scaled;
         release.numbers["volume_m3"] = released.volume;
         release.numbers["start_s"] = released.start;
@@ -102,7 +110,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
         trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    gis::write_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
+    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
 }
 
 }  // namespace frana::app

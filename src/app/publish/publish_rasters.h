@@ -11,6 +11,9 @@ namespace frana::app {
 /// Writes dtm.tif; of a large DTM the part that was read. Throws Error(environment).
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory);
 
+/// The outline of an area with the name of its polygon, else its number, in a result's layer `release`.
+PolygonFeature release_outline(const ReleaseArea& area, std::size_t index);
+
 /// Writes what is known before a run: dtm.tif, scene.ini, and in extent.gpkg release and scar. Throws
 /// Error(environment).
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory);

@@ -4,10 +4,10 @@
 #include "analysis/flow_path.h"
 #include "app/store/layers.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/csv_cell.h"
 #include "app/text/text_file.h"
 #include "core/shortest_text.h"
-#include "gis/vector/vector_out.h"
 
 namespace frana::app {
 namespace {
@@ -71,7 +71,7 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
     for (const CrossSection& section : recording.sections)
         lines.features.push_back({section.line, {}, {{"name", section.name}}});
     for (const Gauge& gauge : recording.gauges) points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
-    gis::write_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, {lines}, {points});
+    write_result_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, lines, points);
 }
 
 void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
@@ -98,7 +98,7 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
         }
     }
     write_text_file(directory.path(k_profile_table), text);
-    gis::write_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, {lines}, {points});
+    write_result_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, lines, points);
 }
 
 }  // namespace frana::app

@@ -52,6 +52,8 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
                       provenance(input.prepared).at("SCENE_HASH"));
     page.add_warnings(input.facts.warnings);
     page.add("<h2 id=\"results\">Results</h2>\n" + results_table(input));
+    if (!input.result.released.empty())
+        page.add("<h2 id=\"release\">Release areas</h2>\n" + release_table(input.result));
     if (input.facts.accuracy) page.add("<h2 id=\"accuracy\">Accuracy</h2>\n" + accuracy_tables(*input.facts.accuracy));
     page.add("<h2 id=\"budget\">Mass budget</h2>\n" + budget_table(input.result));
     page.add("<h2 id=\"numerics\">Numerical checks</h2>\n" + numerics_table(input));

@@ -218,14 +218,27 @@ std::string accuracy_tables(const AccuracyRecord& record) {
            levels.html();
 }
 
+std::string release_table(const RunResult& result) {
+    Table table({"", "name", "start [s]", "area [m²]", "volume [m³]"});
+    for (std::size_t i = 0; i < result.released.size(); ++i) {
+        const ReleasedArea& area = result.released[i];
+        table.row({std::to_string(i + 1), area.name.empty() ? "–" : area.name, number_text(area.start, 4),
+                   grouped(area.area), grouped(area.volume)});
+    }
+    return table.html();
+}
+
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas) {
-    Table table({"class", "", "area [m²]"});
+    Table table({"class", "", "thresholds", "area [m²]"});
     for (const HazardArea& area : areas) {
         table.raw("<tr><td>" + std::to_string(area.kind.value) +
                   "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) + "\"></span> " +
-                  escaped_markup(area.kind.label) + "</td><td class=\"n\">" + grouped(area.area_m2) + "</td></tr>\n");
+                  (area.kind.name == area.kind.thresholds ? "" : escaped_markup(area.kind.name)) + "</td><td>" +
+                  escaped_markup(area.kind.thresholds) + "</td><td class=\"n\">" + grouped(area.area_m2) +
+                  "</td></tr>\n");
     }
-    return "<p>Scheme " + escaped_markup(*spec.hazard.scheme) +
+    return "<p>Scheme " + escaped_markup(*spec.hazard.scheme) + ", after " +
+           escaped_markup(hazard_scheme_of(spec.hazard)->source) +
            ". This is the intensity of one scenario; a hazard level also depends on its frequency.</p>\n" +
            table.html();
 }

@@ -14,6 +14,8 @@ std::string results_table(const ReportInput& input);
 std::string accuracy_tables(const AccuracyRecord& record);
 std::string budget_table(const RunResult& result);
 std::string numerics_table(const ReportInput& input);
+/// Each area that failed: name, start, area, volume.
+std::string release_table(const RunResult& result);
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas);
 std::string series_charts(const ReportInput& input);
 std::string comparison_tables(const Comparison& comparison);

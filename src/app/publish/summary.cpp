@@ -96,7 +96,8 @@ void add_flow(Json& json, const RunResult& result, const SummaryFacts& facts) {
     }
     Json& areas = json["release_areas"] = Json::array();
     for (const ReleasedArea& area : result.released)
-        areas.push_back({{"start_s", area.start},
+        areas.push_back({{"name", area.name},
+                         {"start_s", area.start},
                          {"area_m2", area.area},
                          {"volume_m3", area.volume},
                          {"thickness_scaled_by", area.scaled},
@@ -123,7 +124,10 @@ void add_trace(Json& json, const SummaryFacts& facts) {
                              {"tip_y", one.tip.y}});
     }
     for (const HazardArea& area : facts.hazard)
-        json["hazard"].push_back({{"class", area.kind.value}, {"label", area.kind.label}, {"area_m2", area.area_m2}});
+        json["hazard"].push_back({{"class", area.kind.value},
+                                  {"label", area.kind.name},
+                                  {"thresholds", area.kind.thresholds},
+                                  {"area_m2", area.area_m2}});
 }
 
 void add_run_problems(Json& json, const RunResult& result) {

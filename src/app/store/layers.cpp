@@ -77,6 +77,12 @@ std::vector<ResultRaster> main_rasters() {
     return rows;
 }
 
+std::vector<double> class_bounds(const ResultRaster& row, const ClassSpec& chosen, double maximum) {
+    if (!row.bounds.empty()) return row.bounds;
+    if (chosen.fixed && !row.classes.empty()) return fixed_classes(chosen, row.classes);
+    return class_bounds(row.progressive, maximum);
+}
+
 std::vector<double> class_bounds(bool progressive, double maximum) {
     if (!(maximum > 0)) return nice_classes(0, k_classes);
     return progressive ? progressive_classes(maximum) : nice_classes(maximum, k_classes);

@@ -33,7 +33,8 @@ class Table {
             if (row.in_result()) add(FileKind::raster, {row.stem_pattern() + ".tif"});
             if (row.in_result() && row.is_drawn()) add_styles(row.stem_pattern() + ".tif");
             if (row.in_frames || row.kind == ResultRaster::Kind::frame)
-                add(FileKind::raster, {std::string(k_frame_folder) + "/" + row.name + "_*.tif"});
+                add(FileKind::raster, {std::string(k_frame_folder) + "/" + row.name + "_*.tif"})
+                    .add_styles(frame_style(row.name) + ".tif");
         }
         return *this;
     }
@@ -65,12 +66,14 @@ std::vector<ResultFile> make_table() {
     table.add_styles(k_hazard_zones_file);
     table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table});
     table.add(FileKind::page, {k_report_file});
+    table.add(FileKind::style, {k_project_file});
     table.add(FileKind::table, {k_frame_list, k_particle_list});
     table.add(FileKind::vector, {"frames/particles_*.gpkg", "frames/particles_*.vtp"});
     table.add(FileKind::stack, {k_netcdf_file, std::string(k_zarr_folder) + k_all_below});
     for (const PeakFile& file : k_peak_files) {
         const std::string stem = std::string(k_peak_folder) + "/*_C_null_dfa_" + file.kind;
         table.add(FileKind::raster, {stem + ".tif", stem + ".asc"}).add(FileKind::text, {stem + ".prj"});
+        table.add_styles(stem + ".tif");
     }
     table.by("compare");
     table.add(FileKind::text, {k_comparison_file})

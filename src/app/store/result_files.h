@@ -42,6 +42,8 @@ inline constexpr const char* k_log_file = "log.txt";
 inline constexpr const char* k_report_file = "report.html";
 inline constexpr const char* k_series_file = "timeseries.csv";
 inline constexpr const char* k_outlines_file = "extent.gpkg";
+/// A QGIS project that shows the result.
+inline constexpr const char* k_project_file = "result.qgz";
 inline constexpr const char* k_profile_table = "profiles.csv";
 inline constexpr const char* k_profile_lines = "profiles.gpkg";
 inline constexpr const char* k_gauge_table = "gauges.csv";
@@ -62,6 +64,10 @@ inline constexpr const char* k_whole_frames = "frames.whole";
 inline constexpr const char* k_cut_frames = "frames.cut";
 inline constexpr const char* k_frame_list = "frames/frames.csv";
 inline constexpr const char* k_particle_list = "frames/particles.pvd";
+/// Whose styles all frames of a quantity share: frames/depth.qml, .sld.
+inline std::string frame_style(const std::string& quantity) {
+    return std::string(k_frame_folder) + "/" + quantity;
+}
 /// File of a raster of params/keys/result_rasters.h.
 inline std::string raster_file(const std::string& name) {
     return name + ".tif";
@@ -69,11 +75,12 @@ inline std::string raster_file(const std::string& name) {
 /// AvaFrame's peak files.
 struct PeakFile {
     const char *kind, *text, *unit;
+    const char* like;  ///< raster of the result with the same colours
 };
 inline constexpr const char* k_peak_folder = "peakFiles";
-inline constexpr PeakFile k_peak_files[] = {{"ppr", "Peak pressure", "kPa"},
-                                            {"pft", "Peak flow thickness, normal to the slope", "m"},
-                                            {"pfv", "Peak flow velocity", "m/s"}};
+inline constexpr PeakFile k_peak_files[] = {{"ppr", "Peak pressure", "kPa", "max_pressure"},
+                                            {"pft", "Peak flow thickness, normal to the slope", "m", "max_depth"},
+                                            {"pfv", "Peak flow velocity", "m/s", "max_velocity"}};
 inline constexpr const char* k_study_file = "study.ini";
 inline constexpr const char* k_member_table = "members.csv";
 inline constexpr const char* k_member_outlines = "members.gpkg";

@@ -10,6 +10,7 @@ using declare::choice;
 using declare::number;
 using declare::on_map;
 using declare::on_off;
+using declare::option;
 using declare::Range;
 using declare::text;
 
@@ -59,9 +60,33 @@ Parameter scheme_parameter() {
     return result;
 }
 
+/// output.classes and a key for each row of quantity_classes().
+void add_classes(std::vector<Parameter>& list) {
+    list.push_back(option("output.classes", FRANA_MEMBER(output.classes.fixed),
+                          declare::Words<bool>{{"fixed", true}, {"to-maximum", false}},
+                          "Classes of colours on maps, in films and in GIS styles: fixed, so that results can be "
+                          "compared, or round steps up to the greatest value of each raster."));
+    for (std::size_t i = 0; i < quantity_classes().size(); ++i) {
+        const QuantityClasses& row = quantity_classes()[i];
+        Parameter key = rising_numbers(
+            "output.classes-" + row.name, [i](auto& scene) -> auto& { return scene.output.classes.bounds[i]; },
+            row.unit, "Bounds of the fixed classes of " + row.words + "; the last class is open.");
+        key.absent.clear();
+        key.read = [read = key.read](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
+            const std::size_t given = words_of(value).size();
+            if (given == 0 || given > k_most_class_bounds)
+                return ValueProblem{"has " + std::to_string(given) + " bounds",
+                                    "Write 1 to " + std::to_string(k_most_class_bounds) + " bounds, for example 0.5 2"};
+            return read(scene, value);
+        };
+        list.push_back(key);
+    }
+}
+
 }  // namespace
 
 void add_extra_output(std::vector<Parameter>& list) {
+    add_classes(list);
     list.push_back(choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
                           "avaframe: also write peakFiles/ with pressure, thickness normal to the slope and speed "
                           "under AvaFrame's names."));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "params/keys/classes.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -97,6 +98,14 @@ void add_study(Table& table) {
     sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
 }
 
+/// Rasters without classes of their own have those of the first quantity with their unit.
+void set_classes_by_unit(std::vector<ResultRaster>& rows) {
+    for (ResultRaster& row : rows)
+        for (const QuantityClasses& quantity : quantity_classes())
+            if (row.is_drawn() && row.classes.empty() && !row.unit.empty() && quantity.unit == row.unit)
+                row.classes = quantity.name;
+}
+
 std::vector<ResultRaster> make_table() {
     Table table;
     ResultRaster& depth =
@@ -124,10 +133,11 @@ std::vector<ResultRaster> make_table() {
         .flow("max_flux", "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s", "velocity",
               k_progressive)
         .if_it_happens = true;
-    table
-        .flow("max_head", "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment", "m", "velocity",
-              k_progressive)
-        .if_it_happens = true;
+    ResultRaster& head =
+        table.flow("max_head", "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment", "m",
+                   "velocity", k_progressive);
+    head.if_it_happens = true;
+    head.classes = "max-head";
 
     table.when("with `[entrainment]`", [](const SceneSpec& scene) {
         return scene.entrainment.erosion != "off" || scene.entrainment.deposition;
@@ -146,8 +156,10 @@ std::vector<ResultRaster> make_table() {
     const char* const structured = "with the structured model";
     table.when(structured, [](const SceneSpec& scene) { return scene.material.model == "structured"; });
     const auto phase = [&](const char* name, const char* title, const char* description, const char* unit,
-                           const char* palette, bool progressive) {
-        table.flow(name, title, description, unit, palette, progressive).in_frames = true;
+                           const char* palette, bool progressive) -> ResultRaster& {
+        ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
+        row.in_frames = true;
+        return row;
     };
     phase("fluid_velocity", "Velocity of the fluid", "Speed of the free fluid, along the bed", "m/s", "velocity",
           k_even);
@@ -155,11 +167,14 @@ std::vector<ResultRaster> make_table() {
     phase("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", k_progressive);
     phase("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth",
           k_progressive);
-    phase("solid_fraction", "Solid fraction", "Fraction of solids in all material of the cell", "-", "depth", k_even);
-    phase("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-", "depth",
-          k_even);
+    const std::vector<double> fractions{0, 0.2, 0.4, 0.6, 0.8, 1};
+    phase("solid_fraction", "Solid fraction", "Fraction of solids in all material of the cell", "-", "depth", k_even)
+        .bounds = fractions;
+    phase("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-", "depth", k_even)
+        .bounds = fractions;
     phase("strain", "Strain", "Greatest strain in the plane since the start, mean of the solids", "-", "depth",
-          k_progressive);
+          k_progressive)
+        .classes = "strain";
     phase("solid_velocity", "Velocity of the solids", "Speed of solids and confined fluid, along the bed", "m/s",
           "velocity", k_even);
     phase("released_water", "Released fluid", "Confined fluid released by the solids in the cell", "m", "depth",
@@ -178,6 +193,8 @@ std::vector<ResultRaster> make_table() {
     table.by("converge", "after `frana converge`");
     table.add("uncertainty", Kind::flow, "Estimated error of the maximum depth",
               "Estimated discretisation error of the maximum depth", "m", "velocity", k_progressive);
+    table.rows.back().classes = "error";
+    set_classes_by_unit(table.rows);
     return table.rows;
 }
 

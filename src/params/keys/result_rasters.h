@@ -36,7 +36,8 @@ struct ResultRaster {
     bool has_view = false;         ///< output.maps = on draws a view as well as a map
     bool by_value = false;         ///< one for each value (a threshold, a key), which takes the place of {} in texts
     bool zero_is_blank = false;    ///< 0 is a value, and nothing is drawn there
-    std::vector<double> bounds{};  ///< of its classes; empty: from its values
+    std::vector<double> bounds{};  ///< of its classes, whatever the scene; empty: those of `classes`
+    std::string classes{};         ///< row of quantity_classes() (params/keys/classes.h); empty: from its values
 
     /// Whether it has a style file, and is among the maps that `frana render` draws by default.
     [[nodiscard]] bool is_drawn() const noexcept { return !palette.empty(); }

@@ -11,6 +11,7 @@
 #include "core/solid_values.h"
 #include "params/grammar/source.h"
 #include "params/grammar/thickness.h"
+#include "params/keys/classes.h"
 #include "params/keys/shared_values.h"
 
 namespace frana {
@@ -146,6 +147,7 @@ struct OutputSpec {
     std::string map_size = "1600x1200";
     std::vector<std::string> map_formats{"png"};
     std::string map_legend = "classed";
+    ClassSpec classes;
     std::optional<std::string> map_background;
     std::optional<std::string> map_attribution;
     double view_exaggeration = 1;

@@ -16,7 +16,8 @@ TEST_F(ConvergeCommand, ReportsLevelsAndLaterRunsReportThem) {
     const Outcome study = frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"});
     ASSERT_EQ(study.exit_code, 0) << study.err;
     EXPECT_NE(study.out.find("covered area"), std::string::npos) << study.out;
-    for (const char* name : {"convergence.csv", "convergence.json", "convergence.png", "uncertainty.tif"}) {
+    for (const char* name : {"convergence.csv", "convergence.json", "convergence.png", "uncertainty.tif",
+                             "uncertainty.qml", "uncertainty.sld"}) {
         EXPECT_TRUE(fs::exists(path("result-convergence/" + std::string(name)))) << name;
     }
     const std::string csv = read_text(path("result-convergence/convergence.csv"));

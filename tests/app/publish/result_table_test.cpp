@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of a result equal its table of rasters, and its values are computed once.
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/input/share_directory.h"
 #include "app/pictures/result_reader.h"
 #include "core/error.h"
+#include "gis/vector/vector_in.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/classes.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/read_scene.h"
 #include "result_scenes.h"
@@ -72,6 +75,55 @@ TEST_F(ResultTable, MapsShowTheValuesOfTheSummary) {
     EXPECT_NE(notes().find("Volume"), std::string::npos) << notes();
     write("old/summary.json", summary.substr(0, summary.size() / 2));
     EXPECT_THROW(notes(), Error);
+}
+
+// Maps, frames and GIS styles of all runs have the same classes: the scene's own, or the fixed ones.
+TEST_F(ResultTable, ClassesAreTheScenesOnMapsFramesAndInStyles) {
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\nclasses-max-depth = 0.25 0.75 3\n", "old");
+    const app::ResultReader result(path("old"));
+    const std::vector<double> expected{0, 0.25, 0.75, 3, std::numeric_limits<double>::infinity()};
+    for (const std::string name : {"max_depth", "final_depth", "depth@1"})
+        EXPECT_EQ(result.map_layer(name).classes, expected) << name;
+    EXPECT_EQ(result.map_layer("max_velocity").classes, fixed_classes({}, "max-velocity"));
+    for (const std::string style : {"max_depth", "release", "frames/depth"})
+        for (const std::string label : {"0 \u2013 0.25 m", "0.75 \u2013 3 m", "> 3 m"})
+            for (const std::string ending : {".qml", ".sld"})
+                EXPECT_NE(read_text(path("old/" + style + ending)).find(label == "> 3 m" ? "&gt; 3 m" : label),
+                          std::string::npos)
+                    << style << ending << " " << label;
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\nclasses = to-maximum\n", "other");
+    const std::vector<double> to_maximum = app::ResultReader(path("other")).map_layer("max_depth").classes;
+    EXPECT_LT(to_maximum.back(), 100);
+    write_scene(k_voellmy + "[output]\nclasses-max-depth = 3 1\n");
+    EXPECT_EQ(frana({"check", "scene.ini"}).exit_code, 2);
+}
+
+// The names that polygons have in the user's file are in every output.
+TEST_F(ResultTable, NamesOfReleaseAreasReachOutlinesSummaryLogReportAndMap) {
+    std::string perimeter = read_text(path("perimeter.geojson"));
+    const std::string depth = "\"depth\": 2.0";
+    const auto at = perimeter.find(depth);
+    ASSERT_NE(at, std::string::npos) << perimeter;
+    write("perimeter.geojson", perimeter.insert(at + depth.size(), ", \"Name\": \"Upper scar\""));
+    run(k_voellmy + k_numbers_only, "old");
+    EXPECT_EQ(parse_json(read_text(path("old/summary.json")))["release_areas"][0]["name"], "Upper scar");
+    EXPECT_NE(read_text(path("old/log.txt")).find("release area 1 'Upper scar'"), std::string::npos);
+    const auto areas = gis::read_polygons(path("old/extent.gpkg") + "|layer=release", "EPSG:32632", "test");
+    EXPECT_EQ(areas.features.at(0).texts.at("name"), "Upper scar");
+    EXPECT_EQ(app::ResultReader(path("old")).map_source().release_names, std::vector<std::string>{"Upper scar"});
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\n", "reported");
+    EXPECT_NE(read_text(path("reported/report.html")).find("<td>Upper scar</td>"), std::string::npos);
+}
+
+// The project follows the files of the result; one that was saved from QGIS is kept.
+TEST_F(ResultTable, AComparisonIsAddedToTheProject) {
+    run(k_voellmy + k_numbers_only, "old");
+    const std::string before = read_text(path("old/result.qgz"));
+    write("old/result.qgz", "saved from QGIS");
+    const Outcome outcome = frana({"compare", "old", "--scar", "scar.geojson"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_GT(read_text(path("old/result.qgz")).size(), before.size()) << "one layer more";
+    EXPECT_EQ(read_text(path("old/result.kept-1.qgz")), "saved from QGIS");
 }
 
 TEST_F(ResultTable, MapsThatNoRasterIsMadeForAreRefused) {

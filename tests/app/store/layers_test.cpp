@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <limits>
 
 #include "app/store/result_files.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {
@@ -38,6 +40,41 @@ TEST(Layers, ClassesContainEveryMaximum) {
         }
         for (const double nothing : {0.0, std::numeric_limits<double>::quiet_NaN()})
             EXPECT_GE(class_bounds(progressive, nothing).size(), 2U) << progressive;
+    }
+}
+
+// The colours of two runs can be compared.
+TEST(Layers, ClassesOfEveryQuantityAreFixedUnlessTheSceneChoosesOthers) {
+    constexpr double k_open = std::numeric_limits<double>::infinity();
+    ClassSpec chosen;
+    for (const ResultRaster& row : result_rasters()) {
+        if (!row.is_drawn() || row.unit.empty() || row.unit == "-") continue;
+        const std::vector<double> bounds = class_bounds(row, chosen, 0.01);
+        EXPECT_EQ(bounds, class_bounds(row, chosen, 12345)) << row.name;
+        EXPECT_EQ(bounds.front(), 0) << row.name;
+        EXPECT_EQ(bounds.back(), k_open) << row.name;
+        EXPECT_TRUE(std::is_sorted(bounds.begin(), bounds.end(), std::less_equal<>())) << row.name;
+    }
+    const ResultRaster& depth = *find_result_raster("max_depth");
+    EXPECT_EQ(class_bounds(depth, chosen, 3), class_bounds(*find_result_raster("depth"), chosen, 30)) << "frames";
+    chosen.bounds[0] = {0.3, 4};
+    EXPECT_EQ(class_bounds(depth, chosen, 100), (std::vector<double>{0, 0.3, 4, k_open}));
+    chosen.fixed = false;
+    EXPECT_EQ(class_bounds(depth, chosen, 38.2).back(), 40);
+}
+
+TEST(Layers, TheDocumentListsEveryKeyOfClassesWithItsBounds) {
+    const std::vector<std::string> lines = lines_of_file(FRANA_SOURCE_DIR "/share/doc/maps.md");
+    for (const QuantityClasses& row : quantity_classes()) {
+        std::string bounds;
+        for (const double bound : row.bounds) bounds += (bounds.empty() ? "" : ", ") + shortest_text(bound);
+        EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                                [&](const std::string& line) {
+                                    return line.starts_with("| `classes-" + row.name + "`") &&
+                                           line.find("| " + bounds + (row.unit.empty() ? " " : " " + row.unit + " ")) !=
+                                               std::string::npos;
+                                }))
+            << row.name << ": " << bounds;
     }
 }
 

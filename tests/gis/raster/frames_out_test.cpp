@@ -54,6 +54,7 @@ TEST_P(Stack, HasCfCoordinatesUnitsAndCrs) {
     const auto root = file->GetRootGroup();
     EXPECT_EQ(text_of(*root, "Conventions"), "CF-1.8");
     EXPECT_EQ(text_of(*root, "PROGRAM"), "frana");
+    EXPECT_EQ(root->OpenMDArray("time")->GetUnit(), "seconds since 2000-01-01 00:00:00");
     const auto depth = root->OpenMDArray("depth");
     ASSERT_TRUE(depth);
     ASSERT_EQ(depth->GetDimensionCount(), 3U);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <filesystem>
 
 #include "support/files.h"
@@ -28,6 +30,19 @@ TEST(ClassStops, SpanThePalette) {
     EXPECT_EQ(stops[1].label, "2 \u2013 4 m");
     EXPECT_TRUE(class_stops(depth, {1}, "m").empty());
     EXPECT_EQ(class_stops(depth, {0, 1}, "m").size(), 1U);
+}
+
+TEST(ClassStops, TheLastClassMayBeOpen) {
+    const Folder folder;
+    const std::vector<ColourStop> stops =
+        class_stops(palette("depth"), {0, 0.5, 2, std::numeric_limits<double>::infinity()}, "m");
+    ASSERT_EQ(stops.size(), 3U);
+    EXPECT_EQ(stops[2].label, "> 2 m");
+    write_styles(folder.file("a.tif"), stops, "m", StyleKind::classed, "Maximum depth");
+    const std::string qml = test::text_in(folder.file("a.qml")), sld = test::text_in(folder.file("a.sld"));
+    EXPECT_NE(qml.find("classificationMax=\"2\""), std::string::npos) << qml;
+    EXPECT_EQ(count(qml, "\"inf\""), 1U);
+    EXPECT_NE(sld.find("<Title>Maximum depth [m]</Title>"), std::string::npos) << sld;
 }
 
 TEST(WriteStyles, BothFilesContainEveryClassAndItsColour) {

@@ -2,7 +2,9 @@
 #include "gis/vector/vector_out.h"
 
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 
+#include "gis/access/gdal_session.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/vector_in.h"
 #include "support/files.h"
@@ -41,6 +43,33 @@ TEST(WriteOutlines, AreReadBackAsWritten) {
     EXPECT_EQ(error_of([&] { (void)read_polygons(folder.file("extent.gpkg") + "|layer=trace", crs, ""); }).kind(),
               ErrorKind::input)
         << "the empty layer is there, and empty";
+}
+
+// The table from which QGIS takes a layer's style without being asked.
+TEST(WriteOutlines, EveryLayerHasAStyleThatIsItsDefault) {
+    const Folder folder;
+    const std::string file = folder.file("extent.gpkg");
+    OutlineLayer named = release();
+    named.style = style_of("release", Shape::area, {{1, 2, 3}, 0.7, true, "name"});
+    write_outlines(file, "", {named, {"trace", {}}});
+    const GdalSession session;
+    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
+    ASSERT_TRUE(dataset);
+    OGRLayer* const table = dataset->GetLayerByName("layer_styles");
+    ASSERT_TRUE(table);
+    ASSERT_EQ(table->GetFeatureCount(), 2);
+    std::map<std::string, std::string> styles;
+    for (const auto& row : *table) {
+        EXPECT_EQ(row->GetFieldAsInteger("useAsDefault"), 1);
+        EXPECT_EQ(row->GetFieldAsString("f_geometry_column"), std::string("geom"));
+        EXPECT_NE(std::string(row->GetFieldAsString("styleSLD")).find("<Stroke>"), std::string::npos);
+        styles[row->GetFieldAsString("f_table_name")] = row->GetFieldAsString("styleQML");
+    }
+    EXPECT_EQ(styles["release"], named.style.qml);
+    for (const auto& [layer, qml] : styles)
+        EXPECT_NE(qml.find("<prop k=\"style\" v=\"no\"/>"), std::string::npos) << layer << " is filled";
+    const Error error = error_of([&] { (void)read_polygons(file + "|layer=other", "", ""); });
+    EXPECT_EQ(std::string(error.what()).find("layer_styles"), std::string::npos) << "it is no layer to choose";
 }
 
 TEST(WriteOutlines, LocalCoordinatesHaveNoCrs) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/error.h"
 
 namespace frana::render {
@@ -18,6 +20,25 @@ std::vector<std::string> labels(const ColourScale& scale) {
     std::vector<std::string> all;
     for (const ColourClass& one : scale.classes()) all.push_back(one.label);
     return all;
+}
+
+// Maps of different results, films and the frames of a film have the same classes in the same colours.
+TEST(ColourScale, FixedClassesDoNotDependOnTheValues) {
+    const std::vector<double> fixed{0, 0.5, 2, std::numeric_limits<double>::infinity()};
+    const Raster small = values({0.01}), great = values({0.3, 1, 800});
+    const ColourScale a({"depth", {}, fixed, false, {}, &small}), b({"depth", {}, fixed, false, {}, &great}),
+        film({"depth", {}, fixed, false, {}, &small, true});
+    EXPECT_EQ(labels(a), (std::vector<std::string>{"0 – 0.5", "0.5 – 2", "> 2"}));
+    EXPECT_EQ(a.bounds(), (std::vector<double>{0, 0.5, 2}));
+    for (const ColourScale* other : {&b, &film}) {
+        ASSERT_EQ(labels(*other), labels(a));
+        for (std::size_t i = 0; i < a.classes().size(); ++i)
+            EXPECT_EQ(other->classes()[i].colour, a.classes()[i].colour);
+    }
+    EXPECT_EQ(b.find(800)->label, "> 2");
+    const ColourScale ramp({"depth", {}, fixed, true, {}, &great});
+    EXPECT_EQ(ramp.find(800)->label, "> 2");
+    EXPECT_THROW(ColourScale({"depth", {}, {0, fixed.back()}, false, {}, &great}), Error);
 }
 
 TEST(ColourScale, EveryValueOfTheDataHasAClassThatContainsIt) {

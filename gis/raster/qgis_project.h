@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/geometry.h"
+#include "gis/vector/vector_style.h"
+
+namespace frana::gis {
+
+/// A layer of a project. Files are named relative to the project's folder, so that the folder can be moved.
+struct ProjectLayer {
+    std::string title;
+    std::string file;           ///< "max_depth.tif", "extent.gpkg"
+    std::string layer{};        ///< of a GeoPackage; empty: a raster
+    Shape shape = Shape::area;  ///< of its features
+    std::string style{};        ///< QML document; empty: QGIS's own choice
+    bool visible = false;
+    std::optional<std::pair<double, double>>
+        seconds{};  ///< shown from the first to before the second (gis/access/time_origin.h)
+};
+
+struct ProjectGroup {
+    std::string name;
+    std::vector<ProjectLayer> layers;  ///< the uppermost first
+    bool visible = true;
+    bool expanded = true;
+};
+
+struct QgisProject {
+    std::string title;
+    std::string crs_wkt;  ///< of all layers; empty: none
+    Bounds extent;        ///< shown at first
+    std::vector<ProjectGroup> groups;
+};
+
+/// Writes a .qgz. The steps of its temporal controller are those of the layers that have times. The same project gives
+/// the same bytes. Throws Error(environment).
+void write_qgis_project(const std::string& path, const QgisProject& project);
+
+/// QML that shows elevations as shaded relief.
+std::string hillshade_style();
+
+}  // namespace frana::gis

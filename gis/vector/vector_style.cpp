@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/vector/vector_style.h"
+
+#include <sstream>
+
+#include "core/markup.h"
+#include "core/shortest_text.h"
+
+namespace frana::gis {
+namespace {
+
+constexpr double k_letters_pt = 9;
+constexpr double k_pixels_per_mm = 1 / 0.28;  // SLD's unit is the pixel of 0.28 mm
+
+std::string qml_colour(Rgb c) {
+    return std::to_string(c.r) + "," + std::to_string(c.g) + "," + std::to_string(c.b) + ",255";
+}
+
+std::string property(const char* key, const std::string& value) {
+    return std::string("          <prop k=\"") + key + "\" v=\"" + value + "\"/>\n";
+}
+
+std::string symbol(Shape shape, const VectorLook& look) {
+    const std::string colour = qml_colour(look.colour), width = shortest_text(look.width_mm),
+                      dashes = look.dashed ? "dash" : "solid";
+    std::string kind, layer, properties;
+    if (shape == Shape::area) {
+        kind = "fill";
+        layer = "SimpleFill";
+        properties = property("style", "no") + property("outline_color", colour) + property("outline_style", dashes) +
+                     property("outline_width", width) + property("outline_width_unit", "MM");
+    } else if (shape == Shape::line) {
+        kind = "line";
+        layer = "SimpleLine";
+        properties = property("line_color", colour) + property("line_style", dashes) + property("line_width", width) +
+                     property("line_width_unit", "MM");
+    } else {
+        kind = "marker";
+        layer = "SimpleMarker";
+        properties = property("name", "circle") + property("color", colour) + property("outline_style", "no") +
+                     property("size", width) + property("size_unit", "MM");
+    }
+    return "      <symbol type=\"" + kind + "\" name=\"0\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" +
+           "        <layer class=\"" + layer + "\" pass=\"0\" locked=\"0\" enabled=\"1\">\n" + properties +
+           "        </layer>\n      </symbol>\n";
+}
+
+/// Outside the outline, beside the line or over the point, with a white halo.
+std::string labels(Shape shape, const VectorLook& look) {
+    const int placement = shape == Shape::area ? 1 : shape == Shape::line ? 2 : 0;  // QGIS: over, along, around point
+    std::ostringstream out;
+    out << "  <labeling type=\"simple\">\n    <settings>\n      <text-style fieldName=\"" << escaped_markup(look.label)
+        << "\" isExpression=\"0\" fontSize=\"" << k_letters_pt << "\" fontSizeUnit=\"Point\" textColor=\""
+        << qml_colour(look.colour) << "\" namedStyle=\"Regular\">\n"
+        << "        <text-buffer bufferDraw=\"1\" bufferSize=\"0.8\" bufferSizeUnits=\"MM\" "
+        << "bufferColor=\"255,255,255,255\" bufferOpacity=\"1\"/>\n      </text-style>\n"
+        << "      <placement placement=\"" << placement << "\" placementFlags=\"10\" dist=\"1\" distUnits=\"MM\"/>\n"
+        << "      <rendering drawLabels=\"1\" obstacle=\"0\"/>\n    </settings>\n  </labeling>\n";
+    return out.str();
+}
+
+std::string css(const char* name, const std::string& value) {
+    return std::string("<CssParameter name=\"") + name + "\">" + value + "</CssParameter>";
+}
+
+std::string sld_rule(Shape shape, const VectorLook& look) {
+    std::string text = "        <Rule>\n          ";
+    if (shape == Shape::point) {
+        text += "<PointSymbolizer><Graphic><Mark><WellKnownName>circle</WellKnownName><Fill>" +
+                css("fill", hex(look.colour)) + "</Fill></Mark><Size>" +
+                shortest_text(look.width_mm * k_pixels_per_mm) + "</Size></Graphic></PointSymbolizer>\n";
+    } else {
+        const char* const element = shape == Shape::area ? "PolygonSymbolizer" : "LineSymbolizer";
+        const double width = look.width_mm * k_pixels_per_mm;
+        text +=
+            std::string("<") + element + "><Stroke>" + css("stroke", hex(look.colour)) +
+            css("stroke-width", shortest_text(width)) +
+            (look.dashed ? css("stroke-dasharray", shortest_text(4 * width) + " " + shortest_text(2 * width)) : "") +
+            "</Stroke></" + element + ">\n";
+    }
+    if (!look.label.empty())
+        text += "          <TextSymbolizer><Label><ogc:PropertyName>" + escaped_markup(look.label) +
+                "</ogc:PropertyName></Label><Font>" + css("font-size", "12") + "</Font><Halo><Radius>2</Radius><Fill>" +
+                css("fill", "#ffffff") + "</Fill></Halo><Fill>" + css("fill", hex(look.colour)) +
+                "</Fill></TextSymbolizer>\n";
+    return text + "        </Rule>\n";
+}
+
+}  // namespace
+
+std::string qml_document(const std::string& content, bool has_labels) {
+    return std::string("<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n") +
+           "<qgis version=\"3.22.0\" styleCategories=\"Symbology" + (has_labels ? "|Labeling" : "") + "\"" +
+           (has_labels ? " labelsEnabled=\"1\"" : "") + ">\n" + content + "  <blendMode>0</blendMode>\n</qgis>\n";
+}
+
+std::string sld_document(const std::string& name, const std::string& title, const std::string& rules) {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+           "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
+           "xmlns:ogc=\"http://www.opengis.net/ogc\">\n  <NamedLayer>\n    <Name>" +
+           escaped_markup(name) + "</Name>\n    <UserStyle>\n      <Title>" + escaped_markup(title) +
+           "</Title>\n      <FeatureTypeStyle>\n" + rules +
+           "      </FeatureTypeStyle>\n    </UserStyle>\n  </NamedLayer>\n</StyledLayerDescriptor>\n";
+}
+
+StyleText style_of(const std::string& name, Shape shape, const VectorLook& look) {
+    const bool has_labels = !look.label.empty();
+    const std::string renderer =
+        "  <renderer-v2 type=\"singleSymbol\" symbollevels=\"0\" enableorderby=\"0\" forceraster=\"0\">\n"
+        "    <symbols>\n" +
+        symbol(shape, look) + "    </symbols>\n  </renderer-v2>\n";
+    return {qml_document(renderer + (has_labels ? labels(shape, look) : ""), has_labels),
+            sld_document(name, name, sld_rule(shape, look))};
+}
+
+}  // namespace frana::gis

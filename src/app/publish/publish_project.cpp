@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish_project.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "app/pictures/result_reader.h"
+#include "app/store/layers.h"
+#include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
+#include "app/text/number_text.h"
+#include "gis/raster/qgis_project.h"
+#include "gis/raster/raster_text.h"
+#include "gis/raster/styles.h"
+#include "gis/vector/vector_in.h"
+#include "params/keys/result_rasters.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const k_shown = "max_depth";  // the map that is visible at first; of a study the first map
+
+std::string text_of_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The rasters that frames have.
+std::vector<const ResultRaster*> frame_rasters(const ResultReader& result) {
+    std::vector<const ResultRaster*> rows;
+    if (!result.has(k_frame_list)) return rows;
+    for (const ResultRaster& row : result_rasters())
+        if ((row.kind == ResultRaster::Kind::frame || row.in_frames) &&
+            fs::exists(result.frames().front().raster_file(row.name)))
+            rows.push_back(&row);
+    return rows;
+}
+
+std::string with_unit(const std::string& title, const std::string& unit) {
+    return unit.empty() || unit == "-" ? title : title + " [" + unit + "]";
+}
+
+class ProjectWriter {
+  public:
+    ProjectWriter(const std::string& folder, const std::string& title) : result_(folder), title_(title) {}
+
+    void write() {
+        gis::QgisProject project{title_, result_.grid().crs_wkt, result_.grid().bounds(), {}};
+        for (const gis::ProjectGroup& group : {outlines(), maps()})
+            if (!group.layers.empty()) project.groups.push_back(group);
+        for (const ResultRaster* row : frame_rasters(result_)) project.groups.push_back(frames(*row));
+        if (result_.has(raster_file("dtm")))
+            project.groups.push_back(
+                {"Terrain",
+                 {{named("Terrain"), raster_file("dtm"), "", gis::Shape::area, gis::hillshade_style(), true, {}}}});
+        gis::write_qgis_project(result_.path(k_project_file), project);
+    }
+
+  private:
+    /// Layers of several runs may be in one project: the name of each contains that of its run.
+    [[nodiscard]] std::string named(const std::string& what) const { return what + " – " + title_; }
+
+    [[nodiscard]] gis::ProjectGroup outlines() const {
+        gis::ProjectGroup group{named("Outlines"), {}};
+        for (const VectorLayer& row : vector_layers()) {
+            if (!result_.has(row.file) || !gis::has_layer(result_.path(row.file), row.name, "RESULT_DIR")) continue;
+            const bool visible = row.file == k_outlines_file || row.file == k_gauge_places;
+            group.layers.push_back({named(row.title),
+                                    row.file,
+                                    row.name,
+                                    row.shape,
+                                    gis::style_of(row.name, row.shape, row.look).qml,
+                                    visible,
+                                    {}});
+        }
+        return group;
+    }
+
+    [[nodiscard]] gis::ProjectGroup maps() const {
+        gis::ProjectGroup group{named("Maps"), {}};
+        if (result_.has(k_hazard_zones_file))
+            group.layers.push_back({named("Zones of intensity"),
+                                    k_hazard_zones_file,
+                                    fs::path(k_hazard_zones_file).stem().string(),
+                                    gis::Shape::area,
+                                    style_beside(k_hazard_zones_file),
+                                    false,
+                                    {}});
+        const std::vector<std::string> names = result_.drawable();
+        const bool has_shown = std::find(names.begin(), names.end(), k_shown) != names.end();
+        for (const std::string& name : names) {
+            const ResultRaster& row = *find_result_raster(name);
+            std::string title = with_unit(text_for(row, row.title, name), row.unit);
+            if (row.kind == ResultRaster::Kind::classes) {
+                const gis::RasterText text = gis::read_raster_text(result_.path(raster_file(name)));
+                if (const auto scheme = text.metadata.find("HAZARD_SCHEME"); scheme != text.metadata.end())
+                    title += ", scheme " + scheme->second;
+            }
+            const bool visible = has_shown ? name == k_shown : name == names.front();
+            group.layers.push_back(
+                {named(title), raster_file(name), "", gis::Shape::area, style_beside(raster_file(name)), visible, {}});
+        }
+        return group;
+    }
+
+    /// Each frame from its time to the next one's; hidden, since all are visible until QGIS's temporal controller runs.
+    [[nodiscard]] gis::ProjectGroup frames(const ResultRaster& row) const {
+        gis::ProjectGroup group{named(row.title + " over time"), {}, false, false};
+        const std::vector<StoredFrame>& all = result_.frames();
+        const std::string style = style_beside(frame_style(row.name) + ".tif");
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const double step = all.size() < 2       ? 1
+                                : i + 1 < all.size() ? all[i + 1].time - all[i].time
+                                                     : all[i].time - all[i - 1].time;
+            const std::string file =
+                std::string(k_frame_folder) + "/" + fs::path(all[i].raster_file(row.name)).filename().string();
+            group.layers.push_back({named(with_unit(row.title, row.unit) + ", " + number_text(all[i].time, 6) + " s"),
+                                    file, "", gis::Shape::area, style, true,
+                                    std::pair{all[i].time, all[i].time + step}});
+        }
+        return group;
+    }
+
+    [[nodiscard]] std::string style_beside(const std::string& file) const {
+        return text_of_file(fs::path(result_.path(file)).replace_extension(".qml").string());
+    }
+
+    ResultReader result_;
+    std::string title_;
+};
+
+}  // namespace
+
+void publish_project(const std::string& folder, const std::string& title) {
+    ProjectWriter(folder, title).write();
+}
+
+void publish_frame_styles(const std::string& folder) {
+    const ResultReader result(folder);
+    for (const ResultRaster* row : frame_rasters(result)) {
+        // Only classes up to the maximum need the values.
+        const ClassSpec chosen = result.classes();
+        const bool known = !row->bounds.empty() || (chosen.fixed && !row->classes.empty());
+        const std::vector<double> bounds =
+            known ? class_bounds(*row, chosen, 0) : result.map_layer(row->name + "@0").classes;
+        gis::write_styles(result.path(frame_style(row->name) + ".tif"),
+                          gis::class_stops(palette(row->palette), bounds, row->unit), row->unit,
+                          gis::StyleKind::classed, row->title);
+    }
+}
+
+}  // namespace frana::app

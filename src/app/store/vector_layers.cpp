@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/vector_layers.h"
+
+#include <filesystem>
+
+#include "app/store/result_files.h"
+
+namespace frana::app {
+namespace {
+
+using gis::Shape;
+
+const std::string k_name = "name";  // attribute that labels a feature
+
+/// Gives a layer of a file the style of its row.
+template <class Layer>
+void set_style(const std::string& gpkg_path, Layer& layer) {
+    if (!layer.style.qml.empty()) return;
+    const std::string file = std::filesystem::path(gpkg_path).filename().string();
+    for (const VectorLayer& row : vector_layers())
+        if (row.file == file && row.name == layer.name) layer.style = gis::style_of(row.name, row.shape, row.look);
+}
+
+}  // namespace
+
+const std::vector<VectorLayer>& vector_layers() {
+    static const std::vector<VectorLayer> k_table{
+        {k_gauge_places, "gauges", "Gauges", Shape::point, {{150, 0, 60}, 2.5, false, k_name}},
+        {k_gauge_places, "sections", "Cross-sections", Shape::line, {{70, 50, 120}, 0.6, false, k_name}},
+        {k_outlines_file, "scar", "Surveyed outline", Shape::area, {k_scar_colour, 0.7, false, ""}},
+        {k_outlines_file, "release", "Release", Shape::area, {k_release_colour, 0.6, true, k_name}},
+        {k_outlines_file, "deposit", "Outline of the deposit", Shape::area, {{120, 70, 0}, 0.4, false, ""}},
+        {k_outlines_file, "trace", "Outline of all ground reached", Shape::area, {{60, 60, 60}, 0.4, false, ""}},
+        {k_outlines_file, probability_layer("95"), "Reached by 95 %", Shape::area, {k_likely_colour, 0.5, false, ""}},
+        {k_outlines_file,
+         probability_layer("50"),
+         "Reached by 50 %",
+         Shape::area,
+         {k_even_chance_colour, 0.5, false, ""}},
+        {k_outlines_file, probability_layer("05"), "Reached by 5 %", Shape::area, {k_unlikely_colour, 0.5, true, ""}},
+        {k_profile_lines, "lines", "Profiles and flow path", Shape::line, {{70, 50, 120}, 0.5, true, k_name}},
+        {k_profile_lines, "stations", "Stations of the profiles", Shape::point, {{70, 50, 120}, 0.8, false, ""}},
+        {k_member_outlines, "members", "Outlines of the runs", Shape::area, {{90, 90, 90}, 0.2, false, ""}},
+    };
+    return k_table;
+}
+
+void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
+                           std::vector<gis::OutlineLayer> layers) {
+    for (gis::OutlineLayer& layer : layers) set_style(gpkg_path, layer);
+    gis::write_outlines(gpkg_path, crs_wkt, layers);
+}
+
+void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt, gis::LineLayer lines,
+                                   gis::PointLayer points) {
+    set_style(gpkg_path, lines);
+    set_style(gpkg_path, points);
+    gis::write_lines_and_points(gpkg_path, crs_wkt, {lines}, {points});
+}
+
+}  // namespace frana::app

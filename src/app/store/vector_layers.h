@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/colour.h"
+#include "gis/vector/vector_out.h"
+#include "gis/vector/vector_style.h"
+
+namespace frana::app {
+
+// Release and survey must be distinguishable from each other and from every palette.
+inline constexpr Rgb k_release_colour{20, 20, 20};
+inline constexpr Rgb k_scar_colour{0, 160, 220};
+/// Of outlines of probability.
+inline constexpr Rgb k_unlikely_colour{90, 90, 90}, k_even_chance_colour{20, 20, 20}, k_likely_colour{150, 0, 60};
+
+/// A layer of a GeoPackage of a result.
+struct VectorLayer {
+    std::string file;   ///< "extent.gpkg"
+    std::string name;   ///< "release"
+    std::string title;  ///< in a GIS project
+    gis::Shape shape = gis::Shape::area;
+    gis::VectorLook look{};
+};
+
+/// The one list of them, in the order in which a GIS shows them, the uppermost first.
+const std::vector<VectorLayer>& vector_layers();
+
+/// Writes a GeoPackage of a result; its layers have the style of their row, unless they have one. Throws as
+/// gis::write_outlines.
+void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
+                           std::vector<gis::OutlineLayer> layers);
+void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt, gis::LineLayer lines,
+                                   gis::PointLayer points);
+
+}  // namespace frana::app

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Opens result.qgz as a user does, in a copy of the result in another place: open_project.py NAME RESULT.
+
+NAME is "project" (every layer is valid, in order, styled, frames with their times) or "outlines" (layers of extent.gpkg
+opened alone take their styles from the file). Writes NAME.png into RESULT, to look at, and NAME.verdict."""
+import find_qgis  # noqa: F401
+import csv
+import os
+import shutil
+import sys
+import tempfile
+
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QColor, QImage, QPainter
+from qgis.core import (QgsApplication, QgsMapRendererCustomPainterJob, QgsMapSettings, QgsProject, QgsRasterLayer,
+                       QgsVectorLayer)
+
+BACKGROUND = QColor(255, 0, 255)
+
+
+def draw(layers, extent, path):
+    settings = QgsMapSettings()
+    settings.setLayers(layers)
+    settings.setDestinationCrs(layers[0].crs())
+    settings.setExtent(extent)
+    settings.setOutputSize(QSize(1000, int(1000 * extent.height() / extent.width())))
+    settings.setBackgroundColor(BACKGROUND)
+    settings.setFlag(QgsMapSettings.DrawLabeling, True)
+    image = QImage(settings.outputSize(), QImage.Format_RGB32)
+    image.fill(BACKGROUND)
+    painter = QPainter(image)
+    QgsMapRendererCustomPainterJob(settings, painter).renderSynchronously()
+    painter.end()
+    image.save(path)
+    return image
+
+
+def check_outline(layer):
+    symbol = layer.renderer().symbol()
+    assert symbol.symbolLayer(0).properties()["style"] == "no", layer.name() + " is filled"
+    return symbol.symbolLayer(0)
+
+
+def check_frames(group, folder, name):
+    with open(os.path.join(folder, "frames", "frames.csv"), newline="") as table:
+        rows = list(csv.DictReader(table))
+    column = next(key for key in rows[0] if key.startswith("time"))
+    times = [float(row[column]) for row in rows]
+    layers = [node.layer() for node in group.findLayers()]
+    assert len(layers) == len(times), (len(layers), len(times))
+    starts = []
+    for layer in layers:
+        assert os.path.basename(layer.source()).startswith(name + "_"), layer.source()
+        properties = layer.temporalProperties()
+        assert properties.isActive(), layer.name() + " has no time"
+        begin = properties.fixedTemporalRange().begin().toUTC()
+        starts.append(begin.toMSecsSinceEpoch() / 1000 - 946684800)  # 2000-01-01
+    for found, wanted in zip(starts, times):
+        assert abs(found - wanted) < 1e-3, (starts, times)  # milliseconds
+
+
+def check_project(folder, picture):
+    project = QgsProject.instance()
+    assert project.read(os.path.join(folder, "result.qgz")), project.error()
+    layers = project.mapLayers().values()
+    invalid = [layer.name() + ": " + layer.source() for layer in layers if not layer.isValid()]
+    assert layers and not invalid, invalid
+    for layer in layers:
+        assert os.path.realpath(layer.source()).startswith(os.path.realpath(folder)), layer.source()
+        assert project.title() in layer.name(), layer.name()
+        assert layer.crs().authid() == "EPSG:32632", layer.crs().authid()
+    groups = project.layerTreeRoot().children()
+    names = [group.name().split(" – ")[0] for group in groups]
+    assert names == ["Outlines", "Maps", "Flow depth over time", "Flow velocity over time", "Terrain"], names
+    for group, quantity in ((groups[2], "depth"), (groups[3], "velocity")):
+        assert not group.isVisible()
+        check_frames(group, folder, quantity)
+    assert project.timeSettings().temporalRange().begin().isValid(), "no temporal range"
+    rasters = {os.path.basename(layer.source()): layer for layer in layers if isinstance(layer, QgsRasterLayer)}
+    written = {name for name in os.listdir(folder) if name.endswith(".tif") and name != "bed.tif"}
+    assert written <= set(rasters), written - set(rasters)
+    for name in sorted(written - {"dtm.tif"}):
+        alone = QgsRasterLayer(os.path.join(folder, name), name)  # finds the .qml beside it
+        colours = [[(item.value, item.color.name()) for item in
+                    layer.renderer().shader().rasterShaderFunction().colorRampItemList()]
+                   for layer in (alone, rasters[name])]
+        assert colours[0] == colours[1] and len(colours[0]) > 1, (name, colours)
+    shared = [rasters[name].renderer().shader().rasterShaderFunction().colorRampItemList()
+              for name in sorted(rasters) if name.startswith("depth_")]
+    assert all([item.color for item in one] == [item.color for item in shared[0]] for one in shared)
+    for layer in layers:
+        if layer.source().split("|")[0].endswith("extent.gpkg"):
+            check_outline(layer)
+    visible = [layer for layer in project.layerTreeRoot().layerOrder()
+               if project.layerTreeRoot().findLayer(layer.id()).isVisible()]
+    shown = [os.path.basename(layer.source()) for layer in visible if isinstance(layer, QgsRasterLayer)]
+    assert shown == ["max_depth.tif", "dtm.tif"], shown
+    image = draw(visible, rasters["dtm.tif"].extent(), picture)
+    seen = {image.pixelColor(x, y).name() for x in range(0, image.width(), 2) for y in range(0, image.height(), 2)}
+    items = rasters["max_depth.tif"].renderer().shader().rasterShaderFunction().colorRampItemList()
+    assert sum(item.color.name() in seen for item in items) >= 3, "the depths are not visible: " + str(len(seen))
+
+
+def check_outlines(folder, picture):
+    layers = []
+    for name in ("release", "trace", "deposit", "scar"):
+        layer = QgsVectorLayer(os.path.join(folder, "extent.gpkg") + "|layername=" + name, name, "ogr")
+        assert layer.isValid() and layer.featureCount() > 0, name
+        check_outline(layer)
+        layers.append(layer)
+    assert layers[0].labelsEnabled() and layers[0].labeling().settings().fieldName == "name", "no names"
+    dashed = [layer.renderer().symbol().symbolLayer(0).strokeStyle() == Qt.DashLine for layer in layers]
+    assert dashed == [True, False, False, False], dashed
+    extent = layers[1].extent()
+    extent.scale(1.2)
+    image = draw(layers, extent, picture)
+    inside = sum(image.pixelColor(x, y) == BACKGROUND for x in range(0, image.width(), 4)
+                 for y in range(0, image.height(), 4))
+    assert inside > 0.8 * (image.width() // 4) * (image.height() // 4), "areas are covered"
+
+
+def main(name, result):
+    application = QgsApplication([], False)
+    application.initQgis()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as elsewhere:
+        moved = os.path.join(elsewhere, "moved result")
+        shutil.copytree(result, moved)
+        {"project": check_project, "outlines": check_outlines}[name](moved, os.path.join(result, name + ".png"))
+        shutil.rmtree(elsewhere, ignore_errors=True)
+    with open(os.path.join(result, name + ".verdict"), "w") as verdict:  # for judge.py
+        verdict.write("good")
+    sys.stdout.flush()
+    os._exit(0)  # as in draw_style.py
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
