@@ -6,6 +6,20 @@
 #include <limits>
 
 namespace frana {
+namespace {
+
+// Numbers the rows (or columns) of cells that contain particles, and of the empty ones between them at most so many.
+std::int64_t number(std::vector<std::int32_t>& numbers) {
+    std::int64_t next = 0, empty = 0;
+    for (std::int32_t& used : numbers) {
+        empty = used != 0 ? 0 : empty + 1;
+        if (empty <= CellOrder::k_most_empty) ++next;
+        used = static_cast<std::int32_t>(next - 1);
+    }
+    return next;
+}
+
+}  // namespace
 
 void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
     constexpr std::size_t k_block = 16384;
@@ -22,8 +36,15 @@ void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
         north_ = any ? std::max(north_, y[p]) : y[p];
         any = true;
     }
-    columns_ = any ? static_cast<std::int64_t>((east_ - west_) / side_) + 1 : 0;
-    rows_ = any ? static_cast<std::int64_t>((north_ - south_) / side_) + 1 : 0;
+    const auto steps = [this](double from, double to) { return static_cast<std::size_t>((to - from) / side_); };
+    column_of_.assign(any ? steps(west_, east_) + 1 : 0, 0);
+    row_of_.assign(any ? steps(south_, north_) + 1 : 0, 0);
+    for (std::size_t p = 0; p < n; ++p) {
+        if (!keep.empty() && !keep[p]) continue;
+        column_of_[steps(west_, x[p])] = row_of_[steps(south_, y[p])] = 1;
+    }
+    columns_ = number(column_of_);
+    rows_ = number(row_of_);
 
     // A stable counting sort. Keys and moves are computed in parallel; counting alone is too short to benefit.
     keys_.resize(n);
@@ -31,8 +52,8 @@ void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
         for (std::size_t p = begin; p < end; ++p) {
             const bool kept = keep.empty() || keep[p];
             keys_[p] = !kept ? k_dropped
-                             : static_cast<std::uint32_t>(place(static_cast<std::int64_t>((y[p] - south_) / side_),
-                                                                static_cast<std::int64_t>((x[p] - west_) / side_)));
+                             : static_cast<std::uint32_t>(
+                                   place(row_of_[steps(south_, y[p])], column_of_[steps(west_, x[p])]));
         }
     });
     starts_.assign(static_cast<std::size_t>((rows_ + 2 * k_near) * (columns_ + 2 * k_near)) + 1, 0);

@@ -24,6 +24,9 @@ struct ParticleRun {
 ///     row       [ - - x - - ]      cell side = (reach + slack) / 2
 ///     row - 2   [ - - - - - ]
 ///
+/// Of more than k_most_empty empty rows or columns in succession only so many are kept: flows far apart cost what each
+/// of them does.
+///
 /// until two particles have approached each other by `slack`. The order depends only on positions and the former order,
 /// not on threads.
 class CellOrder {
@@ -31,6 +34,8 @@ class CellOrder {
     static constexpr std::int64_t k_near = 2;  ///< cells on either side
     static constexpr std::size_t k_rows_near = 2 * k_near + 1;
     static constexpr double k_slack = 0.125;  ///< over the reach
+    /// More than any method looks at around a cell.
+    static constexpr std::int64_t k_most_empty = 8;
 
     /// @param reach greatest distance at which particles interact [m]
     explicit CellOrder(double reach) : reach_(reach), side_(0.5 * reach * (1 + k_slack)) {}
@@ -45,7 +50,7 @@ class CellOrder {
     [[nodiscard]] double slack() const noexcept { return reach_ * k_slack; }
     /// The smallest rectangle around all particles at the last sort.
     [[nodiscard]] Bounds bounds() const noexcept { return {west_, south_, east_, north_}; }
-    /// Rows and columns that may contain particles; empty cells surround them.
+    /// Rows and columns that may contain particles, without most of the empty ones; empty cells surround them.
     [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
 
@@ -69,9 +74,9 @@ class CellOrder {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [reach, cell_side, west, south, east, north, n_rows, n_columns, starts, keys, source] =
-            *this;
-        archive(west, south, east, north, n_rows, n_columns, starts);  // keys and source are used by a sort only
+        [[maybe_unused]] auto& [reach, cell_side, west, south, east, north, n_rows, n_columns, starts, keys, source,
+                                column_of, row_of] = *this;
+        archive(west, south, east, north, n_rows, n_columns, starts);  // the others are used by a sort only
     }
     /// After reading: whether this is an order of `count` particles.
     [[nodiscard]] bool orders(std::size_t count) const;
@@ -86,6 +91,7 @@ class CellOrder {
     std::int64_t rows_ = 0, columns_ = 0;
     std::vector<std::uint32_t> starts_;  // of each cell, the surrounding ones included, and one more
     std::vector<std::uint32_t> keys_, source_;
+    std::vector<std::int32_t> column_of_, row_of_;  // the cell's number by its distance from the west, the south
 };
 
 }  // namespace frana

@@ -94,10 +94,9 @@ RunCheck::RunCheck(const Scene& scene, const Release& release, const Arrivals& a
       lowest_(lowest_bed(release.bed)),
       erodible_(deepest_erosion(scene)) {
     const Start start = start_of(scene, release, arrivals);
-    const auto cells = static_cast<std::size_t>(scene.grid.cell_count());
     top_ = start.highest + start.deepest;
     depth_ = pressure_factor * start.deepest;
-    at_start_ = start.fastest + (scene.structured ? recoil_speed(*scene.structured, cells) : 0);
+    at_start_ = start.fastest + (scene.structured ? recoil_speed(*scene.structured) : 0);
 }
 
 double RunCheck::greatest_speed(double lowest) const noexcept {

@@ -24,9 +24,10 @@ Point corner_of(const Scene& scene) {
     for (const Inflow& inflow : scene.inflows) std::for_each(inflow.line.begin(), inflow.line.end(), include);
     if (!scene.structured || !scene.structured->initial_fluid) return corner;
     const Raster& fluid = *scene.structured->initial_fluid;
-    for (std::int64_t row = 0; row < scene.grid.rows; ++row)
-        for (std::int64_t column = 0; column < scene.grid.columns; ++column)
-            if (fluid.at(row, column) > 0) include(scene.grid.cell_centre(row, column));
+    fluid.values.for_each_stored([&](std::size_t cell, double depth) {
+        const auto n = static_cast<std::int64_t>(cell);
+        if (depth > 0) include(scene.grid.cell_centre(n / scene.grid.columns, n % scene.grid.columns));
+    });
     return corner;
 }
 

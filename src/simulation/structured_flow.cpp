@@ -15,7 +15,6 @@ using structured::SolidStages;
 
 NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
     NodeGrid nodes(ground);
-    nodes.cover({0, nodes.stride(), 0, nodes.padded_rows()});  // initial fluid may be anywhere on it
     if (walls) nodes.mark_walls(*walls);
     return nodes;
 }
@@ -55,7 +54,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       pool_(threads),
       laws_(structured_laws(material, numerics, grid_)),
       state_(initial_state(walled(ground, walls), laws_, material, numerics, grid_, released)),
-      tiles_{state_.grid.columns(), state_.grid.rows(), k_ghost, grid_.cell_size},
+      tiles_(structured::tiles_on(state_.grid)),
       maxima_(state_.grid.bed.size()) {
     receive(released, true);
     receive_lying();
@@ -89,12 +88,13 @@ void StructuredFlow::receive_lying() {
     if (!material_.initial_fluid) return;
     const Raster& depth = *material_.initial_fluid;
     std::vector<FluidSource> sources;
-    for (std::int64_t row = 0; row < grid_.rows; ++row)
-        for (std::int64_t column = 0; column < grid_.columns; ++column)
-            if (depth.at(row, column) > 0)
-                sources.push_back({state_.grid.index(column, grid_.rows - 1 - row), depth.at(row, column), 0, 0});
+    depth.values.for_each_stored([&](std::size_t cell, double h) {
+        const auto row = static_cast<std::int64_t>(cell) / grid_.columns,
+                   column = static_cast<std::int64_t>(cell) % grid_.columns;
+        if (h > 0) sources.push_back({state_.grid.index(column, grid_.rows - 1 - row), h, 0, 0});
+    });
     for (const FluidSource& source : sources) entered_.free += source.depth * grid_.cell_area();
-    state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
+    take(sources);
 }
 
 // Adds particles' fluid: of released columns the fraction that is free from the start, else all.
@@ -125,8 +125,12 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
         sources.push_back({state_.grid.scale().node_of(place.x, place.y), depth, depth * particles[Field::u][p],
                            depth * particles[Field::v][p]});
     }
-    if (!state_.fluid) return;
-    state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
+    if (state_.fluid) take(sources);
+}
+
+void StructuredFlow::take(const std::vector<FluidSource>& sources) {
+    state_.fluid->volume_left +=
+        structured::receive(sources, *state_.fluid, state_.grid, laws_.fluid) * grid_.cell_area();
 }
 
 double StructuredFlow::density() const {
@@ -218,7 +222,7 @@ std::size_t StructuredFlow::bytes_per_node() const noexcept {
     std::size_t bytes = sizeof(double) + Maxima::k_bytes;
     if (state_.fluid) bytes += k_fluid_values * sizeof(double) + 1 + (laws_.fluid.steep ? sizeof(double) : 0);
     if (state_.solid)
-        bytes += sizeof(structured::SolidSums) + sizeof(structured::NodePush) + k_solid_values * sizeof(double) + 2 +
+        bytes += sizeof(structured::SolidSums) + sizeof(structured::NodePush) + k_solid_values * sizeof(double) +
                  (state_.fluid ? sizeof(structured::CouplingSums) + 2 * sizeof(double) : 0);
     return bytes;
 }
@@ -266,16 +270,14 @@ StepStatistics StructuredFlow::observe() {
     return sum;
 }
 
-// Tiles in which something may move: those of the fluid, and those within the solids' bounding box.
+// Tiles in which something may move: those of the fluid and of the solids.
 std::vector<std::int64_t> StructuredFlow::shown_tiles() const {
     std::vector<std::int64_t> shown;
     if (state_.fluid) shown = state_.fluid->tiles;
     if (state_.solid) {
-        const structured::NodeBox& box = state_.solid->nodes.box;
-        for (std::int64_t j = box.j0 / k_tile; j * k_tile < box.j1; ++j)
-            for (std::int64_t i = box.i0 / k_tile; i * k_tile < box.i1; ++i) shown.push_back(j * tiles_.tiles_x() + i);
-        std::sort(shown.begin(), shown.end());
-        shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+        const std::vector<std::int64_t>& solid = state_.solid->nodes.tiles;
+        shown.insert(shown.end(), solid.begin(), solid.end());
+        structured::make_ascending(shown);
     }
     return shown;
 }

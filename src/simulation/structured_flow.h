@@ -123,6 +123,7 @@ class StructuredFlow {
     [[nodiscard]] double solid_speed(std::size_t cell) const;
     void receive(const ParticleSet& particles, bool columns);
     void receive_lying();
+    void take(const std::vector<structured::FluidSource>& sources);
     StepStatistics observe();
     template <class Value>
     [[nodiscard]] Raster raster_of(const Value& value) const;

@@ -53,23 +53,34 @@ structured::Elasticity elasticity(const StructuredMaterial& m) {
                                                        m.bulk_modulus / m.modulus_reduction);
 }
 
+// Calls visit for the uniform material and for that of every cell that a zone changes.
+template <class Visit>
+void for_each_material(const StructuredMaterial& m, const Visit& visit) {
+    visit(uniform_material(m));
+    for (const SolidZone& zone : m.zones)
+        zone.raster.values.for_each_stored([&](std::size_t cell, double value) {
+            if (!std::isnan(value)) visit(material_of_cell(m, cell));
+        });
+}
+
 // Elastic waves are fastest in the lightest material.
-double least_coupled_density(const StructuredMaterial& m, std::size_t cells) {
-    if (m.zones.empty()) return coupled_density(m, uniform_material(m));
+double least_coupled_density(const StructuredMaterial& m) {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-        const structured::SolidMaterial solid = material_of_cell(m, cell);
+    for_each_material(m, [&](const structured::SolidMaterial& solid) {
         if (solid.solid_fraction > 0) least = std::min(least, coupled_density(m, solid));
-    }
+    });
     return least;
 }
 
 // Whether a value that may vary from place to place passes a test anywhere.
 template <class Test>
 bool anywhere(const StructuredMaterial& m, double SolidValues::*value, const Test& test) {
-    for (const SolidZone& zone : m.zones)
-        if (zone.value == value)
-            return std::any_of(zone.raster.values.begin(), zone.raster.values.end(), test);  // NaN passes none
+    for (const SolidZone& zone : m.zones) {
+        if (zone.value != value) continue;
+        bool passes = false;
+        zone.raster.values.for_each_stored([&](std::size_t, double v) { passes = passes || test(v); });  // NaN: never
+        return passes;
+    }
     return test(m.*value);
 }
 
@@ -119,29 +130,27 @@ structured::SolidMaterial material_at(const StructuredMaterial& m, const GridSpe
     return material_of_cell(m, static_cast<std::size_t>(cell.row * grid.columns + cell.column));
 }
 
-double recoil_speed(const StructuredMaterial& m, std::size_t cells) {
+double recoil_speed(const StructuredMaterial& m) {
     if (!m.solids) return 0;
     const structured::Elasticity waves = elasticity(m);
     double greatest = 0;
-    for (std::size_t cell = 0; cell < (m.zones.empty() ? 1 : cells); ++cell) {
-        const structured::SolidMaterial solid = material_of_cell(m, cell);
-        if (!(solid.cohesion > 0 && solid.solid_fraction > 0)) continue;
+    for_each_material(m, [&](const structured::SolidMaterial& solid) {
+        if (!(solid.cohesion > 0 && solid.solid_fraction > 0)) return;
         const double strength = 2 * solid.cohesion * (std::hypot(1, solid.friction) - solid.friction);
         const double density = coupled_density(m, solid);
         greatest = std::max(greatest, 2 * strength / (density * waves.wave_speed(density)));
-    }
+    });
     return greatest;
 }
 
-double greatest_modulus_reduction(const StructuredMaterial& m, std::size_t cells) {
+double greatest_modulus_reduction(const StructuredMaterial& m) {
     constexpr double k_of_critical = 1.0 / 20;
     double greatest = std::numeric_limits<double>::infinity();
-    for (std::size_t cell = 0; cell < (m.zones.empty() ? 1 : cells); ++cell) {
-        const structured::SolidMaterial solid = material_of_cell(m, cell);
-        if (!(solid.cohesion > 0 && solid.friction >= 0)) continue;
+    for_each_material(m, [&](const structured::SolidMaterial& solid) {
+        if (!(solid.cohesion > 0 && solid.friction >= 0)) return;
         const double strength = structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial();
         greatest = std::min(greatest, k_of_critical * m.critical_strain * m.young_modulus / strength);
-    }
+    });
     return greatest;
 }
 
@@ -164,7 +173,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.fragmentation.critical_strain = m.critical_strain;
     solid.fragmentation.measure =
         m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;
-    solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m, static_cast<std::size_t>(grid.cell_count())));
+    solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m));
     solid.spacing = grid.cell_size / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
     solid.viscosity = {m.linear_viscosity, m.quadratic_viscosity, m.sound_speed > 0 ? m.sound_speed : solid.wave_speed,
                        solid.kernel.length()};

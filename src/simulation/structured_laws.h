@@ -22,10 +22,10 @@ double whole_density(const StructuredMaterial& material, const structured::Solid
 /// Returns the speed of elastic rebound at a free face of material stretched to its strength, 2 T / (rho c), with Mohr
 /// and Coulomb's uniaxial tensile strength T = 2 c cos phi / (1 + sin phi) and c the elastic waves' speed [m/s]. Our
 /// estimate.
-double recoil_speed(const StructuredMaterial& material, std::size_t cells);
+double recoil_speed(const StructuredMaterial& material);
 /// Returns the greatest reduction of the moduli that hardly changes how material breaks: its elastic strain at the
 /// uniaxial strength q, r q / E, is a twentieth of the critical strain where it is greatest; infinity without cohesion
 /// (ours; sample_data/fracture/README.md has the errors).
-double greatest_modulus_reduction(const StructuredMaterial& material, std::size_t cells);
+double greatest_modulus_reduction(const StructuredMaterial& material);
 
 }  // namespace frana

@@ -14,15 +14,17 @@ namespace {
 // Returns the volume-weighted mean over the particles of each cell; NaN where there is none.
 template <class Value>
 Raster mean_by_cell(const ParticleSet& particles, const GridSpec& grid, const Value& value) {
-    Raster sum(grid, 0), weight(grid, 0);
+    Raster sum(grid, k_no_data), weight(grid, 0);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Cell c = cell_of(grid, {particles[Field::x][p], particles[Field::y][p]});
         const double volume = particles[Field::volume][p];
-        sum.at(c.row, c.column) += volume * value(p);
+        double& here = sum.at(c.row, c.column);
+        here = (std::isnan(here) ? 0 : here) + volume * value(p);
         weight.at(c.row, c.column) += volume;
     }
-    for (std::size_t i = 0; i < sum.values.size(); ++i)
-        sum.values[i] = weight.values[i] > 0 ? sum.values[i] / weight.values[i] : k_no_data;
+    sum.values.change_each_stored([&](std::size_t cell, double& here) {
+        if (!std::isnan(here)) here = weight.values[cell] > 0 ? here / weight.values[cell] : k_no_data;
+    });
     return sum;
 }
 
@@ -70,10 +72,12 @@ double StructuredFlow::speed(std::size_t cell) const {
 template <class Value>
 Raster StructuredFlow::raster_of(const Value& value) const {
     Raster raster(grid_, k_no_data);
-    for (std::int64_t row = 0; row < grid_.rows; ++row) {
-        for (std::int64_t column = 0; column < grid_.columns; ++column)
-            raster.at(row, column) = value(state_.grid.index(column, grid_.rows - 1 - row));
-    }
+    state_.grid.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+        for (std::int64_t i = i0; i < i1; ++i) {
+            const double here = value(state_.grid.index(i, j));
+            if (!std::isnan(here)) raster.at(grid_.rows - 1 - j, i) = here;
+        }
+    });
     return raster;
 }
 

@@ -11,6 +11,7 @@
 #include "app/input/thickness_on_demand.h"
 #include "app/input/thickness_volume.h"
 #include "app/input/transform_report.h"
+#include "app/input/zones_on_demand.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
 #include "gis/crs/crs.h"
@@ -25,23 +26,42 @@ using Kind = ThicknessSpec::Kind;
 /// have checked that none is negative.
 Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
     Raster sum(solids.grid, k_no_data), fraction(solids.grid, k_no_data);
-    for (std::size_t i = 0; i < sum.values.size(); ++i) {
-        const double s = solids.values[i] > 0 ? solids.values[i] : 0, f = fluid.values[i] > 0 ? fluid.values[i] : 0;
-        if (!(s + f > 0)) continue;
-        sum.values[i] = s + f;
-        fraction.values[i] = s / (s + f);
-    }
+    const auto add = [&](std::size_t cell, double) {
+        const double s = solids.values[cell] > 0 ? solids.values[cell] : 0,
+                     f = fluid.values[cell] > 0 ? fluid.values[cell] : 0;
+        if (!(s + f > 0)) return;
+        sum.values[cell] = s + f;
+        fraction.values[cell] = s / (s + f);
+    };
+    solids.values.for_each_stored(add);
+    fluid.values.for_each_stored(add);
     release.solid_fraction = std::move(fraction);
     return sum;
 }
 
+/// What a file covers, in the CRS of the grid.
+Bounds extent_on(const GridSpec& grid, const gis::RasterInfo& file) {
+    return gis::CrsTransform(grid.crs_wkt.empty() ? "" : file.crs_wkt, grid.crs_wkt, file.bounds).around(file.bounds);
+}
+
+constexpr const char* k_negative_depth = "a depth is negative";
+
+/// The depth of a phase on a large working grid; only where it is positive it takes memory. Throws Error(input).
+Raster phase_on_demand(const GridSpec& grid, const std::shared_ptr<const gis::RasterOnDemand>& file,
+                       const gis::RasterInfo& info, const std::string& where) {
+    const auto checked = [&](double depth) {
+        if (depth < 0)
+            throw Error(ErrorKind::input,
+                        Problem{k_negative_depth, where, info.path + ": " + shortest_text(depth) + " m", "0 or more",
+                                "Correct the raster"});
+        return depth;
+    };
+    return positive_values(raster_values_on_demand(grid, file, checked), extent_on(grid, info));
+}
+
 /// Returns a mask of the cells where a thickness is positive.
 Raster positive_part(const Raster& thickness, const TerrainInput& ground, const gis::RasterInfo& file) {
-    if (ground.on_demand) {
-        const std::string& crs = thickness.grid.crs_wkt;
-        return positive_cells(thickness,
-                              gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds));
-    }
+    if (ground.on_demand) return positive_cells(thickness, extent_on(thickness.grid, file));
     Raster positive(thickness.grid);
     thickness.values.for_each_stored([&](std::size_t cell, double metres) {
         if (metres > 0) positive.values[cell] = 1;
@@ -93,12 +113,15 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             release.rasters.push_back(info);
             files.push_back(used_raster("Release thickness", info, read));
             if (ground->on_demand) do_not_count_nodata(files.back());
+            if (ground->on_demand && spec.kind == Kind::phases)
+                read.raster = phase_on_demand(ground->terrain.grid, unread.back(), info, where);
             rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
             problems.add(error);
         }
     }
     if (rasters.size() != names.size()) return std::nullopt;
+    if (ground->on_demand && spec.kind == Kind::phases) return sum_of_phases(rasters[0], rasters[1], release);
     if (ground->on_demand) return thickness_on_demand(spec.kind, ground->terrain.grid, unread, ground->on_demand);
     if (spec.kind == Kind::raster) return std::move(rasters.front());
     if (spec.kind == Kind::phases) {
@@ -107,7 +130,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                 *std::min_element(rasters[i].values.begin(), rasters[i].values.end(),
                                   [](double a, double b) { return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b); });
             if (!(least < 0)) continue;
-            problems.add({"a depth is negative", where, names[i] + ": " + shortest_text(least) + " m", "0 or more",
+            problems.add({k_negative_depth, where, names[i] + ": " + shortest_text(least) + " m", "0 or more",
                           "Correct the raster"});
             return std::nullopt;
         }

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/input/check_release.h"
 #include "app/input/layer_values.h"
 #include "app/input/prepare_material.h"
 #include "app/input/prepare_zones.h"
 #include "app/input/transform_report.h"
+#include "app/input/zone_raster_on_demand.h"
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
@@ -45,20 +47,27 @@ bool has_kind(const Property& property, Kind kind) {
 
 /// Gives cells that only the edge of an outline touches the value of a neighbour inside.
 void widen(Raster& raster) {
+    constexpr std::pair<int, int> k_beside[] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
     const Raster before = raster;
     const GridSpec& grid = raster.grid;
-    for (std::int64_t row = 0; row < grid.rows; ++row) {
-        for (std::int64_t column = 0; column < grid.columns; ++column) {
-            if (before.has_data(row, column)) continue;
-            for (const auto& [dr, dc] :
-                 {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) {
-                const std::int64_t r = row + dr, c = column + dc;
-                if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns || !before.has_data(r, c)) continue;
-                raster.at(row, column) = before.at(r, c);
-                break;
-            }
+    const auto exists = [&](std::int64_t row, std::int64_t column) {
+        return row >= 0 && column >= 0 && row < grid.rows && column < grid.columns;
+    };
+    const auto take_from_neighbour = [&](std::int64_t row, std::int64_t column) {
+        for (const auto& [dr, dc] : k_beside) {
+            if (!exists(row + dr, column + dc) || !before.has_data(row + dr, column + dc)) continue;
+            raster.at(row, column) = before.at(row + dr, column + dc);
+            return;
         }
-    }
+    };
+    before.values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value)) return;
+        const std::int64_t row = static_cast<std::int64_t>(cell) / grid.columns,
+                           column = static_cast<std::int64_t>(cell) % grid.columns;
+        for (const auto& [dr, dc] : k_beside)
+            if (exists(row + dr, column + dc) && !before.has_data(row + dr, column + dc))
+                take_from_neighbour(row + dr, column + dc);
+    });
 }
 
 void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid, Property& property,
@@ -117,10 +126,9 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
 }
 
 /// Softer material strains more until it yields, and damage counts strain.
-void check_modulus_reduction(const SceneReading& reading, const StructuredMaterial& m, std::size_t cells,
-                             Problems& problems) {
+void check_modulus_reduction(const SceneReading& reading, const StructuredMaterial& m, Problems& problems) {
     if (!m.solids || !(m.modulus_reduction > 1)) return;
-    const double most = std::max(1.0, greatest_modulus_reduction(m, cells));
+    const double most = std::max(1.0, greatest_modulus_reduction(m));
     if (!(m.modulus_reduction > most)) return;
     problems.add({"softens the material so much that it would break by that",
                   reading.where("structured.modulus-reduction"), number_text(m.modulus_reduction, 4),
@@ -135,9 +143,39 @@ void bound_initial_fluid(const std::optional<SourceSpec>& source, const Raster& 
     if (source && source->kind == Kind::number && source->number > 0)
         m.initial_fluid = Raster(terrain.grid, source->number);
     if (!m.initial_fluid) return;
-    for (std::size_t i = 0; i < terrain.values.size(); ++i)
-        if (std::isnan(terrain.values[i]) || (walls && walls->values[i] == 1)) m.initial_fluid->values[i] = k_no_data;
+    m.initial_fluid->values.change_each_stored([&](std::size_t cell, double& depth) {
+        if (!(depth > 0)) return;
+        if (std::isnan(terrain.values[cell]) || (walls && walls->values[cell] == 1)) depth = k_no_data;
+    });
     m.more_fluid = true;
+}
+
+/// Of a property only the values in cells that the release touches are ever used.
+Raster under_release(const Raster& raster, const MultiPolygon& released) {
+    Raster kept(raster.grid, k_no_data);
+    gis::visit_cells(released, raster.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
+        if (const double value = raster.at(row, column); !std::isnan(value)) kept.at(row, column) = value;
+    });
+    return kept;
+}
+
+/// A raster of a property on the working grid, in the unit of the scene file.
+std::optional<Raster> property_raster(const SceneReading& reading, const TerrainInput* ground,
+                                      const MultiPolygon& released, const Property& property,
+                                      std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    const std::string& file = (*property.source)->name;
+    if (ground == nullptr || !ground->on_demand)
+        return read_zone_raster(reading, ground, property.key, file, "", files, log, problems);
+    const auto within = [reading, key = property.key](double value) {
+        Problems wrong;
+        (void)within_limits(reading, key, value, "a value of the raster", wrong);
+        wrong.throw_if_any();
+        return value;
+    };
+    if (property.value != nullptr)
+        return zone_raster_on_demand(reading, *ground, property.key, file, released, within, files, log);
+    // Fluid lies where the file says, not only under the release.
+    return positive_values_on_demand(reading, *ground, property.key, file, within, files, log);
 }
 
 }  // namespace
@@ -148,6 +186,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
     std::optional<StructuredMaterial> material = structured_of(reading.scene);
     if (!material) return material;
     const StructuredSpec& spec = reading.scene.structured;
+    const MultiPolygon released = all_outlines(release);
     std::vector<Property> list = properties(spec, material->solids);
     const gis::PolygonLayer* layer = nullptr;
     std::optional<gis::PolygonLayer> own;
@@ -163,8 +202,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
             if (has_kind(property, Kind::attribute) && layer != nullptr && ground != nullptr)
                 burn(reading, *layer, ground->terrain.grid, property, problems);
             if (has_kind(property, Kind::raster))
-                property.raster =
-                    read_zone_raster(reading, ground, property.key, (*property.source)->name, "", files, log, problems);
+                property.raster = property_raster(reading, ground, released, property, files, log, problems);
         } catch (const Error& error) {
             problems.add(error);
         }
@@ -179,11 +217,13 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
             continue;
         }
         check_cover(reading, release, property, release.solid_fraction, problems);
+        Raster kept = under_release(*property.raster, released);
         if (property.degrees)
-            for (double& value : property.raster->values) value = std::tan(value * std::numbers::pi / 180);
-        material->zones.push_back({property.value, std::move(*property.raster)});
+            kept.values.change_each_stored(
+                [](std::size_t, double& value) { value = std::tan(value * std::numbers::pi / 180); });
+        material->zones.push_back({property.value, std::move(kept)});
     }
-    check_modulus_reduction(reading, *material, static_cast<std::size_t>(ground->terrain.grid.cell_count()), problems);
+    check_modulus_reduction(reading, *material, problems);
     bound_initial_fluid(spec.initial_fluid_depth, ground->terrain, walls, *material);
     return material;
 }

@@ -62,11 +62,10 @@ gis::Resampling resampling_of(const std::string& name) {
     return gis::Resampling::automatic;
 }
 
-/// Whether the DTM can be read where the flow comes. What looks at all of the ground needs it whole: the fluid of the
-/// structured model, walls round the map, holes to be filled.
+/// Whether the DTM can be read where the flow comes. Fluid that lies everywhere needs all of the ground.
 bool can_read_on_demand(const SceneSpec& scene) {
-    return scene.material.model == "voellmy-bingham" && scene.numerics.boundary != Boundary::wall &&
-           scene.terrain.nodata_policy != "fill";
+    const auto& lying = scene.structured.initial_fluid_depth;
+    return !(lying && lying->kind == SourceSpec::Kind::number && lying->number > 0);
 }
 
 void check_size(const SceneReading& reading, const GridSpec& grid, bool on_demand) {

@@ -12,6 +12,7 @@
 #include "analysis/trace.h"
 #include "app/input/layer_values.h"
 #include "app/input/transform_report.h"
+#include "app/input/zone_raster_on_demand.h"
 #include "app/input/zones_on_demand.h"
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
@@ -74,8 +75,6 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
                       "Name one of them in zones.friction-angle or zones.friction-coefficient"});
     }
 }
-
-constexpr const char* k_state_crs = "Write one into the file, for example with gdal_edit.py -a_srs EPSG:...";
 
 double converted(double value, bool degrees) {
     return degrees ? std::tan(value * std::numbers::pi / 180) : value;
@@ -162,12 +161,6 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
     report_cover(times, grid, log);
 }
 
-/// Looks at the cells under the release, so that `frana check` can show them and wrong values are known at once.
-void look_under(const MultiPolygon& released, const Raster& raster) {
-    gis::visit_cells(released, raster.grid, gis::Cover::closed,
-                     [&](std::int64_t row, std::int64_t column) { (void)raster.at(row, column); });
-}
-
 /// The same where the ground is read where the flow comes: nothing is burned before a cell is asked for.
 void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
                     const MultiPolygon& released, const std::vector<Quantity>& list, MaterialZones& zones, RunLog& log,
@@ -208,21 +201,12 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
 }
 
 /// A raster of zones of which nothing is read yet but what lies under the release.
-Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const Quantity& quantity,
-                             const MultiPolygon& released, std::vector<UsedFile>& files, RunLog& log) {
-    const std::string &key = quantity.key->name, &path = quantity.source->name, where = reading.where(key);
-    const gis::RasterInfo info = gis::inspect_raster(path, where);
-    const GridSpec& grid = ground.terrain.grid;
-    if (!grid.crs_wkt.empty() && info.crs_wkt.empty())
-        throw Error(ErrorKind::input, Problem{"has no coordinate reference system", where, path, "", k_state_crs});
-    const auto file = std::make_shared<const gis::RasterOnDemand>(path, grid, "", gis::Resampling::automatic, "metre",
-                                                                  std::nullopt, where);
-    for (const std::string& warning : file->known().warnings) log.warn(key + ": " + warning);
-    report_transform(key, file->known().transform, grid.cell_size, log);
+Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const Quantity& quantity,
+                                 const MultiPolygon& released, std::vector<UsedFile>& files, RunLog& log) {
     double least_limit = HUGE_VAL;
     for (const Law* law : laws_of(reading.scene)) least_limit = std::min(least_limit, law->greatest_friction);
     // Called as long as the run lasts.
-    Raster raster = raster_values_on_demand(grid, file, [reading, of = *quantity.key, least_limit](double read) {
+    const auto convert = [reading, of = *quantity.key, least_limit](double read) {
         const double value = converted(read, of.degrees());
         const bool may_be_wrong = !of.range.has(read) || (of.what == "friction" && value > least_limit);
         if (!may_be_wrong) return value;
@@ -231,12 +215,9 @@ Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& gr
         if (of.what == "friction") refuse_large_friction(reading, value, problems);
         problems.throw_if_any();
         return value;
-    });
-    look_under(released, raster);
-    files.push_back(used_raster("Zones: " + key, info, file->known()));
-    do_not_count_nodata(files.back());
-    files.back().checksum.add(raster);
-    return raster;
+    };
+    return zone_raster_on_demand(reading, ground, quantity.key->name, quantity.source->name, released, convert, files,
+                                 log);
 }
 
 }  // namespace
@@ -249,7 +230,7 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     if (ground == nullptr) return std::nullopt;
     const GridSpec& grid = ground->terrain.grid;
     if (!grid.crs_wkt.empty() && info.crs_wkt.empty()) {
-        problems.add({"has no coordinate reference system", where, file, "", k_state_crs});
+        problems.add({"has no coordinate reference system", where, file, "", k_state_zone_crs});
         return std::nullopt;
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
@@ -289,7 +270,7 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         try {
             if (ground != nullptr && ground->on_demand) {
-                zones.*quantity.target = zone_raster_on_demand(reading, *ground, quantity, released, files, log);
+                zones.*quantity.target = friction_raster_on_demand(reading, *ground, quantity, released, files, log);
                 continue;
             }
             std::optional<Raster> raster =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frana::app {
 
@@ -33,7 +34,11 @@ Raster thickness_on_demand(Kind kind, const GridSpec& grid,
     return thickness;
 }
 
-Raster positive_cells(const Raster& thickness, const Bounds& extent) {
+namespace {
+
+// Calls visit(row, column, value) for the positive cells within an extent, reading part by part.
+template <class Visit>
+void for_each_positive(const Raster& thickness, const Bounds& extent, const Visit& visit) {
     constexpr std::int64_t k_part = 8 * CellValues::k_side;
     const GridSpec& grid = thickness.grid;
     const auto cells = [&](double metres, std::int64_t most) {
@@ -43,7 +48,6 @@ Raster positive_cells(const Raster& thickness, const Bounds& extent) {
                        first_column = cells(extent.west - grid.west, grid.columns) / k_part * k_part,
                        last_row = std::min(cells(grid.north - extent.south, grid.rows) + 1, grid.rows),
                        last_column = std::min(cells(extent.east - grid.west, grid.columns) + 1, grid.columns);
-    Raster mask(grid);
     for (std::int64_t row = first_row; row < last_row; row += k_part) {
         for (std::int64_t column = first_column; column < last_column; column += k_part) {
             const CellWindow window{row, column, std::min(k_part, grid.rows - row),
@@ -52,10 +56,24 @@ Raster positive_cells(const Raster& thickness, const Bounds& extent) {
             const Raster unread = thickness;
             for (std::int64_t r = row; r < row + window.rows; ++r)
                 for (std::int64_t c = column; c < column + window.columns; ++c)
-                    if (unread.at(r, c) > 0) mask.at(r, c) = 1;
+                    if (const double value = std::as_const(unread).at(r, c); value > 0) visit(r, c, value);
         }
     }
+}
+
+}  // namespace
+
+Raster positive_cells(const Raster& thickness, const Bounds& extent) {
+    Raster mask(thickness.grid);
+    for_each_positive(thickness, extent, [&](std::int64_t row, std::int64_t column, double) { mask.at(row, column) = 1; });
     return mask;
+}
+
+Raster positive_values(const Raster& thickness, const Bounds& extent) {
+    Raster values(thickness.grid, k_no_data);
+    for_each_positive(thickness, extent,
+                      [&](std::int64_t row, std::int64_t column, double value) { values.at(row, column) = value; });
+    return values;
 }
 
 }  // namespace frana::app

@@ -20,5 +20,7 @@ Raster thickness_on_demand(ThicknessSpec::Kind kind, const GridSpec& grid,
 /// Returns a mask of the cells of such a raster that are positive, by reading, part by part, the cells within `extent`
 /// (map coordinates); only parts with such a cell remain in memory.
 Raster positive_cells(const Raster& thickness, const Bounds& extent);
+/// Returns the values of these cells; NaN elsewhere.
+Raster positive_values(const Raster& thickness, const Bounds& extent);
 
 }  // namespace frana::app

@@ -27,7 +27,7 @@ FluidRun::FluidRun(const Raster& bed, double dry_depth, const std::function<Exac
             if (s.depth > 0) sources.push_back({nodes_.index(i, j), s.depth, s.qx, s.qy});
         }
     }
-    structured::receive(sources, state_, laws_);
+    structured::receive(sources, state_, nodes_, laws_);
 }
 
 void FluidRun::advance(double time) {

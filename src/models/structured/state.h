@@ -40,7 +40,7 @@ void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
     archive(grid, solid, fluid, time, deepest, released, released_outside);
     if constexpr (Archive::k_reads)
-        archive.require((!solid || is_within(solid->nodes.box, grid)) && (!fluid || has_own_tiles(*fluid)));
+        archive.require((!solid || has_own_tiles(solid->nodes)) && (!fluid || has_own_tiles(*fluid)));
 }
 
 /// Adds solids with the fields of the state's stages, between two steps; then call prepare.

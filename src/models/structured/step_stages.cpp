@@ -14,15 +14,17 @@ namespace frana::structured {
 namespace {
 
 template <class Task>
-void over_box_rows(const NodeBox& box, ThreadPool& pool, const Task& task) {
-    pool.for_each(static_cast<std::size_t>(box.j1 - box.j0),
-                  [&](std::size_t row) { task(box.j0 + static_cast<std::int64_t>(row)); });
+void over_solid_tiles(const State& state, ThreadPool& pool, const Task& task) {
+    const SolidNodes& nodes = state.solid->nodes;
+    pool.for_each(nodes.tiles.size(),
+                  [&](std::size_t t) { task(NodeRange(nodes.tiles[t], nodes.grid, state.grid)); });
 }
 
 void gather(State& state, const Laws& laws, ThreadPool& pool) {
     gather_solids(*state.solid, state.stages, laws.solid, state.grid, pool);
-    over_box_rows(state.solid->nodes.box, pool,
-                  [&](std::int64_t j) { solids_to_fluid(j, state.grid, state.fluid.get(), state.solid->nodes); });
+    over_solid_tiles(state, pool, [&](const NodeRange& range) {
+        solids_to_fluid(range, state.grid, state.fluid.get(), state.solid->nodes);
+    });
 }
 
 // Sums over particles at the end of a step, row by row.
@@ -140,8 +142,8 @@ void move_fluid(Step& now) {
 void push_on_nodes(Step& now) {
     if (!now.solids()) return;
     State& state = now.state;
-    over_box_rows(state.solid->nodes.box, now.pool, [&](std::int64_t j) {
-        push_solids(j, now.report.dt, state.grid, now.laws.solid, now.laws.coupling, state.solid->nodes,
+    over_solid_tiles(state, now.pool, [&](const NodeRange& range) {
+        push_solids(range, now.report.dt, state.grid, now.laws.solid, now.laws.coupling, state.solid->nodes,
                     state.fluid.get());
     });
 }

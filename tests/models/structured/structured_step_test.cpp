@@ -136,8 +136,8 @@ TEST(Coupling, ExchangesMomentum) {
     const Budget before = budget(state);
     constexpr double dt = 0.2;
     const SolidNodes& nodes = state.solid->nodes;
-    for (std::int64_t j = nodes.box.j0; j < nodes.box.j1; ++j)
-        push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+    for (const std::int64_t tile : nodes.tiles)
+        push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
     ParticleSet& p = state.solid->particles;
     state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
     double gained = 0;
@@ -178,8 +178,8 @@ TEST(Coupling, ExchangesMomentumUnderGravity) {
         }
         constexpr double dt = 0.2;
         const SolidNodes& nodes = state.solid->nodes;
-        for (std::int64_t j = nodes.box.j0; j < nodes.box.j1; ++j)
-            push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+        for (const std::int64_t tile : nodes.tiles)
+            push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
         ParticleSet& p = state.solid->particles;
         state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -220,7 +220,7 @@ TEST(Coupling, LakeAtRestOverSolids) {
             if (depth > 0) water.push_back({n, depth, 0, 0});
         }
     }
-    receive(water, *state.fluid, c.laws.fluid);
+    receive(water, *state.fluid, state.grid, c.laws.fluid);
     const ParticleSet start = state.solid->particles;
     advance_to(state, c.laws, 5, pool);
     const FluidFields& f = state.fluid->now;
@@ -258,7 +258,7 @@ TEST(Coupling, SteadyStreamOverRestingSolids) {
         for (std::int64_t j = 0; j < 10; ++j)
             for (std::int64_t i = 0; i < 50; ++i)
                 water.push_back({state.grid.index(i, j), depth, 0.8 * manning_speed(depth) * depth, 0});
-        receive(water, *state.fluid, c.laws.fluid);
+        receive(water, *state.fluid, state.grid, c.laws.fluid);
         // The middle; friction takes a second or two to balance gravity. Its depth falls by a fiftieth meanwhile, since
         // nothing flows in.
         const std::size_t middle = state.grid.index(25, 5);
@@ -286,7 +286,7 @@ TEST(Coupling, KeepsMomentumWhileWaterIsReleased) {
     std::vector<FluidSource> water;
     for (std::int64_t j = 8; j < 16; ++j)
         for (std::int64_t i = 8; i < 16; ++i) water.push_back({state.grid.index(i, j), 1, 6, -3});
-    receive(water, *state.fluid, c.laws.fluid);
+    receive(water, *state.fluid, state.grid, c.laws.fluid);
     for (int i = 0; i < 3; ++i) {
         const Budget before = budget(state);
         const double released = state.released;
@@ -328,8 +328,8 @@ TEST(Coupling, DragRelaxes) {
         double w = 2;
         for (int i = 0; i < 5; ++i) {
             constexpr double dt = 0.4;
-            for (std::int64_t j = 0; j < state.grid.padded_rows(); ++j)
-                push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+            for (const std::int64_t tile : state.solid->nodes.tiles)
+                push_solids({tile, state.solid->nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
             SolidSums& sums = state.solid->nodes.sums[middle];
             sums.px += dt * sums.mass * state.solid->nodes.push[middle].ax;
             w *= exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * w * dt);

@@ -116,8 +116,9 @@ struct Sheet {
     }
     // Acceleration of the solids by the fluid over a step.
     double push(double dt) {
-        for (std::int64_t j = 0; j < state->grid.padded_rows(); ++j)
-            push_solids(j, dt, state->grid, c.laws.solid, c.laws.coupling, state->solid->nodes, state->fluid.get());
+        const SolidNodes& nodes = state->solid->nodes;
+        for (const std::int64_t tile : nodes.tiles)
+            push_solids({tile, nodes.grid, state->grid}, dt, state->grid, c.laws.solid, c.laws.coupling, state->solid->nodes, state->fluid.get());
         return state->solid->nodes.push[middle].ax;
     }
     ThreadPool pool;

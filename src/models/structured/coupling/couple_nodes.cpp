@@ -63,29 +63,27 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
 
 }  // namespace
 
-void solids_to_fluid(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes) {
+void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes) {
     const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
-    for (std::int64_t i = nodes.box.i0; i < nodes.box.i1; ++i) {
-        const auto n = static_cast<std::size_t>(j * grid.stride() + i);
+    range.for_each(grid.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
         const SolidSums& s = nodes.sums[n];
-        if (!(s.mass > 0)) continue;
+        if (!(s.mass > 0)) return;
         nodes.depth[n] = (s.solids + s.confined) * inverse_area;
         nodes.u[n] = s.px / s.mass;
         nodes.v[n] = s.py / s.mass;
         const double free = fluid ? fluid->now.depth[n] : 0;
         nodes.solid_fraction[n] = s.solids * inverse_area / (nodes.depth[n] + free);
         nodes.structured[n] = s.structured / s.solids;
-    }
+    });
 }
 
-void push_solids(std::int64_t j, double dt, const NodeGrid& grid, const SolidLaws& laws, const CouplingLaws& coupling,
+void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const SolidLaws& laws, const CouplingLaws& coupling,
                  SolidNodes& nodes, FluidState* fluid) {
     const std::int64_t last_column = grid.stride() - 1, last_row = grid.padded_rows() - 1;
-    if (j < 1 || j >= last_row) return;
-    for (std::int64_t i = std::max<std::int64_t>(nodes.box.i0, 1); i < std::min(nodes.box.i1, last_column); ++i) {
-        const auto n = static_cast<std::size_t>(j * grid.stride() + i);
+    range.for_each(grid.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
+        if (i < 1 || j < 1 || i >= last_column || j >= last_row) return;  // a gradient needs the nodes beside
         const SolidSums& sums = nodes.sums[n];
-        if (!(sums.mass > 0)) continue;
+        if (!(sums.mass > 0)) return;
         const Point slope = bed_gradient(grid, n);
         const double flatness = 1 / (1 + slope.x * slope.x + slope.y * slope.y), flat = laws.steep ? flatness : 1;
         Point push{flat * (sums.fx / sums.mass - laws.gravity * slope.x),
@@ -94,7 +92,7 @@ void push_solids(std::int64_t j, double dt, const NodeGrid& grid, const SolidLaw
         if (fluid) push = with_fluid(n, dt, grid, laws.gravity, flat, slope, push, coupling, nodes, *fluid);
         nodes.push[n].ax = push.x;
         nodes.push[n].ay = push.y;
-    }
+    });
 }
 
 }  // namespace frana::structured

@@ -9,13 +9,13 @@
 namespace frana::structured {
 
 /// Converts node sums to inputs of the fluid and of the drag: depth and velocity of solids with confined fluid,
-/// fractions. For padded row j of the box.
-void solids_to_fluid(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
+/// fractions. For one tile of the solids.
+void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
 
-/// Forces on the solids at the nodes of padded row j of the box: terrain and thrust; with fluid, buoyancy, virtual mass
+/// Forces on the solids at the nodes of one of their tiles: terrain and thrust; with fluid, buoyancy, virtual mass
 /// and drag, whose reactions change the fluid's discharge.
 /// @param fluid null: none
-void push_solids(std::int64_t j, double dt, const NodeGrid& grid, const SolidLaws& laws, const CouplingLaws& coupling,
-                 SolidNodes& nodes, FluidState* fluid);
+void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const SolidLaws& laws,
+                 const CouplingLaws& coupling, SolidNodes& nodes, FluidState* fluid);
 
 }  // namespace frana::structured

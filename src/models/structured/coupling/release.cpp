@@ -32,7 +32,7 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
         particles[Field::confined][p] -= volume;
         volume = 0;
     }
-    const double refused = receive(sources, fluid, laws) / inverse_area;
+    const double refused = receive(sources, fluid, grid, laws) / inverse_area;
     released.inside -= refused;
     released.outside += refused;
     return released;

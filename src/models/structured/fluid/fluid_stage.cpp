@@ -35,7 +35,7 @@ void load(const Window& window, const NodeGrid& nodes, const FluidLaws& laws, co
         cells.along[c][a] = along[cell] * inverse;
         cells.across[c][a] = across[cell] * inverse;
         cells.bed[c][a] = nodes.bed[cell] + (solid_depth != nullptr ? solid_depth[cell] : 0);
-        cells.factor[c][a] = state.slope_factor.empty() ? 1 : state.slope_factor[cell];
+        cells.factor[c][a] = state.slope_factor.size() == 0 ? 1 : state.slope_factor[cell];
         cells.kind[c][a] = state.cell_kind[cell];
     };
     // Rows of the arrays are along x: read in that order.
@@ -75,7 +75,10 @@ TileReport fluid_stage(const NodeRange& range, const NodeGrid& nodes, const Flui
     const double grain = 1e-12 * laws.dry;
     SweepCells cells;
     SweepRates x, y;
-    Window window{range.i0, range.j0, nodes.stride(), nodes.padded_rows(), true};
+    // The first tile may begin outside the arrays: a window is as wide as a tile all the same, and ends where it ends.
+    const std::int64_t i0 = range.i0 == 0 ? range.i1 - k_side : range.i0,
+                       j0 = range.j0 == 0 ? range.j1 - k_side : range.j0;
+    Window window{i0, j0, nodes.stride(), nodes.padded_rows(), true};
     load(window, nodes, laws, state, solid_depth, from, cells);
     sweep_tile(cells, laws, x);
     window.along_x = false;
@@ -88,7 +91,7 @@ TileReport fluid_stage(const NodeRange& range, const NodeGrid& nodes, const Flui
     const double ratio = dt / nodes.cell_size();
     range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
         if (state.cell_kind[cell] != k_fluid_cell) return;
-        const auto a = static_cast<int>(i - range.i0), b = static_cast<int>(j - range.j0);
+        const auto a = static_cast<int>(i - i0), b = static_cast<int>(j - j0);
         double depth = from.depth[cell] + ratio * (x.depth[a][b] + y.depth[b][a]);
         double qx = from.qx[cell] + ratio * (x.along[a][b] + y.across[b][a]);
         double qy = from.qy[cell] + ratio * (x.across[a][b] + y.along[b][a]);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "core/default_values.h"
 #include "core/zero_array.h"
+#include "models/structured/tile_lists.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_tiles.h"
 
@@ -78,8 +77,11 @@ struct FluidState {
     std::vector<std::int64_t> touched;    ///< tiles that were ever in `tiles`; ascending
     FluidFields stage, next;              ///< buffers; as `now` outside `tiles`
     ZeroArray<std::uint8_t> wet;          ///< by tile: contains fluid deeper than the dry depth
-    std::vector<std::uint8_t> cell_kind;  ///< padded; CellKind
-    std::vector<double> slope_factor;     ///< padded 1 / (1 + |grad b|^2); empty unless steep
+
+    // Of the ground; valid in tiles that have it (need_ground).
+    ZeroArray<std::uint8_t> cell_kind;   ///< padded; CellKind
+    ZeroArray<double> slope_factor;      ///< padded 1 / (1 + |grad b|^2); empty unless steep
+    ZeroArray<std::uint8_t> has_ground;  ///< by tile
 };
 
 template <class Archive>
@@ -90,19 +92,14 @@ void serialise(Archive& archive, FluidFields& fields) {
 
 /// Checks, after reading a state, that its tiles are those of its grid.
 [[nodiscard]] inline bool has_own_tiles(const FluidState& state) {
-    const std::int64_t count = state.grid.tiles_x() * state.grid.tiles_y();
-    const auto own = [count](const std::vector<std::int64_t>& list) {
-        return (list.empty() || (list.front() >= 0 && list.back() < count)) &&
-               std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
-    };
-    return own(state.tiles) && own(state.touched);
+    return are_tiles_of(state.grid, state.tiles) && are_tiles_of(state.grid, state.touched);
 }
 
-/// Everything except what set_ground and advance compute.
+/// Everything except what set_ground, need_ground and advance compute.
 template <class Archive>
 void serialise(Archive& archive, FluidState& state) {
     [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, resistance_x, resistance_y, touched, stage,
-                            next, wet, cell_kind, slope_factor] = state;
+                            next, wet, cell_kind, slope_factor, has_ground] = state;
     archive(now, tiles, volume_left, volume_into_gaps, touched, stage, next, wet);
 }
 

@@ -26,21 +26,52 @@ void copy_tile(const NodeRange& range, const NodeGrid& nodes, const FluidFields&
     });
 }
 
+// Copies walls and gaps from the nodes of a tile, and the slopes of its bed, unless it has them.
+void need_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, std::int64_t tile) {
+    std::uint8_t& has = state.has_ground[static_cast<std::size_t>(tile)];
+    if (has != 0) return;
+    has = 1;
+    const NodeRange range(tile, state.grid, nodes);
+    nodes.cover({range.i0 - 1, range.i1 + 1, range.j0 - 1, range.j1 + 1});
+    const double half_inverse = 0.5 / nodes.cell_size();
+    const std::int64_t last_column = nodes.stride() - 1, last_row = nodes.padded_rows() - 1;
+    const auto up = static_cast<std::size_t>(nodes.stride());
+    range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
+        const bool outside = i < k_ghost || j < k_ghost || i > last_column - k_ghost || j > last_row - k_ghost;
+        const bool gap = nodes.is_gap(cell), wall = nodes.is_wall(cell) || (gap && !laws.gaps_are_open);
+        state.cell_kind[cell] = outside ? (laws.wall ? k_wall_cell : k_open_cell)
+                                : wall  ? k_wall_cell
+                                : gap   ? k_gap_cell
+                                        : k_fluid_cell;
+        if (!laws.steep) return;
+        if (i == 0 || j == 0 || i == last_column || j == last_row) {
+            state.slope_factor[cell] = 1;  // has no neighbour on one side, and never fluid
+            return;
+        }
+        const double sx = (nodes.bed[cell + 1] - nodes.bed[cell - 1]) * half_inverse;
+        const double sy = (nodes.bed[cell + up] - nodes.bed[cell - up]) * half_inverse;
+        state.slope_factor[cell] = 1 / (1 + sx * sx + sy * sy);
+    });
+}
+
+// Calls visit for a tile and those of its eight neighbours that exist.
+template <class Visit>
+void for_round(std::int64_t tile, const TileGrid& grid, const Visit& visit) {
+    const std::int64_t tiles_x = grid.tiles_x(), i = tile % tiles_x, j = tile / tiles_x;
+    for (std::int64_t b = std::max<std::int64_t>(j - 1, 0); b <= std::min(j + 1, grid.tiles_y() - 1); ++b)
+        for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, tiles_x - 1); ++a)
+            visit(b * tiles_x + a);
+}
+
 // Lists the tiles that contain moving fluid and their neighbours, which a step may wet. A tile that is no longer listed
 // keeps its fluid, which does not move; the buffers must contain it too, because neighbours read them.
-void activate_tiles(FluidState& state, const NodeGrid& nodes) {
-    const std::int64_t tiles_x = state.grid.tiles_x(), tiles_y = state.grid.tiles_y();
+void activate_tiles(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws) {
     std::vector<std::int64_t> active;
     for (const std::int64_t tile : state.tiles) {
         if (state.wet[static_cast<std::size_t>(tile)] == 0) continue;
-        const std::int64_t i = tile % tiles_x, j = tile / tiles_x;
-        for (std::int64_t b = std::max<std::int64_t>(j - 1, 0); b <= std::min(j + 1, tiles_y - 1); ++b) {
-            for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, tiles_x - 1); ++a)
-                active.push_back(b * tiles_x + a);
-        }
+        for_round(tile, state.grid, [&](std::int64_t near) { active.push_back(near); });
     }
-    std::sort(active.begin(), active.end());
-    active.erase(std::unique(active.begin(), active.end()), active.end());
+    make_ascending(active);
     // Tiles stay listed as touched once they were active: they may contain fluid below the dry depth.
     std::vector<std::int64_t> touched;
     std::set_union(state.touched.begin(), state.touched.end(), active.begin(), active.end(),
@@ -52,6 +83,9 @@ void activate_tiles(FluidState& state, const NodeGrid& nodes) {
         copy_tile(range, nodes, state.now, state.next);
     }
     state.tiles = std::move(active);
+    // A tile reads two cells of its neighbours.
+    for (const std::int64_t tile : state.tiles)
+        for_round(tile, state.grid, [&](std::int64_t near) { need_ground(state, nodes, laws, near); });
     state.touched = std::move(touched);
 }
 
@@ -137,50 +171,32 @@ bool try_step(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, c
     return true;
 }
 
-std::vector<double> slope_factors(const NodeGrid& nodes) {
-    std::vector<double> factors(nodes.bed.size(), 1);
-    const double half_inverse = 0.5 / nodes.cell_size();
-    const std::int64_t stride = nodes.stride();
-    for (std::int64_t j = 1; j < nodes.padded_rows() - 1; ++j) {
-        for (std::int64_t i = 1; i < stride - 1; ++i) {
-            const auto cell = static_cast<std::size_t>(j * stride + i);
-            const auto up = static_cast<std::size_t>(stride);
-            const double sx = (nodes.bed[cell + 1] - nodes.bed[cell - 1]) * half_inverse;
-            const double sy = (nodes.bed[cell + up] - nodes.bed[cell - up]) * half_inverse;
-            factors[cell] = 1 / (1 + sx * sx + sy * sy);
-        }
-    }
-    return factors;
-}
-
 }  // namespace
 
 FluidState::FluidState(const NodeGrid& nodes, const FluidLaws& laws)
     : now(nodes.bed.size()),
-      grid{nodes.columns(), nodes.rows(), k_ghost, nodes.cell_size()},
+      grid(tiles_on(nodes)),
       stage(nodes.bed.size()),
       next(nodes.bed.size()),
-      wet(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {
-    set_ground(*this, nodes, laws);
-}
+      wet(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())),
+      cell_kind(nodes.bed.size()),
+      slope_factor(laws.steep ? nodes.bed.size() : 0),
+      has_ground(wet.size()) {}
 
 void set_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws) {
-    state.cell_kind.assign(nodes.bed.size(), laws.wall ? k_wall_cell : k_open_cell);
-    for (std::int64_t j = 0; j < nodes.rows(); ++j) {
-        for (std::int64_t i = 0; i < nodes.columns(); ++i) {
-            const std::size_t node = nodes.index(i, j);
-            const bool gap = nodes.is_gap(node), wall = nodes.is_wall(node) || (gap && !laws.gaps_are_open);
-            state.cell_kind[node] = wall ? k_wall_cell : gap ? k_gap_cell : k_fluid_cell;
-        }
-    }
-    if (laws.steep) state.slope_factor = slope_factors(nodes);
+    state.has_ground = ZeroArray<std::uint8_t>(state.wet.size());
+    for (const std::vector<std::int64_t>* list : {&state.touched, &state.tiles})
+        for (const std::int64_t tile : *list) need_ground(state, nodes, laws, tile);
 }
 
-double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws) {
-    const auto stride = static_cast<std::size_t>(state.grid.columns + 2 * state.grid.ghost);
-    const auto side = static_cast<std::size_t>(k_tile);
+double receive(std::span<const FluidSource> sources, FluidState& state, const NodeGrid& nodes, const FluidLaws& laws) {
+    const std::int64_t before_x = state.grid.before_x(), before_y = state.grid.before_y();
     double refused = 0;
     for (const FluidSource& s : sources) {
+        const auto node = static_cast<std::int64_t>(s.cell);
+        const std::int64_t tile = (node / nodes.stride() + before_y) / k_tile * state.grid.tiles_x() +
+                                  (node % nodes.stride() + before_x) / k_tile;
+        need_ground(state, nodes, laws, tile);
         if (state.cell_kind[s.cell] != k_fluid_cell) {
             refused += s.depth;
             continue;
@@ -193,13 +209,10 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
             buffer->qx[s.cell] = state.now.qx[s.cell];
             buffer->qy[s.cell] = state.now.qy[s.cell];
         }
-        const auto tile = static_cast<std::int64_t>(s.cell / stride / side) * state.grid.tiles_x() +
-                          static_cast<std::int64_t>(s.cell % stride / side);
         if (state.now.depth[s.cell] >= laws.dry) state.wet[static_cast<std::size_t>(tile)] = 1;
         state.tiles.push_back(tile);
     }
-    std::sort(state.tiles.begin(), state.tiles.end());
-    state.tiles.erase(std::unique(state.tiles.begin(), state.tiles.end()), state.tiles.end());
+    make_ascending(state.tiles);
     // Fluid below the dry depth is stored but never active.
     std::vector<std::int64_t> touched;
     std::set_union(state.touched.begin(), state.touched.end(), state.tiles.begin(), state.tiles.end(),
@@ -244,7 +257,7 @@ FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& l
     clear_resistance(state, nodes, pool);
     double left = dt;
     while (left > 0 && report.non_finite == 0) {
-        activate_tiles(state, nodes);
+        activate_tiles(state, nodes, laws);
         if (state.tiles.empty()) break;
         const double stable = stable_step(state, nodes, laws, solid, pool);
         if (!(stable > k_least_fraction * dt)) {  // an infinite or undefined speed, or almost one

@@ -8,13 +8,13 @@
 
 namespace frana::structured {
 
-/// Copies walls, gaps and slopes from the nodes; FluidState's constructor does so too. Water in a cell that becomes a
-/// wall remains there and does not move.
+/// Forgets the ground of all tiles, as after a change of it, and copies it again where there is fluid. Water in a cell
+/// that becomes a wall remains there and does not move.
 void set_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws);
 
 /// Adds fluid to cells, in the order given; volume and momentum are added as they are. Between two steps, by one
 /// thread. Returns the depths not added because the cell is a wall or a gap [m].
-double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws);
+double receive(std::span<const FluidSource> sources, FluidState& state, const NodeGrid& nodes, const FluidLaws& laws);
 
 /// Longest stable step in the present state (share/doc/structured.md, "Scheme") [s]; infinity if no cell is wet:
 ///     dt <= cfl / max[ (|u| + c)/dx + (|v| + c)/dx ],  c = sqrt(g h_u);   dt <= 0.1 dx^2 / nu

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "models/structured/solid/solid_nodes.h"
 
@@ -12,6 +13,8 @@ namespace frana::structured {
 /// Cubic B-splines (paper, equation 87), four nodes a direction, x in node spacings from the node:
 ///     N = |x|^3 / 2 - x^2 + 2/3 for |x| < 1,   (2 - |x|)^3 / 6 for |x| < 2
 struct CubicSpline {
+    /// First node touched at position s.
+    static std::int64_t first(double s) noexcept { return static_cast<std::int64_t>(std::floor(s)) - 1; }
     /// Weights and derivatives (per node spacing) at position s; returns the first node touched.
     static std::int64_t evaluate(double s, double (&weight)[4], double (&slope)[4]) noexcept {
         const double base = std::floor(s), f = s - base, g = 1 - f;
@@ -49,11 +52,22 @@ struct CubicStencil {
                 gy[b][a] = inverse * wx[a] * sy[b];
             }
         }
-        if (inside && nodes.whole(first)) return;
+        const std::uint8_t* const solid = grid.solid();
+        // Ghost nodes are not inside the terrain.
+        const bool within = i >= k_ghost && j >= k_ghost && i + 4 <= scale.stride - k_ghost &&
+                            j + 4 <= grid.padded_rows() - k_ghost;
+        if (within && (solid == nullptr || !any_of_sixteen(solid + first, scale.stride))) return;
+        const auto active = [&](std::int64_t a, std::int64_t b) {
+            if (i + a < k_ghost || j + b < k_ghost || i + a >= scale.stride - k_ghost ||
+                j + b >= grid.padded_rows() - k_ghost)
+                return false;
+            const std::uint8_t why = solid == nullptr ? 0 : solid[(j + b) * scale.stride + i + a];
+            return why != NodeGrid::k_wall && !(nodes.gaps_are_walls && why == NodeGrid::k_gap);
+        };
         double sum = 0;
         for (int b = 0; b < 4; ++b) {
             for (int a = 0; a < 4; ++a) {
-                if (inside && nodes.active(first + static_cast<std::size_t>(b * grid.stride() + a))) {
+                if (inside && active(a, b)) {
                     sum += weight[b][a];
                 } else {
                     weight[b][a] = gx[b][a] = gy[b][a] = 0;
@@ -64,6 +78,18 @@ struct CubicStencil {
         for (auto& row : weight) {
             for (double& w : row) w = any ? w / sum : 0;
         }
+    }
+
+  private:
+    // Whether any byte of four rows of four is set.
+    static bool any_of_sixteen(const std::uint8_t* bytes, std::int64_t stride) noexcept {
+        std::uint32_t sum = 0;
+        for (int b = 0; b < 4; ++b) {
+            std::uint32_t row;
+            std::memcpy(&row, bytes + b * stride, sizeof row);
+            sum |= row;
+        }
+        return sum != 0;
     }
 };
 

@@ -40,22 +40,23 @@ Point r2_point(std::int64_t n) {
 ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_depth, int per_column) {
     const GridSpec& grid = solid_depth.grid;
     double deepest = 0, solids = 0, confined = 0;
-    for (std::size_t c = 0; c < solid_depth.values.size(); ++c) {
-        deepest = std::max(deepest, positive(solid_depth.values[c]));
-        solids += positive(solid_depth.values[c]) * grid.cell_area();
-        confined += positive(confined_depth.values[c]) * grid.cell_area();
-    }
+    solid_depth.values.for_each_stored([&](std::size_t cell, double depth) {
+        deepest = std::max(deepest, positive(depth));
+        solids += positive(depth) * grid.cell_area();
+        confined += positive(confined_depth.values[cell]) * grid.cell_area();
+    });
     ParticleSet particles(k_placed_fields);
     if (!(deepest > 0)) return particles;
     const double each = deepest * grid.cell_area() / per_column;
     double left_solids = 0, left_confined = 0;
     for (std::int64_t row = 0; row < grid.rows; ++row) {
+        if (!solid_depth.values.stores_any({row, 0, 1, grid.columns})) continue;
         const std::int64_t from_origin = grid.rows - 1 - row - grid.origin_row;
         for (std::int64_t k = 0; k < grid.columns; ++k) {
             const std::int64_t column = from_origin % 2 == 0 ? k : grid.columns - 1 - k;
             const double h_s = positive(solid_depth.at(row, column));
-            const double h_fc = positive(confined_depth.at(row, column));
             if (!(h_s > 0)) continue;
+            const double h_fc = positive(confined_depth.at(row, column));
             left_solids += h_s * grid.cell_area();
             left_confined += h_fc * grid.cell_area();
             const auto n = static_cast<std::int64_t>(std::floor(left_solids / each + 0.5));

@@ -7,6 +7,9 @@
 #include "core/thread_pool.h"
 #include "core/zero_array.h"
 #include "mpm/node_grid.h"
+#include "mpm/node_tiles.h"
+#include "particles/cell_order.h"
+#include "particles/particle_set.h"
 
 namespace frana::structured {
 
@@ -35,36 +38,22 @@ struct alignas(32) NodePush {
     double submergence = 0;  ///< fraction of the loose solids' pores that free fluid fills
 };
 
-/// Padded node indices [i0, i1) x [j0, j1).
-struct NodeBox {
-    std::int64_t i0 = 0, i1 = 0, j0 = 0, j1 = 0;
-};
-
-[[nodiscard]] inline bool is_within(const NodeBox& box, const NodeGrid& grid) noexcept {
-    return box.i0 >= 0 && box.i1 <= grid.stride() && box.j0 >= 0 && box.j1 <= grid.padded_rows();
-}
-
-template <class Archive>
-void serialise(Archive& archive, NodeBox& box) {
-    auto& [i0, i1, j0, j1] = box;
-    archive(i0, i1, j0, j1);
-}
-
 /// The solids on the background grid: cubic splines of four nodes a direction, node indices as
-/// NodeGrid::index.
+/// NodeGrid::index. Only the tiles that the solids touch are ever read or written.
 class SolidNodes {
   public:
-    explicit SolidNodes(const NodeGrid& grid, bool gaps_are_walls, bool coupled);
+    explicit SolidNodes(const NodeGrid& grid, bool walls_in_gaps, bool coupled);
 
-    /// Whether all 16 nodes from this one are inside and not walls.
-    [[nodiscard]] bool whole(std::size_t first) const noexcept { return whole_[first] != 0; }
-    [[nodiscard]] bool active(std::size_t node) const noexcept { return active_[node] != 0; }
-    void clear(const NodeBox& box, std::int64_t stride, ThreadPool& pool);
+    /// Zeroes the sums and the fluid's inputs in `tiles`.
+    void clear(const NodeGrid& grid, ThreadPool& pool);
+    /// Sets `tiles` to those that contain any of the sixteen nodes of a particle, and covers the ground that a step
+    /// reads in and around them. After clear.
+    void find_tiles(const ParticleSet& particles, const CellOrder& order, const NodeGrid& grid, ThreadPool& pool);
 
-    /// Everything that steps change; walls do not.
+    /// Everything that steps change.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where, inside, all_inside] =
+        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where, frame, closed_gaps] =
             *this;
         archive(sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where);
     }
@@ -73,10 +62,12 @@ class SolidNodes {
     ZeroArray<CouplingSums> coupling;  ///< empty without fluid
     ZeroArray<NodePush> push;
     ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< inputs of the fluid (SolidsOnGrid)
-    NodeBox box;                                                ///< outside it all sums are zero
-
-  private:
-    std::vector<std::uint8_t> active_, whole_;
+    std::vector<std::int64_t> tiles;  ///< ascending; outside them all sums are zero
+    TileGrid grid;
+    bool gaps_are_walls;
 };
+
+/// Checks, after reading, that the tiles are those of the grid.
+[[nodiscard]] bool has_own_tiles(const SolidNodes& nodes);
 
 }  // namespace frana::structured

@@ -98,20 +98,9 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
 void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
                    ThreadPool& pool) {
     SolidNodes& nodes = state.nodes;
-    nodes.clear(nodes.box, grid.stride(), pool);
-    const NodeScale scale = grid.scale();
-    const double dx = scale.dx;
-    const Bounds bounds = state.order.bounds();
-    // Two nodes on either side of a particle.
-    const auto index = [&](double place, double steps, std::int64_t origin, std::int64_t count) {
-        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / dx - 0.5 + steps)) + origin, 0,
-                                        count);
-    };
-    nodes.box = {index(bounds.west - state.moved, -1, scale.origin_x, grid.stride()),
-                 index(bounds.east + state.moved, 3, scale.origin_x, grid.stride()),
-                 index(bounds.south - state.moved, -1, scale.origin_y, grid.padded_rows()),
-                 index(bounds.north + state.moved, 3, scale.origin_y, grid.padded_rows())};
-    nodes.clear(nodes.box, grid.stride(), pool);
+    nodes.clear(grid, pool);
+    nodes.find_tiles(state.particles, state.order, grid, pool);
+    const double dx = grid.cell_size();
     // Every second strip of rows at a time: the strip between is wider than the nodes that two of them could share.
     const auto strip = static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
     const std::int64_t strips = (state.order.rows() + strip - 1) / strip;

@@ -36,11 +36,13 @@ struct Basin {
         std::vector<FluidSource> sources;
         for_cells([&](Point p, std::size_t cell) {
             const Water w = at(p);
-            if (w.depth > 0 && state.cell_kind[cell] == k_fluid_cell)
+            if (w.depth > 0 && has_fluid(cell))
                 sources.push_back({cell, w.depth, w.depth * w.u, w.depth * w.v});
         });
-        receive(sources, state, laws);
+        receive(sources, state, nodes, laws);
     }
+    /// Whether a cell may have fluid: neither wall nor gap.
+    [[nodiscard]] bool has_fluid(std::size_t cell) const { return !nodes.is_gap(cell) && !nodes.is_wall(cell); }
     FluidReport advance(double dt) { return structured::advance(state, nodes, laws, solid, dt, *pool); }
     [[nodiscard]] double volume() { return fluid_volume(state, nodes, *pool); }
 

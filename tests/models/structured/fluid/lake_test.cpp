@@ -29,7 +29,7 @@ void stays_at_rest(Basin& basin, const std::vector<double>& solid) {
     int emerged = 0, drowned = 0;
     std::vector<FluidSource> sources;
     basin.for_cells([&](Point, std::size_t cell) {
-        if (basin.state.cell_kind[cell] != k_fluid_cell) return;
+        if (!basin.has_fluid(cell)) return;
         const double ground = basin.nodes.bed[cell] + basin.nodes.datum() + (solid.empty() ? 0 : solid[cell]);
         if (ground < k_level) {
             sources.push_back({cell, k_level - ground});
@@ -38,7 +38,7 @@ void stays_at_rest(Basin& basin, const std::vector<double>& solid) {
             ++emerged;
         }
     });
-    receive(sources, basin.state, basin.laws);
+    receive(sources, basin.state, basin.nodes, basin.laws);
     ASSERT_GT(emerged, 20);
     ASSERT_GT(drowned, 500);
     const double volume = basin.volume();

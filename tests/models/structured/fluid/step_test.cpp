@@ -167,13 +167,13 @@ TEST(FluidStep, ReceivesVolumeAndMomentumAsTheyAre) {
     Basin basin(Raster(plain_grid(10, 10, 1), 0.0), still_laws());
     const std::size_t cell = basin.nodes.index(4, 5);
     const std::vector<FluidSource> sources{{cell, 0.3, 0.6, -0.1}, {cell, 0.2, 0.1, 0}};
-    EXPECT_EQ(receive(sources, basin.state, basin.laws), 0);
+    EXPECT_EQ(receive(sources, basin.state, basin.nodes, basin.laws), 0);
     EXPECT_EQ(basin.state.now.depth[cell], 0.5);
     EXPECT_EQ(basin.state.now.qx[cell], 0.7);
     EXPECT_EQ(basin.state.now.qy[cell], -0.1);
     EXPECT_EQ(basin.volume(), 0.5);
     const std::vector<FluidSource> outside{{basin.nodes.index(-1, 0), 0.25, 0, 0}};
-    EXPECT_EQ(receive(outside, basin.state, basin.laws), 0.25);
+    EXPECT_EQ(receive(outside, basin.state, basin.nodes, basin.laws), 0.25);
 }
 
 // No depth becomes negative and no step hangs where cells run empty over sharp steps.

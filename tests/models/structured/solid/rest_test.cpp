@@ -30,7 +30,7 @@ TEST(Rest, SleepsToTheSameBits) {
         State state = c.start(flat(60, 24, 2), pool, true);
         std::vector<FluidSource> water;
         for (std::int64_t i = 28; i < 32; ++i) water.push_back({state.grid.index(i, 12), 0.2, 0, 0});
-        receive(water, *state.fluid, c.laws.fluid);
+        receive(water, *state.fluid, state.grid, c.laws.fluid);
         slept = 0;
         for (int i = 0; i < 60; ++i) slept += step(state, c.laws, 0.05, pool).solids.skipped;
         return state;
@@ -72,7 +72,7 @@ TEST(Rest, BrokenMaterialSleepsThroughStepsToTheSameBits) {
             if (wet) {
                 std::vector<FluidSource> water;
                 for (std::int64_t i = 30; i < 40; ++i) water.push_back({state.grid.index(i, 12), 0.4, 0.4, 0});
-                receive(water, *state.fluid, c.laws.fluid);
+                receive(water, *state.fluid, state.grid, c.laws.fluid);
             }
             slept = 0;
             for (int i = 0; i < 150; ++i) {
