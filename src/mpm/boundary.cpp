@@ -8,18 +8,22 @@ namespace {
 
 // Calls visit(ghost, inner, normal_is_x) for the pairs of the first ghost column and row on each side. Rows
 // come after columns and span the ghost columns too, so corners are folded twice, once in each direction.
-// A particle inside never touches ghosts of the second ring.
+// A particle inside never touches ghosts of the second ring. Pairs on ground that was not read have nothing to mirror.
 template <class Visit>
 void for_each_mirror_pair(const NodeGrid& nodes, const Visit& visit) {
     const std::int64_t nx = nodes.columns(), ny = nodes.rows();
-    for (std::int64_t j = -1; j <= ny; ++j) {
+    nodes.for_each_covered_part(-1, ny + 1, 0, NodeGrid::Along::column, [&](std::int64_t j) {
         visit(nodes.index(-1, j), nodes.index(0, j), true);
+    });
+    nodes.for_each_covered_part(-1, ny + 1, nx - 1, NodeGrid::Along::column, [&](std::int64_t j) {
         visit(nodes.index(nx, j), nodes.index(nx - 1, j), true);
-    }
-    for (std::int64_t i = -1; i <= nx; ++i) {
+    });
+    nodes.for_each_covered_part(-1, nx + 1, 0, NodeGrid::Along::row, [&](std::int64_t i) {
         visit(nodes.index(i, -1), nodes.index(i, 0), false);
+    });
+    nodes.for_each_covered_part(-1, nx + 1, ny - 1, NodeGrid::Along::row, [&](std::int64_t i) {
         visit(nodes.index(i, ny), nodes.index(i, ny - 1), false);
-    }
+    });
 }
 
 }  // namespace
@@ -83,6 +87,7 @@ void mirror_exchange(const NodeGrid& nodes, ErodibleBed* beds) {
 }
 
 void mirror_bed(NodeGrid& nodes) {
+    nodes.mirror_edges_when_read();
     for_each_mirror_pair(nodes,
                          [&](std::size_t ghost, std::size_t inner, bool) { nodes.bed[ghost] = nodes.bed[inner]; });
 }

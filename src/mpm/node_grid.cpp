@@ -37,6 +37,7 @@ struct NodeGrid::Demand {
     std::uint8_t* solid;
     std::int64_t across, down;
     std::vector<std::uint8_t> covered{};  // by block
+    bool mirrors = false;
     double lowest = std::numeric_limits<double>::infinity();
     std::vector<std::function<void(const Block&)>> fills{};
     std::exception_ptr failure{};
@@ -156,6 +157,9 @@ void NodeGrid::read_block(std::int64_t a, std::int64_t b) const {
         for (std::int64_t i = wanted.i0; i < wanted.i1; ++i) {
             const std::int64_t node = j * stride() + i, row = rows_ - 1 - (j - k_ghost), column = i - k_ghost;
             d.bed[node] = beds.at(i, j);
+            if (d.mirrors && i >= k_ghost - 1 && j >= k_ghost - 1 && i <= columns_ + k_ghost && j <= rows_ + k_ghost)
+                d.bed[node] = beds.at(std::clamp(i, k_ghost, columns_ + k_ghost - 1),
+                                      std::clamp(j, k_ghost, rows_ + k_ghost - 1));
             if (row < 0 || row >= rows_ || column < 0 || column >= columns_) continue;
             const double z = d.terrain.at(row, column);
             if (!std::isnan(z)) d.lowest = std::min(d.lowest, z);
@@ -185,6 +189,14 @@ void NodeGrid::cover(const Block& block) const noexcept {
             }
         }
     }
+}
+
+bool NodeGrid::covers(std::int64_t i, std::int64_t j) const noexcept {
+    return !demand_ || demand_->is_covered((i + k_ghost) / Demand::k_side, (j + k_ghost) / Demand::k_side) != 0;
+}
+
+void NodeGrid::mirror_edges_when_read() noexcept {
+    if (demand_) demand_->mirrors = true;
 }
 
 void NodeGrid::fill_with_ground(std::function<void(const Block&)> fill) {

@@ -112,6 +112,26 @@ class NodeGrid {
         });
     }
 
+    /// Calls visit(k) for the nodes k in [first, last) of one row or column that may be covered, numbered from the
+    /// terrain's corner; for all if the terrain is not read on demand.
+    enum class Along { row, column };
+    template <class Visit>
+    void for_each_covered_part(std::int64_t first, std::int64_t last, std::int64_t line, Along along,
+                               const Visit& visit) const {
+        for (std::int64_t k = first; k < last;) {
+            const std::int64_t end =
+                is_on_demand() ? std::min(last, ((k + k_ghost) / CellValues::k_side + 1) * CellValues::k_side - k_ghost)
+                               : last;
+            if (along == Along::row ? covers(k, line) : covers(line, k))
+                for (; k < end; ++k) visit(k);
+            k = end;
+        }
+    }
+    /// Whether a node's bed can be read, by its numbers counted from the terrain's corner.
+    [[nodiscard]] bool covers(std::int64_t i, std::int64_t j) const noexcept;
+    /// Terrain read from now on has, in the first ring beyond its edges, the bed of the mirror image inside.
+    void mirror_edges_when_read() noexcept;
+
     [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t stride() const noexcept { return columns_ + 2 * k_ghost; }

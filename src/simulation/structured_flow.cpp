@@ -30,7 +30,7 @@ SolidStages stages_for(const StructuredMaterial& material) {
 ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const Numerics& numerics,
                       const GridSpec& grid, FieldMask fields) {
     const auto of_place = [&](Point local) { return material_at(material, grid, local); };
-    ParticleSet placed = structured::split_phases(columns, of_place);
+    ParticleSet placed = structured::split_phases(columns, of_place, material.dry_depth);
     if (material.spread_evenly) placed = structured::place_again(placed, grid, numerics.particles_per_cell);
     return structured::assign_material(placed, fields, of_place);
 }

@@ -105,6 +105,21 @@ Scene inflow_elsewhere() {
     return scene;
 }
 
+// In the wide map's corner and at its edge, which are walls, on ground that nothing of the narrow one reaches.
+Scene between_walls() {
+    Scene scene = hillside();
+    scene.numerics.boundary = Boundary::wall;
+    scene.release.push_back({{box(-800, 990, -770, 1020)}, 4});
+    scene.release.push_back({{box(-800, -300, -770, -270)}, 4});
+    return scene;
+}
+
+Scene fluid_between_walls() {
+    Scene scene = between_walls();
+    scene.structured.emplace();
+    return scene;
+}
+
 // A pond in the way of breaking blocks, and another flow, of which nothing is known here, far off.
 Scene into_a_pond() {
     Scene scene = breaking();
@@ -145,6 +160,8 @@ INSTANTIATE_TEST_SUITE_P(, GroundOnDemand,
                                          Case{"earth_pressure", earth_pressure, 60}, Case{"fluid", fluid, 30},
                                          Case{"breaking", breaking, 10}, Case{"breaking_later", breaking_later, 10},
                                          Case{"loose_and_dry", loose_and_dry, 10},
+                                         Case{"between_walls", between_walls, 45},
+                                         Case{"fluid_between_walls", fluid_between_walls, 45},
                                          Case{"into_a_pond", into_a_pond, 10},
                                          Case{"eroding_by_place", eroding_by_place, 200}),
                          [](const auto& instance) { return std::string(instance.param.name); });

@@ -14,6 +14,7 @@
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
+#include "params/keys/scene_parameters.h"
 #include "params/keys/solid_keys.h"
 #include "simulation/structured_laws.h"
 
@@ -166,7 +167,9 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
     const std::string& file = (*property.source)->name;
     if (ground == nullptr || !ground->on_demand)
         return read_zone_raster(reading, ground, property.key, file, "", files, log, problems);
-    const auto within = [reading, key = property.key](double value) {
+    const std::vector<Parameter> parameters = scene_parameters();
+    const auto within = [reading, key = property.key, fits = find_parameter(parameters, property.key)->fits](double value) {
+        if (!fits || fits(value)) return value;
         Problems wrong;
         (void)within_limits(reading, key, value, "a value of the raster", wrong);
         wrong.throw_if_any();

@@ -107,8 +107,10 @@ ParticleSet place_again(const ParticleSet& placed, const GridSpec& grid, int per
     return particles;
 }
 
-ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material) {
+ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material,
+                         double thinnest) {
     ParticleSet particles(k_placed_fields);
+    double solids = 0, confined = 0;
     for (std::size_t p = 0; p < columns.size(); ++p) {
         ParticleRow r = columns.row(p);
         const double whole = get(r, Field::volume);
@@ -116,7 +118,14 @@ ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMa
         if (!(m.solid_fraction > 0)) continue;
         get(r, Field::volume) = m.solid_fraction * whole;
         get(r, Field::confined) = m.confined_fluid() * whole;
-        particles.push_back(r);
+        solids += get(r, Field::volume);
+        confined += get(r, Field::confined);
+        if (whole >= thinnest * get(r, Field::area)) particles.push_back(r);
+    }
+    if (particles.size() == 0 && solids > 0) return split_phases(columns, material);  // nothing but thin columns
+    if (thinnest > 0) {
+        scale_to(solids, particles, Field::volume);
+        scale_to(confined, particles, Field::confined);
     }
     return particles;
 }

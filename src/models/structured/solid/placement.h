@@ -39,7 +39,10 @@ struct SolidMaterial : SolidValues {
 /// Splits columns of whole thickness (fields volume, area) into solids and confined fluid: volume becomes that of the
 /// solids, confined that of the fluid that the structure confines. The fraction that it does not confine is omitted: it
 /// is free fluid; without solids all of it.
-ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material);
+/// @param thinnest columns thinner than this [m] are omitted, and both their volumes shared out to the others in
+/// proportion: beside thick columns the neighbour sums would fling them away (share/doc/structured.md, "Scheme")
+ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material,
+                         double thinnest = 0);
 
 /// Sets the material of particles (x, y, u, v, volume, area, confined), and all fields of a scene.
 ParticleSet assign_material(const ParticleSet& placed, FieldMask fields,

@@ -97,5 +97,30 @@ TEST(Placement, SplitsColumnsIntoPhases) {
     EXPECT_EQ(assign_material(split, solid_fields(true, true), everywhere)[Field::cohesion_ratio][0], 0);
 }
 
+TEST(Placement, SharesOutColumnsThatAreTooThin) {
+    ParticleSet columns(k_basic_fields);
+    const double depths[] = {2, 1, 1e-17, 5e-5};
+    for (const double depth : depths) {
+        ParticleRow r = ParticleSet::initial_row();
+        get(r, Field::area) = 4;
+        get(r, Field::volume) = 4 * depth;
+        columns.push_back(r);
+    }
+    const auto everywhere = [](Point) {
+        SolidMaterial m;
+        m.solid_fraction = 0.6;
+        m.cohesion = 1000;
+        return m;
+    };
+    const ParticleSet thick = split_phases(columns, everywhere, 1e-4), all = split_phases(columns, everywhere);
+    ASSERT_EQ(all.size(), 4U);
+    ASSERT_EQ(thick.size(), 2U);
+    for (const Field field : {Field::volume, Field::confined}) {
+        EXPECT_NEAR(total(thick, field), total(all, field), 1e-15 * total(all, field));
+        EXPECT_NEAR(thick[field][0] / thick[field][1], 2, 1e-14);
+    }
+    EXPECT_EQ(split_phases(columns, everywhere, 3).size(), 4U);  // there are no others
+}
+
 }  // namespace
 }  // namespace frana::structured::test
