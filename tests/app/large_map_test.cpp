@@ -135,6 +135,56 @@ TEST_F(SameBits, WithValuesByPlaceAndAnErodibleBed) {
     expect_same("eroded_depth", 3000);
 }
 
+// Holes in the hill, among them one wider than is filled.
+TEST_F(SameBits, WithHolesThatAreFilled) {
+    write_maps();
+    for (const char* map : {"large.tif", "small.tif"}) {
+        const gis::GdalSession session;
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path(map).c_str(), GDAL_OF_UPDATE | GDAL_OF_RASTER));
+        ASSERT_TRUE(file);
+        GDALRasterBand* const band = file->GetRasterBand(1);
+        const bool large = band->GetXSize() > k_small;
+        const auto hole = [&](int east, int south, int side) {
+            std::vector<float> nothing(static_cast<std::size_t>(side * side), -9999.0F);
+            const int column = k_top.column + east - (large ? 0 : k_column),
+                      row = k_top.row + south - (large ? 0 : k_row);
+            return band->RasterIO(GF_Write, column, row, side, side, nothing.data(), side, side, GDT_Float32, 0, 0);
+        };
+        ASSERT_EQ(hole(40, -20, 30), CE_None);
+        ASSERT_EQ(hole(-90, 10, 25), CE_None);
+        ASSERT_EQ(hole(-30, 150, 130), CE_None);
+    }
+    write_fluid_scene("perimeter = perimeter.geojson\nthickness = 2", "[terrain]\nnodata-policy = fill\nnodata-value = -9999\n");
+    expect_same_flow();
+    for (const char* raster : {"dtm", "bed"}) {
+        const Raster large = gis::read_result_raster(path("large/" + std::string(raster) + ".tif")),
+                     small = gis::read_result_raster(path("small/" + std::string(raster) + ".tif"));
+        std::int64_t same = 0;
+        for (std::int64_t row = 0; row < k_small; ++row)
+            for (std::int64_t column = 0; column < k_small; ++column) {
+                const double a = large.at(row + k_row, column + k_column);
+                if (std::isnan(a)) continue;
+                ASSERT_EQ(a, small.at(row, column)) << raster << " " << row << " " << column;
+                ++same;
+            }
+        EXPECT_GT(same, 20'000) << raster;
+    }
+}
+
+// A mosaic that is empty but for one valley, as all samples of it are.
+TEST_F(SameBits, WhereAlmostNothingOfTheMapHasData) {
+    write_maps();
+    {
+        const gis::GdalSession session;
+        const GDALDatasetUniquePtr file(
+            GDALDataset::Open(path("large.tif").c_str(), GDAL_OF_UPDATE | GDAL_OF_RASTER));
+        ASSERT_TRUE(file);
+        file->GetRasterBand(1)->SetNoDataValue(-9999);  // which blocks that were left out then read as
+    }
+    write_fluid_scene("perimeter = perimeter.geojson\nthickness = 2");
+    expect_same_flow();
+}
+
 // ulimit -v counts addresses, also of ground that nothing reaches.
 TEST_F(LargeMap, AsksForAddressesThatTheShellAllows) {
     const std::vector<Place> hills{{4000, 4000}, {12485, 12485}};

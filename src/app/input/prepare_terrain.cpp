@@ -25,7 +25,10 @@ namespace {
 constexpr auto k_large = static_cast<double>(CellValues::k_most_dense);
 // With terrain read on demand a cell costs addresses (of nodes and their maxima) and tables of tiles.
 // A map of 20 000 x 20 000 cells is the largest that tests run.
-constexpr double k_most_cells_on_demand = 4e8, k_addresses_per_cell = 320, k_table_bytes_per_cell = 0.3;
+constexpr double k_most_cells_on_demand = 4e8, k_table_bytes_per_cell = 0.3;
+double addresses_per_cell(const SceneSpec& scene) {
+    return scene.material.model == "structured" ? 400 : 320;
+}
 // A large DTM is looked at in so many places along each side before a run.
 constexpr int k_samples = 16;
 // A grid of this many cells already takes 3 GB for each of its rasters.
@@ -70,11 +73,12 @@ bool can_read_on_demand(const SceneSpec& scene) {
 
 void check_size(const SceneReading& reading, const GridSpec& grid, bool on_demand) {
     const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
+    const double per_cell = addresses_per_cell(reading.scene);
     const double needed = cells * (on_demand ? k_table_bytes_per_cell : k_bytes_per_cell);
-    if (const double room = address_room(); on_demand && cells * k_addresses_per_cell > room) {
+    if (const double room = address_room(); on_demand && cells * per_cell > room) {
         throw Error(ErrorKind::input,
                     Problem{"a run on the working grid of " + grouped(cells) + " cells maps up to " +
-                                bytes_text(cells * k_addresses_per_cell) +
+                                bytes_text(cells * per_cell) +
                                 " of addresses, though it takes memory only where the flow comes",
                             reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
                             bytes_text(room) + ", which ulimit -v, ulimit -d or vm.overcommit_memory = 2 allow",
@@ -118,6 +122,28 @@ std::optional<GaussianField> error_of(const TerrainSpec& spec) {
     return GaussianField{spec.error->standard_deviation, spec.error->range, spec.error->seed};
 }
 
+/// A window of the DTM whose holes are filled as those of the whole are: what lies farther than the distance of filling
+/// has no effect.
+void read_filled(const gis::RasterOnDemand& file, const GridSpec& grid, const CellWindow& window, double* values) {
+    file.read(window, values);
+    const std::int64_t count = window.rows * window.columns;
+    if (std::none_of(values, values + count, [](double z) { return std::isnan(z); })) return;
+    constexpr auto k_margin = static_cast<std::int64_t>(k_fill_distance_cells) + 2;
+    CellWindow around;
+    around.row = std::max<std::int64_t>(window.row - k_margin, 0);
+    around.column = std::max<std::int64_t>(window.column - k_margin, 0);
+    around.rows = std::min(window.row + window.rows + k_margin, grid.rows) - around.row;
+    around.columns = std::min(window.column + window.columns + k_margin, grid.columns) - around.column;
+    Raster part;
+    part.grid = part_of(grid, around);
+    part.values = CellValues(std::vector<double>(static_cast<std::size_t>(around.rows * around.columns)));
+    file.read(around, part.values.data());
+    gis::fill_nodata(part, k_fill_distance_cells);
+    for (std::int64_t row = 0; row < window.rows; ++row)
+        for (std::int64_t column = 0; column < window.columns; ++column)
+            *values++ = part.at(window.row - around.row + row, window.column - around.column + column);
+}
+
 /// The ground of a large DTM, of which nothing is read yet but samples.
 void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainInput& input, RunLog& log) {
     const TerrainSpec& spec = reading.scene.terrain;
@@ -131,8 +157,10 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
     input.terrain.grid = grid;
     input.terrain.values =
         CellValues::tiled(grid.rows, grid.columns, k_no_data,
-                          [file, grid, error = error_of(spec)](const CellWindow& window, double* values) {
-                              file->read(window, values);
+                          [file, grid, fills = spec.nodata_policy == "fill", error = error_of(spec)](
+                              const CellWindow& window, double* values) {
+                              if (fills) read_filled(*file, grid, window, values);
+                              else file->read(window, values);
                               if (error) add_field(*error, grid, window, values);
                           });
     known.raster = samples_of(spec, input.file, grid);
