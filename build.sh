@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 packages=(
   g++ cmake ninja-build pkg-config ca-certificates
   libgdal-dev libproj-dev proj-data libeigen3-dev
-  libosmesa6-dev libvtk9-dev libpng-dev fonts-dejavu-core
+  libosmesa6-dev libvtk9-dev libcairo2-dev libpango1.0-dev libpng-dev fonts-dejavu-core
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
   libboost-program-options-dev nlohmann-json3-dev zlib1g-dev libxxhash-dev libgtest-dev
   libopenturns-dev

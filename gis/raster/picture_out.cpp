@@ -3,6 +3,7 @@
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
@@ -10,7 +11,7 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/shortest_text.h"
+#include "core/file_aside.h"
 #include "core/utf8.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/memory_dataset.h"
@@ -97,23 +98,28 @@ bool is_drawn_geotiff(const std::string& path) {
     return GDALGetRasterDataType(GDALGetRasterBand(dataset.get(), 1)) == GDT_Byte;
 }
 
-void write_picture_pdf(const std::string& path, const PicturePixels& picture, double dots_per_inch,
-                       const std::optional<PicturePlace>& place, const std::string& title) {
-    const GdalSession session;
-    const GdalDataset dataset = in_memory(picture, path, session);
-    const bool on_earth = place && !place->crs_wkt.empty();
-    if (on_earth) {
-        set_place(dataset.get(), place->page, place->crs_wkt);
-        GDALSetMetadataItem(dataset.get(), "NEATLINE", neat_line(place->map).c_str(), nullptr);
+void write_pdf(const std::string& path, const std::string& bytes, const std::optional<PicturePlace>& place) {
+    if (!place || place->crs_wkt.empty()) {
+        write_file(path, bytes);
+        return;
     }
-    CPLStringList options;
-    options.SetNameValue("COMPRESS", "DEFLATE");
-    options.SetNameValue("DPI", shortest_text(dots_per_inch).c_str());
-    options.SetNameValue("GEO_ENCODING", on_earth ? "ISO32000" : "NONE");
-    options.SetNameValue("TITLE", valid_utf8(title).c_str());
-    // With more than one thread GDAL records a stream's place and length before it is compressed (OSGeo/gdal#6270).
-    const ThreadOption one_thread("GDAL_NUM_THREADS", "1");
-    write(path, dataset.get(), "PDF", options, session);
+    const GdalSession session;
+    const NoSideFiles quiet;
+    const MemoryFolder memory;
+    const std::string copy = memory.place_of(path);
+    VSILFILE* file = VSIFOpenL(copy.c_str(), "wb");
+    if (file == nullptr || VSIFWriteL(bytes.data(), 1, bytes.size(), file) != bytes.size()) refuse(path, session);
+    VSIFCloseL(file);
+    {
+        // GDAL appends the place to the file and leaves its page as it is.
+        const ThreadOption encoding("GDAL_PDF_GEO_ENCODING", "ISO32000");
+        const GdalDataset page(GDALOpenEx(copy.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
+        if (!page) refuse(path, session);
+        set_place(page.get(), place->page, place->crs_wkt);
+        GDALSetMetadataItem(page.get(), "NEATLINE", neat_line(place->map).c_str(), nullptr);
+    }
+    if (session.failed()) refuse(path, session);
+    memory.write_to_disk(path, Sync::no);
 }
 
 }  // namespace frana::gis

@@ -17,9 +17,9 @@ struct PicturePixels {
     std::span<const std::uint8_t> rgb;
 };
 
-/// The position of a map on a page and on the ground.
+/// The position of a map on the ground.
 struct PicturePlace {
-    Bounds page;  ///< of the whole picture, margins included, in map coordinates
+    Bounds page;  ///< of the whole page, margins included, in map coordinates
     Bounds map;   ///< inside the map's frame
     std::string crs_wkt;
 };
@@ -32,10 +32,8 @@ void write_picture_geotiff(const std::string& path, const PicturePixels& picture
 /// Returns whether a file is a map written by write_picture_geotiff.
 bool is_drawn_geotiff(const std::string& path);
 
-/// Writes a PDF of one page, as large as the pixels are at `dots_per_inch`; with a place it is a geospatial PDF (ISO
-/// 32000) whose map frame is the neat line. `title` is stored in its properties. Written aside and renamed. Throws
-/// Error(environment).
-void write_picture_pdf(const std::string& path, const PicturePixels& picture, double dots_per_inch,
-                       const std::optional<PicturePlace>& place, const std::string& title);
+/// Writes a PDF of one page, given as bytes; with a place it becomes a geospatial PDF (ISO 32000) whose map frame is
+/// the neat line. Written aside and renamed. Throws Error(environment).
+void write_pdf(const std::string& path, const std::string& bytes, const std::optional<PicturePlace>& place);
 
 }  // namespace frana::gis

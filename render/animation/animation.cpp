@@ -52,11 +52,11 @@ class MapAnimator::Page {
 
     Image frame(const Raster& layer, const std::string& subtitle) {
         check_values(layer, page_.scale());
-        return page_.draw(&layer, nullptr, subtitle);
+        return page_.draw(&layer, nullptr, subtitle).paint();
     }
     Image frame(const Dots& dots, const std::string& subtitle) {
         check_values(dots, page_.scale());
-        return page_.draw(nullptr, &dots, subtitle);
+        return page_.draw(nullptr, &dots, subtitle).paint();
     }
 
   private:
@@ -83,11 +83,11 @@ class ViewAnimator::Session {
 
     Image frame(const Raster& layer, const std::string& subtitle) {
         check_values(layer, session_.scale());
-        return session_.draw(&layer, nullptr, subtitle);
+        return session_.draw(&layer, nullptr, subtitle).paint();
     }
     Image frame(const Dots& dots, const std::string& subtitle) {
         check_values(dots, session_.scale());
-        return session_.draw(nullptr, &dots, subtitle);
+        return session_.draw(nullptr, &dots, subtitle).paint();
     }
     void fly(double fraction) { session_.fly(fraction); }
 

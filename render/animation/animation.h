@@ -23,7 +23,8 @@ class MapAnimator {
     MapAnimator(MapAnimator&&) noexcept;
     MapAnimator& operator=(MapAnimator&&) noexcept;
 
-    /// Draws the map with this raster instead of the base's, and this subtitle.
+    /// Draws the map with this raster instead of the base's, and this subtitle, whose parts are separated by line ends:
+    /// the last ones are left out where there is no room.
     Image frame(const Raster& layer, const std::string& subtitle);
     /// Draws the map with these particles and no raster.
     Image frame(const Dots& dots, const std::string& subtitle);

@@ -207,14 +207,14 @@ OverlayImage Canvas::draw() const {
     return picture;
 }
 
-void compose(Image& page, const OverlayImage& overlay) {
-    if (overlay.left < 0 || overlay.top < 0 || overlay.left + overlay.width > page.width ||
-        overlay.top + overlay.height > page.height) {
+void compose(Image& page, const OverlayImage& overlay, int right, int down) {
+    const int left = overlay.left + right, top = overlay.top + down;
+    if (left < 0 || top < 0 || left + overlay.width > page.width || top + overlay.height > page.height) {
         throw Error(ErrorKind::input, Problem{"a layer lies outside its page", "", "", "", ""});
     }
     const std::uint8_t* ink = overlay.rgba.data();
     for (int row = 0; row < overlay.height; ++row) {
-        std::uint8_t* to = page.pixel(overlay.left, overlay.top + row);
+        std::uint8_t* to = page.pixel(left, top + row);
         for (int column = 0; column < overlay.width; ++column, ink += 4, to += 3) {
             const unsigned through = 255U - ink[3];
             if (through == 255U) continue;

@@ -48,7 +48,7 @@ class Canvas {
     std::vector<Colour> colours_;  ///< of each corner
 };
 
-/// Blends an overlay onto an opaque image, which must contain it.
-void compose(Image& page, const OverlayImage& overlay);
+/// Blends an overlay onto an opaque image, which must contain it, moved to the right and down.
+void compose(Image& page, const OverlayImage& overlay, int right = 0, int down = 0);
 
 }  // namespace frana::render

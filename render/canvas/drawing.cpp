@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/canvas/drawing.h"
 
+#include <array>
 #include <sstream>
 
 #include "core/utf8.h"
@@ -12,6 +13,13 @@ constexpr std::size_t k_most_letters = 2000;  // of a paragraph
 constexpr std::size_t k_longest_line = 500;   // bytes; longer lines need not be measured
 
 }  // namespace
+
+void Drawing::fill(const PageBox& box, Rgb colour, double opacity) {
+    fill(
+        std::array<Point, 4>{
+            {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}},
+        colour, opacity);
+}
 
 double Drawing::lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across) {
     for (const std::string& line : words) {

@@ -10,8 +10,8 @@
 
 namespace frana::render {
 
-/// A page to draw on, in pixels from the upper left corner: lines and filled shapes, later ones over earlier ones, and
-/// texts over all of them, independent of the file format.
+/// A page to draw on, in pixels from the upper left corner, independent of the file format: lines and filled shapes,
+/// later ones over earlier ones, and texts over all of them.
 class Drawing {
   public:
     Drawing() = default;
@@ -22,6 +22,7 @@ class Drawing {
     virtual void line(std::span<const Point> points, const LineStyle& style, bool closed = false) = 0;
     /// A filled convex polygon.
     virtual void fill(std::span<const Point> corners, Rgb colour, double opacity = 1) = 0;
+    void fill(const PageBox& box, Rgb colour, double opacity = 1);
     virtual void frame(const PageBox& box, const LineStyle& style) = 0;
     virtual void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) = 0;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <sstream>
 
 #include "render/canvas/ticks.h"
 
@@ -45,14 +46,12 @@ ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, doub
     const double pixels = metres / metres_per_pixel;
     const double left = corner.x + lettering.width("0", style.label) / 2;
     const PageBox bar{left, corner.y, left + pixels, corner.y + bar_thickness(style)};
-    Canvas& canvas = sheet.canvas();
-    canvas.fill(bar, {255, 255, 255});
+    sheet.fill(bar, {255, 255, 255});
     constexpr int k_parts = 4;
     for (int i = 0; i < k_parts; i += 2) {
-        canvas.fill(PageBox{left + pixels * i / k_parts, bar.top, left + pixels * (i + 1) / k_parts, bar.bottom},
-                    k_ink);
+        sheet.fill(PageBox{left + pixels * i / k_parts, bar.top, left + pixels * (i + 1) / k_parts, bar.bottom}, k_ink);
     }
-    canvas.frame(bar, {style.line(1.2), k_ink});
+    sheet.frame(bar, {style.line(1.2), k_ink});
     const double text_y = bar.bottom + 0.45 * style.label.size_px;
     sheet.text("0", {bar.left, text_y}, style.label, Across::centre, Upright::top);
     sheet.text(length_words(metres), {bar.right, text_y}, style.label, Across::centre, Upright::top);
@@ -74,10 +73,9 @@ PageBox draw_north_arrow(Sheet& sheet, const PageStyle& style, Point centre, dou
     const std::array<Point, 3> dark{turned(0, tip), turned(0, notch), turned(-wing, foot)};
     const std::array<Point, 3> light{turned(0, tip), turned(wing, foot), turned(0, notch)};
     const std::array<Point, 4> rim{turned(0, tip), turned(wing, foot), turned(0, notch), turned(-wing, foot)};
-    Canvas& canvas = sheet.canvas();
-    canvas.fill(dark, k_ink);
-    canvas.fill(light, {255, 255, 255});
-    canvas.line(rim, {style.line(1.4), k_ink}, true);
+    sheet.fill(dark, k_ink);
+    sheet.fill(light, {255, 255, 255});
+    sheet.line(rim, {style.line(1.4), k_ink}, true);
     TextStyle letter = style.heading;
     sheet.text("N", turned(0, tip + 0.26 * reach), letter, Across::centre, Upright::middle);
     return {centre.x - reach, centre.y - reach, centre.x + reach, centre.y + reach};
@@ -116,19 +114,36 @@ TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::str
     return result;
 }
 
+Overlay late_subtitle(int width, int height, const PageStyle& style, const std::string& subtitle, Point at) {
+    Sheet sheet(width, height);
+    const double room = width - 2 * style.margin;
+    constexpr double k_least = 0.5, k_least_of_many = 0.75;
+    std::string words;
+    std::istringstream parts(subtitle);
+    for (std::string part; std::getline(parts, part);) {
+        const std::string more = words.empty() ? part : words + ", " + part;
+        const TextStyle small = shrunk_to_fit(sheet.lettering(), more, style.subtitle, room, k_least_of_many);
+        if (!words.empty() && sheet.lettering().width(more, small) > room) break;
+        words = more;
+    }
+    sheet.text(words, at, shrunk_to_fit(sheet.lettering(), words, style.subtitle, room, k_least), Across::left,
+               Upright::top);
+    return sheet.take();
+}
+
 double foot_height(const Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts,
                    double width) {
     const std::vector<std::string> lines = drawing.wrapped(foot_text(parts), style.small, width);
     if (lines.empty()) return 0;
     // Keeps the last line's descenders above the bottom.
     return 0.3 * style.small.size_px + Drawing::line_height(style.small) * static_cast<double>(lines.size() - 1) +
-           Lettering::capital_height(style.small) + style.gap / 2;
+           capital_height(style.small) + style.gap / 2;
 }
 
 double draw_foot(Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double left,
                  double bottom, double width) {
     const double top = bottom - foot_height(drawing, style, parts, width);
-    double y = top + style.gap / 2 + Lettering::capital_height(style.small);
+    double y = top + style.gap / 2 + capital_height(style.small);
     for (const std::string& line : drawing.wrapped(foot_text(parts), style.small, width)) {
         drawing.text(line, {left, y}, style.small, Across::left, Upright::baseline);
         y += Drawing::line_height(style.small);

@@ -37,6 +37,10 @@ struct TitleResult {
 TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::string& title, const std::string& subtitle,
                         bool subtitle_later, Point corner, double width);
 
+/// Returns a drawing of a subtitle alone, at the place that draw_titles left free. Line ends separate its parts: those
+/// for which there is no room are left out, the last first.
+Overlay late_subtitle(int width, int height, const PageStyle& style, const std::string& subtitle, Point at);
+
 /// Returns a style with letters shrunk, to `least_fraction` at most, so that a text fits `width`.
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
                         double least_fraction);

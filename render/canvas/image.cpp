@@ -16,9 +16,8 @@
 namespace frana::render {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const char* what) {
-    throw Error(ErrorKind::environment,
-                Problem{what, path, std::strerror(errno), "", "check the folder, its permissions and the free space"});
+[[noreturn]] void fail(const char* what) {
+    throw Error(ErrorKind::environment, Problem{what, "memory", std::strerror(errno), "", "check the free memory"});
 }
 
 /// Returns false if libpng or the stream fails. libpng exits by longjmp: no object here may need a destructor.
@@ -62,19 +61,22 @@ Image::Image(int columns, int rows, Rgb fill) : width(columns), height(rows) {
     }
 }
 
-void write_png(const std::string& path, const Image& image, double dots_per_inch) {
-    if (image.width < 1 || image.height < 1) {
-        throw Error(ErrorKind::environment, Problem{"an empty picture is not written", path, "", "", ""});
-    }
+std::string png_bytes(const Image& image, double dots_per_inch) {
+    if (image.width < 1 || image.height < 1)
+        throw Error(ErrorKind::environment, Problem{"an empty picture is not written", "", "", "", ""});
     char* bytes = nullptr;
     std::size_t size = 0;
     std::FILE* stream = ::open_memstream(&bytes, &size);
-    if (stream == nullptr) fail(path, "the picture cannot be written");
+    if (stream == nullptr) fail("the picture cannot be written");
     const bool written = encode(stream, image, dots_per_inch);
     const bool closed = std::fclose(stream) == 0;
     const std::unique_ptr<char, void (*)(void*)> owned(bytes, &std::free);
-    if (!written || !closed) fail(path, "the picture could not be written completely");
-    write_file(path, {bytes, size});
+    if (!written || !closed) fail("the picture could not be written completely");
+    return {bytes, size};
+}
+
+void write_png(const std::string& path, const Image& image, double dots_per_inch) {
+    write_file(path, png_bytes(image, dots_per_inch));
 }
 
 }  // namespace frana::render

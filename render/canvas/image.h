@@ -33,9 +33,12 @@ struct Image {
     }
 };
 
-/// Writes a PNG, aside first and then renamed, so that `path` is complete or unchanged; `dots_per_inch`, if not 0,
-/// specifies its printed size. Throws Error(environment) if it cannot be written (unwritable folder, full disk) or the
+/// Returns the image as PNG; `dots_per_inch`, if not 0, specifies its printed size. Throws Error(environment) if the
 /// image is empty.
+std::string png_bytes(const Image& image, double dots_per_inch = 0);
+
+/// Writes a PNG, aside first and then renamed, so that `path` is complete or unchanged. Throws Error(environment) if it
+/// cannot be written (unwritable folder, full disk) or the image is empty.
 void write_png(const std::string& path, const Image& image, double dots_per_inch = 0);
 
 }  // namespace frana::render

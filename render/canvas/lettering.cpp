@@ -1,179 +1,115 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/canvas/lettering.h"
 
+#include <cairo.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "core/error.h"
-#include "core/utf8.h"
-#include "render/canvas/vtk_errors.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkStdString.h"
-#include "vtkTextProperty.h"
-#include "vtkTextRenderer.h"
 
 namespace frana::render {
 namespace {
 
-constexpr int k_dots_per_inch = 72;  // then a point is a pixel
-
-std::string find_font(const std::string& name) {
-    const std::array<const char*, 3> folders{"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/TTF/",
-                                             "/usr/share/fonts/dejavu/"};
-    for (const char* folder : folders) {
-        if (std::filesystem::exists(folder + name)) return folder + name;
+/// Returns the bounds of a box turned counterclockwise about the origin, in whole pixels.
+PageBox turned(const PageBox& box, double angle_deg) {
+    const double angle = angle_deg * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    PageBox all{1e9, 1e9, -1e9, -1e9};
+    for (const double x : {box.left, box.right}) {
+        for (const double y : {box.top, box.bottom}) {
+            const double to_x = c * x + s * y, to_y = c * y - s * x;
+            all = {std::min(all.left, to_x), std::min(all.top, to_y), std::max(all.right, to_x),
+                   std::max(all.bottom, to_y)};
+        }
     }
+    return {std::floor(all.left), std::floor(all.top), std::ceil(all.right), std::ceil(all.bottom)};
+}
+
+[[noreturn]] void fail(const std::string& text, cairo_status_t status) {
     throw Error(ErrorKind::environment,
-                Problem{"a font for maps is missing", folders[0] + name, "", "", "install Debian's fonts-dejavu-core"});
+                Problem{"a text could not be drawn", "Cairo", text, cairo_status_to_string(status), ""});
 }
 
-// No page has room for more letters; the time is proportional to their number.
-constexpr std::size_t k_most_letters = 500;
-
-/// File names and attributes may contain any characters: line ends and other control characters become spaces.
-std::string printable(const std::string& text) {
-    std::string clean = elided(valid_utf8(text), k_most_letters);
-    for (char& c : clean)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    return clean;
-}
-
-Point rotated(Point p, double angle_deg) {
-    const double angle = angle_deg * std::numbers::pi / 180;
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
-
-/// Draws white letters; returns the distance from the lower edge of VTK's box to the baseline.
-double draw_with_vtk(const std::string& text, const std::string& font, int size, double angle_deg,
-                     vtkImageData* pixels) {
-    VtkErrors errors;
-    vtkNew<vtkTextProperty> property;
-    property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(font.c_str());
-    property->SetFontSize(size);
-    property->SetColor(1, 1, 1);
-    property->SetOrientation(angle_deg);
-    vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-    bool good = renderer != nullptr;
-    vtkTextRenderer::Metrics metrics;
-    if (good) {
-        renderer->SetScaleToPowerOfTwo(false);
-        std::array<int, 2> extent{};
-        const vtkStdString words(text);
-        // Backend FreeType: the default one would interpret a pair of dollar signs as mathematics.
-        good =
-            renderer->GetMetrics(property, words, metrics, k_dots_per_inch, vtkTextRenderer::FreeType) &&
-            renderer->RenderString(property, words, pixels, extent.data(), k_dots_per_inch, vtkTextRenderer::FreeType);
-    }
-    errors.throw_if_any("a text could not be drawn: \"" + text + "\"");
-    if (!good) {
-        throw Error(ErrorKind::environment, Problem{"a text could not be drawn", "VTK", text, "", ""});
-    }
-    return std::hypot(metrics.Descent[0], metrics.Descent[1]) + 1;
-}
-
-}  // namespace
-
-Lettering::Lettering() : regular_(find_font("DejaVuSans.ttf")), bold_(find_font("DejaVuSans-Bold.ttf")) {}
-
-const Lettering::Drawn& Lettering::drawn(const std::string& text, const TextStyle& style) const {
-    const auto [place, is_new] = kept_.try_emplace({text, style.size_px, style.bold, style.angle_deg});
-    Drawn& drawn = place->second;
-    if (!is_new || text.find_first_not_of(' ') == std::string::npos) return drawn;
-    vtkNew<vtkImageData> pixels;
-    drawn.descent = draw_with_vtk(text, style.bold ? bold_ : regular_, style.size_px, style.angle_deg, pixels);
-    const int* extent = pixels->GetExtent();
-    const int bands = pixels->GetNumberOfScalarComponents();
-    const auto* values = static_cast<const unsigned char*>(pixels->GetScalarPointer());
-    const int columns = extent[1] - extent[0] + 1, rows = extent[3] - extent[2] + 1;
-    const auto alpha = [&](int column, int row) {  // row 0 at the bottom
-        return values[static_cast<std::size_t>(bands) *
-                          (static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                           static_cast<std::size_t>(column)) +
-                      static_cast<std::size_t>(bands) - 1];
-    };
-    int first_column = columns, last_column = -1, first_row = rows, last_row = -1;
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            if (alpha(column, row) == 0) continue;
+/// Cuts off the rows and columns without ink.
+void trim(Glyphs& glyphs) {
+    const int width = glyphs.width;
+    int first_column = width, last_column = -1, first_row = glyphs.height, last_row = -1;
+    for (int row = 0; row < glyphs.height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            if (glyphs.ink[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                           static_cast<std::size_t>(column)] == 0)
+                continue;
             first_column = std::min(first_column, column);
             last_column = std::max(last_column, column);
             first_row = std::min(first_row, row);
             last_row = std::max(last_row, row);
         }
     }
-    if (last_column < 0) return drawn;
-    drawn.first_column = extent[0] + first_column;
-    drawn.last_row = extent[2] + last_row;
-    drawn.glyphs.width = last_column - first_column + 1;
-    drawn.glyphs.height = last_row - first_row + 1;
-    for (int row = last_row; row >= first_row; --row) {
-        for (int column = first_column; column <= last_column; ++column) drawn.glyphs.ink.push_back(alpha(column, row));
+    if (last_column < 0) {
+        glyphs = {};
+        return;
     }
+    Glyphs inside{glyphs.left + first_column,
+                  glyphs.top + first_row,
+                  last_column - first_column + 1,
+                  last_row - first_row + 1,
+                  {}};
+    for (int row = first_row; row <= last_row; ++row) {
+        const auto begin = glyphs.ink.begin() + static_cast<std::ptrdiff_t>(row) * width + first_column;
+        inside.ink.insert(inside.ink.end(), begin, begin + inside.width);
+    }
+    glyphs = std::move(inside);
+}
+
+}  // namespace
+
+const Lettering::Drawn& Lettering::drawn(const std::string& text, const TextStyle& style) const {
+    const Key key{text, style.size_px, style.bold, style.angle_deg};
+    if (const auto known = kept_.find(key); known != kept_.end()) return known->second;
+    Drawn& drawn = kept_.emplace(key, Drawn(TextLine(text, style))).first->second;
+    const PageBox& ink = drawn.line.ink();
+    if (!(ink.width() > 0)) return drawn;
+    constexpr int k_rim = 2;  // a pixel's share of a letter beside it
+    const PageBox box = turned(ink, style.angle_deg);
+    Glyphs& glyphs = drawn.glyphs;
+    glyphs.left = static_cast<int>(box.left) - k_rim;
+    glyphs.top = static_cast<int>(box.top) - k_rim;
+    glyphs.width = static_cast<int>(box.width()) + 2 * k_rim;
+    glyphs.height = static_cast<int>(box.height()) + 2 * k_rim;
+    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_A8, glyphs.width, glyphs.height), &cairo_surface_destroy);
+    const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> on(cairo_create(surface.get()), &cairo_destroy);
+    drawn.line.show(on.get(), {static_cast<double>(-glyphs.left), static_cast<double>(-glyphs.top)});
+    cairo_surface_flush(surface.get());
+    if (const cairo_status_t status = cairo_status(on.get()); status != CAIRO_STATUS_SUCCESS) fail(text, status);
+    const unsigned char* pixels = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    for (int row = 0; row < glyphs.height; ++row) {
+        const unsigned char* begin = pixels + static_cast<std::ptrdiff_t>(row) * stride;
+        glyphs.ink.insert(glyphs.ink.end(), begin, begin + glyphs.width);
+    }
+    trim(glyphs);
     return drawn;
 }
 
-Glyphs Lettering::set(const std::string& text, const TextStyle& style, Across across, Upright upright) const {
-    if (style.angle_deg == 90) {
-        // Rotated pixel by pixel; upright labels keep their letters and their exact place.
-        TextStyle level = style;
-        level.angle_deg = 0;
-        const Glyphs straight = set(text, level, across, upright);
-        Glyphs turned{straight.top, -(straight.left + straight.width), straight.height, straight.width, {}};
-        for (int row = 0; row < turned.height; ++row) {
-            for (int column = 0; column < turned.width; ++column) {
-                turned.ink.push_back(
-                    straight.ink[static_cast<std::size_t>(column) * static_cast<std::size_t>(straight.width) +
-                                 static_cast<std::size_t>(straight.width - 1 - row)]);
-            }
-        }
-        return turned;
-    }
-    const std::string clean = printable(text);
-    const Drawn& letters = drawn(clean, style);
-    Glyphs glyphs = letters.glyphs;
-    if (glyphs.width == 0) return glyphs;
-
-    // The reference point in the unturned text, from the left end of the baseline.
-    double ink_left = 0, ink_width = 0;
-    if (style.angle_deg == 0 || across != Across::left) {
-        TextStyle level = style;
-        level.angle_deg = 0;
-        const Drawn& straight = drawn(clean, level);
-        ink_left = style.angle_deg == 0 ? straight.first_column : 0;
-        ink_width = straight.glyphs.width;
-    }
-    const double capital = capital_height(style);
-    const Point reference{across == Across::left     ? ink_left
-                          : across == Across::centre ? ink_left + ink_width / 2
-                                                     : ink_left + ink_width,
-                          upright == Upright::baseline ? 0
-                          : upright == Upright::middle ? capital / 2
-                                                       : capital};
-    const Point origin = rotated({reference.x, reference.y + letters.descent}, style.angle_deg);
-    glyphs.left = static_cast<int>(std::lround(letters.first_column - origin.x));
-    glyphs.top = -static_cast<int>(std::lround(letters.last_row + 1 - origin.y));
-    return glyphs;
-}
-
 Glyphs Lettering::set(const std::string& text, Point at, const TextStyle& style, Across across, Upright upright) const {
-    Glyphs glyphs = set(text, style, across, upright);
-    glyphs.left += static_cast<int>(std::lround(at.x));
-    glyphs.top += static_cast<int>(std::lround(at.y));
+    const Drawn& letters = drawn(text, style);
+    Glyphs glyphs = letters.glyphs;
+    const Point origin = letters.line.origin(at, across, upright);
+    glyphs.left += static_cast<int>(std::lround(origin.x));
+    glyphs.top += static_cast<int>(std::lround(origin.y));
     return glyphs;
 }
 
 double Lettering::width(const std::string& text, const TextStyle& style) const {
-    TextStyle level = style;
-    level.angle_deg = 0;
-    return set(text, level, Across::left, Upright::baseline).width;
+    const auto [place, is_new] = widths_.try_emplace({text, style.size_px, style.bold, 0});
+    if (is_new) place->second = TextLine(text, style).ink().width();
+    return place->second;
 }
 
 TextBox text_box(const std::string& text, const Glyphs& glyphs, const TextStyle& style) {
@@ -193,7 +129,8 @@ TextBox Lettering::write(Image& page, const std::string& text, Point at, const T
     return text_box(text, glyphs, style);
 }
 
-void blend(Image& page, const Glyphs& glyphs, const TextStyle& style) {
+void blend(Image& page, const Glyphs& glyphs, const TextStyle& style, int right, int down) {
+    const int left = glyphs.left + right, top = glyphs.top + down;
     const auto mix = [&page](int column, int row, Rgb colour, double fraction) {
         if (column < 0 || row < 0 || column >= page.width || row >= page.height) return;
         std::uint8_t* pixel = page.pixel(column, row);
@@ -224,14 +161,14 @@ void blend(Image& page, const Glyphs& glyphs, const TextStyle& style) {
                 double most = 0;
                 for (const Near& one : nears)
                     most = std::max(most, one.fraction * coverage(column + one.dx, row + one.dy));
-                if (most > 0) mix(glyphs.left + column, glyphs.top + row, style.halo, most / 255);
+                if (most > 0) mix(left + column, top + row, style.halo, most / 255);
             }
         }
     }
     for (int row = 0; row < glyphs.height; ++row) {
         for (int column = 0; column < glyphs.width; ++column) {
             if (const int fraction = coverage(column, row); fraction > 0)
-                mix(glyphs.left + column, glyphs.top + row, style.colour, fraction / 255.0);
+                mix(left + column, top + row, style.colour, fraction / 255.0);
         }
     }
 }

@@ -144,8 +144,8 @@ void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, co
     const double left = cell.left + (chart.alike ? 4.2 * letter : 5.6 * letter + 1.6 * style.label.size_px);
     const double below = (chart.alike ? 2.6 : 4.2) * letter, right = cell.right - style.gap;
     if (!panel.title.empty())
-        drawing.text(panel.title, {left, cell.top + Lettering::capital_height(style.heading)}, style.heading,
-                     Across::left, Upright::baseline);
+        drawing.text(panel.title, {left, cell.top + capital_height(style.heading)}, style.heading, Across::left,
+                     Upright::baseline);
     const ChartKey key(drawing, style.small, chart.alike ? std::vector<const ChartSeries*>{} : series_of(panel),
                        right - left);
     const PageBox box{left, cell.top + above + key.height(), right, cell.bottom - below};
@@ -196,14 +196,18 @@ ChartLayout draw_on(Drawing& drawing, const Chart& chart, int width, int height)
 
 }  // namespace
 
-Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout) {
+Page chart_page(const Chart& chart, int width, int height, ChartLayout* layout) {
     Sheet sheet(width, height);
     ChartLayout drawn = draw_on(sheet, chart, width, height);
     drawn.texts = sheet.texts();
     if (layout != nullptr) *layout = std::move(drawn);
-    Image page(width, height);
-    sheet.draw().put(page);
+    Page page(width, height);
+    page.put(sheet.take());
     return page;
+}
+
+Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout) {
+    return chart_page(chart, width, height, layout).paint();
 }
 
 std::string chart_svg(const Chart& chart, int width, int height, ChartLayout* layout) {

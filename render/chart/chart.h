@@ -9,6 +9,7 @@
 #include "core/geometry.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
+#include "render/canvas/page.h"
 #include "render/chart/chart_axis.h"
 
 namespace frana::render {
@@ -64,6 +65,8 @@ struct ChartLayout {
 
 /// Draws the page; fills `layout`, if given. Throws Error(input) if the page is too small and Error(environment) if
 /// fonts or OpenGL fail.
+Page chart_page(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
+/// The same as pixels.
 Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
 
 /// Returns the same page as an SVG element for an HTML page.

@@ -87,8 +87,10 @@ ColourScale::ColourScale(const ScaleRequest& request) {
     if (fixed_open) bounds.pop_back();
     const bool given = !request.classes.empty() || request.maximum;
     const bool unseen = request.for_unseen_values && given;
+    // A raster that is given as well has their greatest values: a class that none is in would change all colours.
+    const bool beyond = unseen && range.empty();
     const bool open_below = range.least < bounds.front() || (unseen && bounds.front() > 0);
-    const bool open_above = fixed_open || range.greatest > bounds.back() || unseen;
+    const bool open_above = fixed_open || range.greatest > bounds.back() || beyond;
     bounds_ = bounds;
     if (request.continuous) slices_ = k_slices;
     set_bounds(open_below, open_above, palette(request.palette));

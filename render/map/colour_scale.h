@@ -36,7 +36,7 @@ struct ScaleRequest {
     bool continuous = false;
     std::vector<ClassLabel> categories;
     const Raster* layer = nullptr;
-    bool for_unseen_values = false;  ///< values of other rasters will follow: classes open at the ends
+    bool for_unseen_values = false;  ///< others follow, none over `layer`'s greatest value, if it has any
 };
 
 /// Maps values to colours: one of a few classes, the same on the map and in the legend.

@@ -109,7 +109,7 @@ void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
     const double step_x = step_for(east - west, box.width());
     for (const RoundPlace& one : round_places(longitude, step_x)) {
         const double x = box.left + one.place * box.width();
-        sheet.canvas().line(std::array<Point, 2>{{{x, box.top - tick}, {x, box.top}}}, line);
+        sheet.line(std::array<Point, 2>{{{x, box.top - tick}, {x, box.top}}}, line);
         const std::string words = degree_words(one.value, step_x, "EW");
         const double half = lettering.width(words, style.small) / 2;
         if (x - half < box.left || x + half > box.right) continue;
@@ -120,7 +120,7 @@ void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
     upright.angle_deg = 90;
     for (const RoundPlace& one : round_places(latitude, step_y)) {
         const double y = box.bottom - one.place * box.height();
-        sheet.canvas().line(std::array<Point, 2>{{{box.right, y}, {box.right + tick, y}}}, line);
+        sheet.line(std::array<Point, 2>{{{box.right, y}, {box.right + tick, y}}}, line);
         const std::string words = degree_words(one.value, step_y, "NS");
         const double half = lettering.width(words, style.small) / 2;
         if (y - half < box.top || y + half > box.bottom) continue;

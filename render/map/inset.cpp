@@ -29,18 +29,15 @@ std::optional<MapFrame> inset_frame(const Bounds& terrain, const Bounds& window,
 Image draw_inset(Sheet& sheet, const PageStyle& style, const MapFrame& inset, const Raster& terrain,
                  const Bounds& window) {
     Image picture(inset.width, inset.height, k_no_terrain);
-    MapFrame alone = inset;
-    alone.left = alone.top = 0;
-    paint_relief(picture, alone, terrain);
+    paint_relief(picture, inset.alone(), terrain);
     const PageBox box = inset.box();
     const Point low = inset.page({window.west, window.south}), high = inset.page({window.east, window.north});
     const PageBox shown{std::max(low.x, box.left), std::max(high.y, box.top), std::min(high.x, box.right),
                         std::min(low.y, box.bottom)};
     constexpr Rgb k_here{180, 0, 40};
-    Canvas& canvas = sheet.canvas();
-    canvas.frame(shown, {style.line(2) + 2 * style.line(1.2), {255, 255, 255}});
-    canvas.frame(shown, {style.line(2), k_here});
-    canvas.frame(box, {style.line(1.2), k_ink});
+    sheet.frame(shown, {style.line(2) + 2 * style.line(1.2), {255, 255, 255}});
+    sheet.frame(shown, {style.line(2), k_here});
+    sheet.frame(box, {style.line(1.2), k_ink});
     return picture;
 }
 

@@ -37,7 +37,7 @@ double draw_ramp(const ColourScale& scale, const PageStyle& style, Point corner,
     const auto mark = [&](double value, const char* sign) {
         const double y = box.bottom;
         const std::array<Point, 2> tick{{{box.right, y}, {box.right + style.length(6), y}}};
-        sheet.canvas().line(tick, {style.line(1), k_ink});
+        sheet.line(tick, {style.line(1), k_ink});
         sheet.text(sign + number(value), {corner.x + text_offset(style), y}, style.label, Across::left,
                    Upright::middle);
     };
@@ -52,11 +52,11 @@ double draw_ramp(const ColourScale& scale, const PageStyle& style, Point corner,
         }
         box.top = box.bottom;
         box.bottom += open ? size.height / 2 : size.height / scale.slices();
-        sheet.canvas().fill(box, one->colour);
+        sheet.fill(box, one->colour);
         entries.push_back({one->label, one->colour, box, one->lower, one->upper});
     }
     if (!std::isinf(classes.front().lower)) mark(classes.front().lower, "");
-    sheet.canvas().frame({box.left, top, box.right, box.bottom}, {style.line(1), k_ink});
+    sheet.frame({box.left, top, box.right, box.bottom}, {style.line(1), k_ink});
     return box.bottom + size.height / 2;
 }
 
@@ -114,8 +114,8 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
         }
         for (const ColourClass* one : order) {
             const PageBox box{corner.x, y, corner.x + size.width, y + size.height};
-            sheet.canvas().fill(box, one->colour);
-            sheet.canvas().frame(box, {style.line(1), k_ink});
+            sheet.fill(box, one->colour);
+            sheet.frame(box, {style.line(1), k_ink});
             entries.push_back({one->label, one->colour, box, one->lower, one->upper});
             labelled(one->label, size.height);
             if (apart) y += 0.4 * size.height;
@@ -128,9 +128,9 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
         const std::array<Point, 2> ends{
             {{corner.x, y + size.height / 2}, {corner.x + size.width, y + size.height / 2}}};
         if (!outline.polygons.empty() || !outline.lines.empty())
-            sheet.canvas().line(ends, {line, outline.colour, 1, outline_dashes(outline, line)});
+            sheet.line(ends, {line, outline.colour, 1, outline_dashes(outline, line)});
         else
-            draw_place(sheet.canvas(), style, {corner.x + size.width / 2, y + size.height / 2}, outline.colour);
+            draw_place(sheet, style, {corner.x + size.width / 2, y + size.height / 2}, outline.colour);
         labelled(outline.label, size.height);
         y += 0.2 * size.height;
     }

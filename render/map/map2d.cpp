@@ -5,14 +5,18 @@
 
 namespace frana::render {
 
-Image MapSeries::draw(const MapSpec& spec, MapLayout* layout) {
-    const MapPage page(spec, false, ground_);
-    if (layout != nullptr) *layout = page.layout();
-    return page.draw(spec.layer, spec.dots, "");
+Page MapSeries::draw(const MapSpec& spec, MapLayout* layout) {
+    const MapPage map(spec, false, ground_);
+    if (layout != nullptr) *layout = map.layout();
+    return map.draw(spec.layer, spec.dots, "");
+}
+
+Page map_page(const MapSpec& spec, MapLayout* layout) {
+    return MapSeries().draw(spec, layout);
 }
 
 Image draw_map(const MapSpec& spec, MapLayout* layout) {
-    return MapSeries().draw(spec, layout);
+    return map_page(spec, layout).paint();
 }
 
 }  // namespace frana::render

@@ -13,6 +13,7 @@
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
 #include "render/canvas/osmesa_window.h"
+#include "render/canvas/page.h"
 
 namespace frana::render {
 
@@ -95,6 +96,8 @@ struct MapSpec {
 /// with coordinates, legend, scale bar, north arrow. An empty raster is drawn with a note. Fills `layout`, if given.
 /// Throws Error(input) if the spec contradicts itself or the page is too small for its texts, and Error(environment) if
 /// the picture cannot be drawn (missing font, broken OpenGL).
+Page map_page(const MapSpec& spec, MapLayout* layout = nullptr);
+/// The same as pixels.
 Image draw_map(const MapSpec& spec, MapLayout* layout = nullptr);
 
 struct MapGround;
@@ -104,8 +107,8 @@ struct MapGround;
 /// outlive the series.
 class MapSeries {
   public:
-    /// Draws the same map as draw_map; throws as it does.
-    Image draw(const MapSpec& spec, MapLayout* layout = nullptr);
+    /// Draws the same map as map_page; throws as it does.
+    Page draw(const MapSpec& spec, MapLayout* layout = nullptr);
 
   private:
     std::shared_ptr<const MapGround> ground_;

@@ -26,6 +26,8 @@ struct MapFrame {
     [[nodiscard]] Point page(Point map) const {
         return {left + (map.x - window.west) / metres_per_pixel(), top + (window.north - map.y) / metres_per_pixel()};
     }
+    /// The same window in the corner of a picture of its own.
+    [[nodiscard]] MapFrame alone() const { return {0, 0, width, height, window}; }
     [[nodiscard]] PageBox box() const {
         return {static_cast<double>(left), static_cast<double>(top), static_cast<double>(left + width),
                 static_cast<double>(top + height)};

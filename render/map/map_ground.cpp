@@ -53,12 +53,12 @@ const Raster* coloured(const MapSpec& spec) {
     return beyond ? spec.layer : spec.extent;
 }
 
-void cover_outside(Canvas& canvas, const PageBox& page, const PageBox& map) {
+void cover_outside(Sheet& sheet, const PageBox& page, const PageBox& map) {
     const Rgb paper{255, 255, 255};
-    canvas.fill(PageBox{page.left, page.top, page.right, map.top}, paper);
-    canvas.fill(PageBox{page.left, map.bottom, page.right, page.bottom}, paper);
-    canvas.fill(PageBox{page.left, map.top, map.left, map.bottom}, paper);
-    canvas.fill(PageBox{map.right, map.top, page.right, map.bottom}, paper);
+    sheet.fill(PageBox{page.left, page.top, page.right, map.top}, paper);
+    sheet.fill(PageBox{page.left, map.bottom, page.right, page.bottom}, paper);
+    sheet.fill(PageBox{page.left, map.top, map.left, map.bottom}, paper);
+    sheet.fill(PageBox{map.right, map.top, page.right, map.bottom}, paper);
 }
 
 void draw_lines(const MapSpec& spec, const PageStyle& style, MapGround& ground) {
@@ -68,30 +68,21 @@ void draw_lines(const MapSpec& spec, const PageStyle& style, MapGround& ground) 
     if (spec.terrain != nullptr && spec.contours)
         ground.contour_interval = draw_contours(sheet, style, frame, *spec.terrain, ground.kept_clear, spec.outlines);
     draw_outlines(sheet, style, frame, spec.outlines);
-    cover_outside(sheet.canvas(), {0, 0, static_cast<double>(ground.width), static_cast<double>(ground.height)},
-                  frame.box());
+    cover_outside(sheet, {0, 0, static_cast<double>(ground.width), static_cast<double>(ground.height)}, frame.box());
     draw_coordinates(sheet, style, frame, !map_grid(spec).crs_wkt.empty());
     if (spec.longitude_latitude) draw_graticule(sheet, style, frame, spec.longitude_latitude);
-    sheet.canvas().frame(frame.box(), {style.line(2), k_ink, 1, {}});
+    sheet.frame(frame.box(), {style.line(2), k_ink, 1, {}});
     ground.texts = sheet.texts();
-    ground.above = sheet.draw();
+    ground.above = sheet.take();
 }
 
-void draw_paper(const MapSpec& spec, MapGround& ground) {
-    const MapFrame& frame = ground.frame;
-    ground.paper = Image(ground.width, ground.height);
-    for (int row = frame.top; row < frame.top + frame.height; ++row) {
-        for (int x = frame.left; x < frame.left + frame.width; ++x) {
-            std::uint8_t* p = ground.paper.pixel(x, row);
-            p[0] = k_no_terrain.r;
-            p[1] = k_no_terrain.g;
-            p[2] = k_no_terrain.b;
-        }
-    }
+void draw_face(const MapSpec& spec, MapGround& ground) {
+    const MapFrame frame = ground.frame.alone();
+    ground.face = Image(frame.width, frame.height, k_no_terrain);
     if (spec.background) {
-        paint_background(ground.paper, frame, spec.background);
+        paint_background(ground.face, frame, spec.background);
     } else if (spec.terrain != nullptr) {
-        paint_relief(ground.paper, frame, *spec.terrain);
+        paint_relief(ground.face, frame, *spec.terrain);
     }
 }
 
@@ -110,7 +101,7 @@ const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double d
     auto ground = std::make_shared<MapGround>(
         MapGround{spec.width, spec.height, density, frame, spec.terrain, clear, spec.outlines, {}, {}, {}, 0});
     draw_lines(spec, PageStyle(spec.width, spec.height, density), *ground);
-    draw_paper(spec, *ground);
+    draw_face(spec, *ground);
     kept = std::move(ground);
     return *kept;
 }

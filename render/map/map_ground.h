@@ -22,7 +22,7 @@ struct MapGround {
     const Raster* kept_clear = nullptr;  ///< of contours' labels
     std::vector<Outline> outlines;
 
-    Image paper;    ///< with the relief inside the frame
+    Image face;     ///< the relief inside the frame
     Overlay above;  ///< lines and texts, white outside the frame
     std::vector<TextBox> texts;
     double contour_interval = 0;  ///< [m]; 0: no contours

@@ -152,7 +152,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
     const auto is_index = [&](const Contour& c) { return std::lround(c.level / interval) % k_index_every == 0; };
     for (Contour& contour : contours) {
         for (Point& p : contour.points) p = frame.page(p);
-        sheet.canvas().line(contour.points, is_index(contour) ? strong : thin);
+        sheet.line(contour.points, is_index(contour) ? strong : thin);
     }
     TextStyle label = style.small;
     label.colour = {60, 50, 38};
@@ -173,7 +173,7 @@ void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, 
     const auto stroke = [&](const Polyline& map_line, const LineStyle& line, bool closed) {
         Polyline points;
         for (const Point map : map_line) points.push_back(frame.page(map));
-        if (std::none_of(points.begin(), points.end(), far_outside)) sheet.canvas().line(points, line, closed);
+        if (std::none_of(points.begin(), points.end(), far_outside)) sheet.line(points, line, closed);
     };
     for (const bool rim : {true, false}) {
         for (const Outline& outline : outlines) {
@@ -187,18 +187,18 @@ void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, 
             for (const Polyline& open : outline.lines) stroke(open, line, false);
             for (const NamedPlace& one : outline.places) {
                 const Point at = frame.page(one.place);
-                if (!rim && !far_outside(at)) draw_place(sheet.canvas(), style, at, outline.colour);
+                if (!rim && !far_outside(at)) draw_place(sheet, style, at, outline.colour);
             }
         }
     }
 }
 
-void draw_place(Canvas& canvas, const PageStyle& style, Point at, Rgb colour) {
+void draw_place(Drawing& drawing, const PageStyle& style, Point at, Rgb colour) {
     const auto triangle = [&](double reach, Rgb ink) {
-        canvas.fill(std::array<Point, 3>{{{at.x, at.y - reach},
-                                          {at.x + 0.87 * reach, at.y + reach / 2},
-                                          {at.x - 0.87 * reach, at.y + reach / 2}}},
-                    ink);
+        drawing.fill(std::array<Point, 3>{{{at.x, at.y - reach},
+                                           {at.x + 0.87 * reach, at.y + reach / 2},
+                                           {at.x - 0.87 * reach, at.y + reach / 2}}},
+                     ink);
     };
     const double reach = 0.55 * style.label.size_px;
     triangle(reach + 2 * style.line(1.3), {255, 255, 255});
@@ -248,12 +248,11 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
     const std::vector<double> northings = multiples(frame.window.south, frame.window.north, step);
     const double tick = style.length(8), text_gap = tick + 0.45 * style.small.size_px;
     const LineStyle line{style.line(1.2), k_ink, 1, {}};
-    Canvas& canvas = sheet.canvas();
 
     for (const double easting : eastings) {
         const double x = frame.page({easting, 0}).x;
         const std::array<Point, 2> mark{{{x, box.bottom}, {x, box.bottom + tick}}};
-        canvas.line(mark, line);
+        sheet.line(mark, line);
         const std::string words = grouped(easting) + (projected ? " E" : "");
         const double half = lettering.width(words, style.small) / 2;
         if (x - half < box.left || x + half > box.right) continue;
@@ -264,7 +263,7 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
     for (const double northing : northings) {
         const double y = frame.page({0, northing}).y;
         const std::array<Point, 2> mark{{{box.left - tick, y}, {box.left, y}}};
-        canvas.line(mark, line);
+        sheet.line(mark, line);
         const std::string words = grouped(northing) + (projected ? " N" : "");
         const double half = lettering.width(words, style.small) / 2;
         if (y - half < box.top || y + half > box.bottom) continue;
@@ -279,8 +278,8 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
                 continue;
             const std::array<Point, 2> level{{{p.x - arm, p.y}, {p.x + arm, p.y}}};
             const std::array<Point, 2> vertical{{{p.x, p.y - arm}, {p.x, p.y + arm}}};
-            canvas.line(level, cross);
-            canvas.line(vertical, cross);
+            sheet.line(level, cross);
+            sheet.line(vertical, cross);
         }
     }
 }

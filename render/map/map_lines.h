@@ -19,7 +19,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
 void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const std::vector<Outline>& outlines);
 
 /// Draws the symbol of a place: a triangle on a light rim.
-void draw_place(Canvas& canvas, const PageStyle& style, Point at, Rgb colour);
+void draw_place(Drawing& drawing, const PageStyle& style, Point at, Rgb colour);
 
 /// Writes the names of places beside them where there is room; call before the contours, whose labels avoid them.
 void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& frame,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <optional>
 
@@ -160,7 +159,7 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
                 {column.left, legend_bottom + style.gap, column.left + column_width, arrow_top - style.gap});
         }
         if (inset) {
-            inset_ = draw_inset(sheet, style, *inset, *spec.terrain, frame_.window);
+            inset_ = std::make_shared<const Image>(draw_inset(sheet, style, *inset, *spec.terrain, frame_.window));
             layout_.inset = inset->box();
             layout_.inset_window = inset->window;
         }
@@ -176,7 +175,7 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         }
         layout_.texts = sheet.texts();
         layout_.texts.insert(layout_.texts.end(), ground.texts.begin(), ground.texts.end());
-        words_ = sheet.draw();
+        words_ = sheet.take();
         return;
     }
     throw Error(ErrorKind::input, Problem{"the page is too small for the map's legend and notes", "",
@@ -185,27 +184,19 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
                                           "draw a larger picture, or fewer classes, outlines or notes"});
 }
 
-Image MapPage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const {
-    Image image = ground_->paper;
-    const PageStyle style(image.width, image.height);
+Page MapPage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const {
+    Page page(static_cast<int>(layout_.page.width()), static_cast<int>(layout_.page.height()));
+    const PageStyle style(page.width(), page.height());
     const int edge_px = std::max(1, static_cast<int>(std::lround(style.length(1))));
-    if (layer != nullptr) paint_cells(image, frame_, *layer, scale_, edge_px);
-    if (dots != nullptr) paint_dots(image, frame_, *dots, scale_);
-    ground_->above.put(image);
-    if (layout_.inset) {
-        for (int row = 0; row < inset_.height; ++row) {
-            std::memcpy(image.pixel(static_cast<int>(layout_.inset->left), static_cast<int>(layout_.inset->top) + row),
-                        inset_.pixel(0, row), 3 * static_cast<std::size_t>(inset_.width));
-        }
-    }
-    words_.put(image);
-    if (!subtitle.empty()) {
-        const Lettering lettering;
-        const double width = image.width - 2 * style.margin;
-        lettering.write(image, subtitle, subtitle_at_, shrunk_to_fit(lettering, subtitle, style.subtitle, width, 0.5),
-                        Across::left, Upright::top);
-    }
-    return image;
+    Image face = ground_->face;
+    if (layer != nullptr) paint_cells(face, frame_.alone(), *layer, scale_, edge_px);
+    if (dots != nullptr) paint_dots(face, frame_.alone(), *dots, scale_);
+    page.put(std::move(face), frame_.left, frame_.top);
+    page.put(ground_->above);
+    if (layout_.inset) page.put(inset_, static_cast<int>(layout_.inset->left), static_cast<int>(layout_.inset->top));
+    page.put(words_);
+    if (!subtitle.empty()) page.put(late_subtitle(page.width(), page.height(), style, subtitle, subtitle_at_));
+    return page;
 }
 
 }  // namespace frana::render

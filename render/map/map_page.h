@@ -5,6 +5,7 @@
 #include <string>
 
 #include "render/canvas/map_layout.h"
+#include "render/canvas/page.h"
 #include "render/map/colour_scale.h"
 #include "render/map/map2d.h"
 #include "render/map/map_ground.h"
@@ -20,7 +21,7 @@ class MapPage {
 
     /// Draws the map with a raster and dots (none if null) and a subtitle; the latter only if the page was made for
     /// frames.
-    [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const;
+    [[nodiscard]] Page draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const;
 
     [[nodiscard]] const MapLayout& layout() const noexcept { return layout_; }
     [[nodiscard]] const ColourScale& scale() const noexcept { return scale_; }
@@ -32,8 +33,8 @@ class MapPage {
     MapFrame frame_;
     MapLayout layout_;
     std::shared_ptr<const MapGround> ground_;
-    Overlay words_;  ///< title, legend, scale, foot
-    Image inset_;
+    Overlay words_;                       ///< title, legend, scale, foot
+    std::shared_ptr<const Image> inset_;  ///< null: none
     Point subtitle_at_;
 };
 

@@ -14,14 +14,14 @@ constexpr int k_least_width = 480, k_least_height = 360;  // of a part: a map wi
 
 }  // namespace
 
-Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>* texts) {
+Page draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>* texts) {
     const PageStyle style(width, height);
     Sheet sheet(width, height);
     const double inner = width - 2 * style.margin;
     const TitleResult titles =
         draw_titles(sheet, style, plate.title, plate.subtitle, false, {style.margin, style.margin}, inner);
     const double foot_top = draw_foot(sheet, style, {plate.foot}, style.margin, height - style.margin / 2, inner);
-    Image page(width, height);
+    Page page(width, height);
     const int across = std::max(1, plate.across);
     const int down = std::max(1, (static_cast<int>(plate.parts.size()) + across - 1) / across);
     const int top = static_cast<int>(titles.bottom), high = (static_cast<int>(foot_top) - top) / down,
@@ -30,14 +30,9 @@ Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>
         return draw_plate(plate, std::max(width, k_least_width * across),
                           height + down * std::max(0, k_least_height - high), texts);
     }
-    for (int i = 0; i < static_cast<int>(plate.parts.size()); ++i) {
-        const Image part = plate.parts[static_cast<std::size_t>(i)](wide, high);
-        for (int row = 0; row < part.height; ++row) {
-            std::copy_n(part.pixel(0, row), 3 * static_cast<std::size_t>(part.width),
-                        page.pixel(wide * (i % across), top + high * (i / across) + row));
-        }
-    }
-    sheet.draw().put(page);
+    for (int i = 0; i < static_cast<int>(plate.parts.size()); ++i)
+        page.put(plate.parts[static_cast<std::size_t>(i)](wide, high), wide * (i % across), top + high * (i / across));
+    page.put(sheet.take());
     if (texts != nullptr) *texts = sheet.texts();
     return page;
 }

@@ -5,14 +5,18 @@
 
 namespace frana::render {
 
-Image ViewSeries::draw(const ViewSpec& spec, ViewLayout* layout) {
+Page ViewSeries::draw(const ViewSpec& spec, ViewLayout* layout) {
     ViewSession session(spec, false, place_);
     if (layout != nullptr) *layout = session.layout();
     return session.draw(spec.layer, spec.dots, "");
 }
 
-Image draw_view(const ViewSpec& spec, ViewLayout* layout) {
+Page view_page(const ViewSpec& spec, ViewLayout* layout) {
     return ViewSeries().draw(spec, layout);
+}
+
+Image draw_view(const ViewSpec& spec, ViewLayout* layout) {
+    return view_page(spec, layout).paint();
 }
 
 }  // namespace frana::render

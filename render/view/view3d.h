@@ -9,6 +9,7 @@
 #include "core/raster.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
+#include "render/canvas/page.h"
 #include "render/map/map2d.h"
 
 namespace frana::render {
@@ -65,6 +66,8 @@ struct ViewLayout {
 
 /// Draws the terrain in perspective with the raster draped over it. Throws as draw_map does, and Error(input) without
 /// terrain.
+Page view_page(const ViewSpec& spec, ViewLayout* layout = nullptr);
+/// The same as pixels.
 Image draw_view(const ViewSpec& spec, ViewLayout* layout = nullptr);
 
 struct ViewPlace;
@@ -73,8 +76,8 @@ struct ViewPlace;
 /// the extent and the background, and the rasters outlive the series.
 class ViewSeries {
   public:
-    /// Draws the same view as draw_view; throws as it does.
-    Image draw(const ViewSpec& spec, ViewLayout* layout = nullptr);
+    /// Draws the same view as view_page; throws as it does.
+    Page draw(const ViewSpec& spec, ViewLayout* layout = nullptr);
 
   private:
     std::shared_ptr<ViewPlace> place_;

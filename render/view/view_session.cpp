@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "core/error.h"
@@ -64,26 +63,6 @@ std::shared_ptr<ViewPlace> place_for(const ViewSpec& spec, std::shared_ptr<ViewP
                       kept->exaggeration == spec.vertical_exaggeration;
     if (!fits) kept = std::make_shared<ViewPlace>(spec);
     return kept;
-}
-
-/// Draws a rim around a box, half inside.
-void draw_rim(Image& page, const PageBox& box, int thick) {
-    const int left = static_cast<int>(box.left), top = static_cast<int>(box.top), right = static_cast<int>(box.right),
-              bottom = static_cast<int>(box.bottom);
-    const int out = (thick + 1) / 2, in = thick / 2;
-    for (int row = std::max(0, top - out); row < std::min(page.height, bottom + out); ++row) {
-        for (int column = std::max(0, left - out); column < std::min(page.width, right + out); ++column) {
-            const bool inside = row >= top + in && row < bottom - in && column >= left + in && column < right - in;
-            if (inside) {
-                column = right - in - 1;
-                continue;
-            }
-            std::uint8_t* p = page.pixel(column, row);
-            p[0] = k_ink.r;
-            p[1] = k_ink.g;
-            p[2] = k_ink.b;
-        }
-    }
 }
 
 }  // namespace
@@ -157,25 +136,15 @@ class ViewSession::Scene {
         scene_->set_camera(place_camera(layout_.camera, visible, picture.width() / picture.height()));
     }
 
-    Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+    Page draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
         if (dots != nullptr) put_dots(*dots);
         scene_->set_colours(ground_.colours(layer, scale_));
         if (raise_by_value_) scene_->set_thickness(layer);
-        const Image picture = scene_->draw();
-        Image page(static_cast<int>(layout_.page.width()), static_cast<int>(layout_.page.height()));
-        for (int row = 0; row < picture.height; ++row) {
-            std::memcpy(page.pixel(static_cast<int>(layout_.picture.left), static_cast<int>(layout_.picture.top) + row),
-                        picture.pixel(0, row), 3 * static_cast<std::size_t>(picture.width));
-        }
-        const PageStyle look(page.width, page.height);
-        draw_rim(page, layout_.picture, std::max(1, static_cast<int>(std::lround(look.line(2)))));
-        above_.put(page);
-        if (!subtitle.empty()) {
-            const Lettering lettering;
-            lettering.write(page, subtitle, subtitle_at_,
-                            shrunk_to_fit(lettering, subtitle, look.subtitle, page.width - 2 * look.margin, 0.5),
-                            Across::left, Upright::top);
-        }
+        Page page(static_cast<int>(layout_.page.width()), static_cast<int>(layout_.page.height()));
+        page.put(scene_->draw(), static_cast<int>(layout_.picture.left), static_cast<int>(layout_.picture.top));
+        page.put(above_);
+        const PageStyle style(page.width(), page.height());
+        if (!subtitle.empty()) page.put(late_subtitle(page.width(), page.height(), style, subtitle, subtitle_at_));
         return page;
     }
 
@@ -207,6 +176,7 @@ class ViewSession::Scene {
                                std::round(foot_top - style.gap)};
             const PageBox& picture = layout_.picture;
             if (picture.width() < 80 || picture.height() < 60) continue;
+            sheet.frame(picture, {std::round(std::max(1.0, PageStyle(spec.width, spec.height).line(2))), k_ink});
             const double left = spec.width - style.margin - column;
             const double legend_bottom =
                 draw_legend(content, style, {left, picture.top}, column, sheet, layout_.legend);
@@ -229,7 +199,7 @@ class ViewSession::Scene {
                            Across::centre, Upright::middle);
             }
             layout_.texts = sheet.texts();
-            above_ = sheet.draw();
+            above_ = sheet.take();
             return;
         }
         throw Error(ErrorKind::input,
@@ -364,7 +334,7 @@ void ViewSession::fly(double fraction) {
     scene_->fly(fraction);
 }
 
-Image ViewSession::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+Page ViewSession::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
     return scene_->draw(layer, dots, subtitle);
 }
 

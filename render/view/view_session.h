@@ -31,7 +31,7 @@ class ViewSession {
 
     /// Draws the view with a raster and dots (none if null) and a subtitle; the latter only if the session was made for
     /// frames.
-    [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
+    [[nodiscard]] Page draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
 
     /// See ViewAnimator::fly; the spec's texts must still exist.
     void fly(double fraction);

@@ -13,6 +13,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/guarded_process.h"
 #include "app/commands/library_versions.h"
+#include "app/pictures/letter_warning.h"
 #include "app/process/machine_memory.h"
 #include "app/process/signals.h"
 #include "app/text/number_text.h"
@@ -73,7 +74,12 @@ int dispatch(Arguments words) {
     }
     std::vector<std::string> names;
     for (const Command& command : k_commands) {
-        if (name == command.name) return command.run({words.begin() + 1, words.end()});
+        if (name == command.name) {
+            const int code = command.run({words.begin() + 1, words.end()});
+            if (const std::string warning = letter_warning(); !warning.empty())
+                std::cerr << "frana: warning: " << warning << '\n';
+            return code;
+        }
         names.emplace_back(command.name);
     }
     const std::string nearest = nearest_name(name, names);

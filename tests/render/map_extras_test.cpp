@@ -167,12 +167,12 @@ TEST(MapSeries, SharesTheGroundAndDrawsWhatSingleMapsShow) {
     first.extent = second.extent = &deep;
     MapSeries series;
     MapLayout shared, alone;
-    EXPECT_EQ(series.draw(first).rgb, draw_map(first).rgb);
-    EXPECT_EQ(series.draw(second, &shared).rgb, draw_map(second, &alone).rgb);
+    EXPECT_EQ(series.draw(first).paint().rgb, draw_map(first).rgb);
+    EXPECT_EQ(series.draw(second, &shared).paint().rgb, draw_map(second, &alone).rgb);
     EXPECT_EQ(shared.texts.size(), alone.texts.size());
     EXPECT_EQ(shared.window.west, alone.window.west);
     second.outlines.pop_back();  // different ground
-    EXPECT_EQ(series.draw(second).rgb, draw_map(second).rgb);
+    EXPECT_EQ(series.draw(second).paint().rgb, draw_map(second).rgb);
 }
 
 TEST(MapSeries, AnExtentFixesTheWindow) {
@@ -205,9 +205,9 @@ TEST(ViewSeries, SharesTheTerrainAndDrawsWhatSingleViewsShow) {
     second.legend_title = "A longer title of the legend";
     second.sky = false;
     ViewSeries series;
-    EXPECT_EQ(series.draw(first).rgb, draw_view(first).rgb);
-    EXPECT_EQ(series.draw(second).rgb, draw_view(second).rgb);
-    EXPECT_EQ(series.draw(first).rgb, draw_view(first).rgb);
+    EXPECT_EQ(series.draw(first).paint().rgb, draw_view(first).rgb);
+    EXPECT_EQ(series.draw(second).paint().rgb, draw_view(second).rgb);
+    EXPECT_EQ(series.draw(first).paint().rgb, draw_view(first).rgb);
 }
 
 TEST(Dots, AreWhereTheirParticlesAreInTheLegendsColours) {

@@ -175,13 +175,13 @@ TEST(OnPlates, PartsAreTidy) {
                 spec.subtitle = "t = 120 s";
                 spec.side_notes.clear();
                 MapLayout layout;
-                Image map = draw_map(spec, &layout);
-                expect_tidy(layout.texts, layout.page, map);
+                Page map = map_page(spec, &layout);
+                expect_tidy(layout.texts, layout.page, map.paint());
                 return map;
             });
         }
         std::vector<TextBox> texts;
-        const Image page = draw_plate(plate, width, height, &texts);
+        const Image page = draw_plate(plate, width, height, &texts).paint();
         expect_tidy(texts, {0, 0, static_cast<double>(width), static_cast<double>(height)}, page);
     }
 }

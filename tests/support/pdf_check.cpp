@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "gis/access/gdal_session.h"
 #include "support/files.h"
@@ -33,16 +34,6 @@ Pixels taken(const std::string& path) {
 
 std::string size_text(const Pixels& pixels) {
     return std::to_string(pixels.width) + " x " + std::to_string(pixels.height);
-}
-
-void compare_inside(const Pixels& found, const Pixels& expected, std::vector<std::string>& problems) {
-    if (found.width != expected.width || found.height != expected.height) {
-        problems.push_back("the picture inside is of " + size_text(found) + " pixels, not of " + size_text(expected));
-        return;
-    }
-    std::size_t others = 0;
-    for (std::size_t i = 0; i < found.rgb.size(); ++i) others += found.rgb[i] != expected.rgb[i] ? 1 : 0;
-    if (others > 0) problems.push_back("the picture inside has " + std::to_string(others) + " other bytes");
 }
 
 // Poppler stretches a picture by one pixel on either side.
@@ -98,13 +89,27 @@ Pixels pixels_of(const std::string& path) {
 std::vector<std::string> pdf_problems(const std::string& path, const Pixels& expected, double dots_per_inch) {
     std::vector<std::string> problems;
     const std::string name = "'" + path + "'";
-    run("pdfimages -png " + name + " " + name, path, problems);
     run("pdftoppm -singlefile -r " + std::to_string(dots_per_inch) + " " + name + " " + name, path, problems);
+    run("pdffonts " + name + " > '" + path + ".fonts'", path, problems);
     if (!problems.empty()) return problems;
-    compare_inside(taken(path + "-000.png"), expected, problems);
-    if (std::filesystem::exists(path + "-001.png")) problems.emplace_back("there is a second picture inside");
     compare_page(taken(path + ".ppm"), expected, problems);
+    std::istringstream fonts(text_in(path + ".fonts"));
+    std::filesystem::remove(path + ".fonts");
+    int count = -2;  // two lines of headings
+    for (std::string line; std::getline(fonts, line); ++count)
+        if (count >= 0 && line.find(" yes yes yes ") == std::string::npos)
+            problems.push_back("a font is not embedded, or its letters cannot be searched: " + line);
+    if (count < 1) problems.emplace_back("there are no letters");
     return problems;
+}
+
+std::string pdf_text(const std::string& path) {
+    std::vector<std::string> problems;
+    run("pdftotext -layout '" + path + "' '" + path + ".txt'", path, problems);
+    EXPECT_EQ(problems, std::vector<std::string>{});
+    std::string text = text_in(path + ".txt");
+    std::filesystem::remove(path + ".txt");
+    return text;
 }
 
 }  // namespace frana::gis::test

@@ -16,9 +16,12 @@ struct Pixels {
 /// Returns the first three bands of any picture that GDAL reads; fails the test if it reads none.
 Pixels pixels_of(const std::string& path);
 
-/// Returns the reasons why a PDF does not show just these pixels at this print size; empty: none. Poppler (Debian:
-/// poppler-utils), used by most viewers, must report no error, must find one picture with exactly these pixels, and
-/// must draw a page equal to this picture, except for stretching it by a pixel. Writes files beside it.
+/// Returns the reasons why a PDF does not show these pixels at this print size with searchable letters; empty: none.
+/// Poppler (Debian: poppler-utils), used by most viewers, must report no error, must draw a page like this picture,
+/// whose lines and letters it may move by a pixel, and must find every font in the file. Writes files beside it.
 std::vector<std::string> pdf_problems(const std::string& path, const Pixels& expected, double dots_per_inch);
+
+/// Returns the text that Poppler finds in a PDF, as it is placed on the page.
+std::string pdf_text(const std::string& path);
 
 }  // namespace frana::gis::test

@@ -34,7 +34,7 @@ bool draw(const CalibrationInput& input, const CalibrationRuns& runs, const Cali
     bool good = true;
     for (const NamedChart& one : calibration_charts(input, runs, result, source)) {
         try {
-            write_plain_picture(render::draw_chart(one.chart, source.style.size.width, source.style.size.height),
+            write_plain_picture(render::chart_page(one.chart, source.style.size.width, source.style.size.height),
                                 source.style, one.chart.title, directory.path("charts/" + one.name));
             log.note("drew charts/" + one.name);
         } catch (const Error& error) {

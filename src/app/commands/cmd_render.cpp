@@ -51,7 +51,7 @@ CommandForm render_form() {
                                                                  "draw the charts of a result instead of maps")(
         "plates", "draw the plates instead: initial state, snapshots, stresses, profile and comparison")(
         "size", text(), k_sizes)("format", texts(),
-                                 "png (default), pdf, tif (the area inside the frame, georeferenced); repeatable")(
+                                 "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
         "legend", text(), "classed (default) or continuous")("background", text(),
                                                              "orthophoto or topographic raster instead of the relief")(
         "attribution", text(), "sources of the data and author, at the foot")("title", text(), "title of the maps")(

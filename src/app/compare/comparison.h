@@ -74,8 +74,8 @@ std::string comparison_curve_csv(const Comparison& comparison);
 /// folder. Throws Error.
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder);
 
-/// Draws the map of hits, false alarms and misses with the values beside it: comparison.png or .pdf in a folder; as
-/// GeoTIFF maps/comparison.tif below it, for comparison.tif is the raster of classes. Throws Error.
+/// Draws the map of hits, false alarms and misses with the values beside it: comparison.png, .pdf or .svg in a folder;
+/// as GeoTIFF maps/comparison.tif below it, for comparison.tif is the raster of classes. Throws Error.
 void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder);
 
 /// Returns the path of its picture without the ending.

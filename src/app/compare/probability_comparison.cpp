@@ -183,7 +183,7 @@ void write_probability_comparison(const ProbabilityScores& scores, const Probabi
         2,
         {reliability_panel(scores), roc_panel(scores)}};
     const Size size = map.source.style.size;
-    write_plain_picture(render::draw_chart(chart, size.width, size.height), map.source.style, chart.title,
+    write_plain_picture(render::chart_page(chart, size.width, size.height), map.source.style, chart.title,
                         comparison_stem(folder));
 }
 

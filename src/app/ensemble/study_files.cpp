@@ -216,7 +216,7 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
     make_folder(written.path("charts"));
     for (const NamedChart& one : study_charts(input, result, figures, convergence_of(input, result), source)) {
         attempt("charts/" + one.name, [&] {
-            write_plain_picture(render::draw_chart(one.chart, source.style.size.width, source.style.size.height),
+            write_plain_picture(render::chart_page(one.chart, source.style.size.width, source.style.size.height),
                                 source.style, one.chart.title, written.path("charts/" + one.name));
         });
     }

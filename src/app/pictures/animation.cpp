@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -77,16 +78,23 @@ class AnimationOut {
     double seconds_ = 0;
 };
 
-/// Draws a frame's particles or raster.
+std::string lower_case_first(std::string words) {
+    if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+    return words;
+}
+
+/// Draws a frame's particles or raster. `frame` is one of the source's.
 template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const AnimationSource& of) {
-    const std::string time = time_text(frame.time, time_decimals(of.frames));
+    std::string subtitle = time_text(frame.time, time_decimals(of.frames));
+    for (const std::string& one : of.figures[static_cast<std::size_t>(&frame - of.frames.data())])
+        subtitle += '\n' + lower_case_first(one);
     if (const ParticleQuantity* const of_particles = find_particle_quantity(of.quantity))
-        return animator.frame(read_particle_dots(frame.particle_file, *of_particles), time);
+        return animator.frame(read_particle_dots(frame.particle_file, *of_particles), subtitle);
     const std::string file = frame.raster_file(of.quantity);
     const Raster values = gis::read_result_raster(file);
     require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
-    return animator.frame(values, time);
+    return animator.frame(values, subtitle);
 }
 
 /// Returns the frame nearest to a time: those of two runs differ by up to a step although the same times were
@@ -202,13 +210,22 @@ AnimationSource animation_source(const ResultReader& result, const MapSource& so
     const std::string colours = particles != nullptr ? particles->colours : quantity;
     const std::string greatest = "max_" + colours + ".tif";
     AnimationSource animation{
-        source, result.greatest(colours),
-        result.has(greatest) ? result.path(greatest) : result.frames().front().raster_file(colours), result.frames(),
-        quantity};
-    if (particles != nullptr)
+        source,
+        result.greatest(colours),
+        result.has(greatest) ? result.path(greatest) : result.frames().front().raster_file(colours),
+        result.frames(),
+        quantity,
+        {}};
+    std::vector<double> times;
+    for (const StoredFrame& frame : animation.frames) times.push_back(frame.time);
+    animation.figures = result.figures_at(times);
+    animation.source.notes.clear();  // those of the end
+    if (particles != nullptr) {
         animation.layer.title = particles->title;
-    else if (quantity == "depth" || quantity == "velocity")
+        open_above(animation.layer);
+    } else if (quantity == "depth" || quantity == "velocity") {
         animation.layer.title = "Flow " + quantity;
+    }
     animation.layer.source =
         "frames/" +
         (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute : quantity + "_*.tif, band 1");

@@ -22,7 +22,8 @@ struct AnimationSource {
     MapLayer layer;          ///< the greatest values over time: they define the colours and the window
     std::string layer_file;  ///< their file, for messages
     std::vector<StoredFrame> frames;
-    std::string quantity;  ///< "depth", "velocity" or "particles"
+    std::string quantity;                           ///< "depth", "velocity" or "particles"
+    std::vector<std::vector<std::string>> figures;  ///< of the whole flow, of each frame
 };
 
 /// Returns the source for a result, with its frames of "depth", "velocity" or "particles". Throws Error(input) if it

@@ -276,7 +276,7 @@ std::vector<std::string> draw_charts(const ResultReader& result, const MapSource
     for (const NamedChart& one : result_charts(result, source, problems)) {
         try {
             for (const std::string& file :
-                 write_plain_picture(render::draw_chart(one.chart, size.width, size.height), source.style,
+                 write_plain_picture(render::chart_page(one.chart, size.width, size.height), source.style,
                                      one.chart.title, (std::filesystem::path(folder) / one.name).string()))
                 files.push_back(file);
         } catch (const Error& error) {

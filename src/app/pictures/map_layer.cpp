@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 #include "analysis/trace.h"
@@ -119,6 +120,11 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassS
     set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), classes, layer);
     layer.time.reset();
     return layer;
+}
+
+void open_above(MapLayer& layer) {
+    if (!layer.classes.empty() && std::isfinite(layer.classes.back()))
+        layer.classes.push_back(std::numeric_limits<double>::infinity());
 }
 
 std::vector<std::string> class_areas(const MapLayer& layer) {

@@ -40,6 +40,9 @@ std::optional<std::string> probability_name(const std::string& path);
 /// Returns the greatest values of frames of one quantity, coloured as its maximum over time. Throws Error(input).
 MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes);
 
+/// Gives the last class no upper end: particles are faster than the nodes whose values define the classes.
+void open_above(MapLayer& layer);
+
 /// Returns the areas of a comparison or hazard map, one line per class: "Hit: 12 300 m²".
 std::vector<std::string> class_areas(const MapLayer& layer);
 

@@ -10,6 +10,7 @@
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/error.h"
+#include "core/file_aside.h"
 #include "core/utf8.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
@@ -94,6 +95,33 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
 gis::PicturePixels pixels(const render::Image& image) {
     return {image.width, image.height, image.rgb};
 }
+
+/// The files of a page, each in the format of its ending. Its pixels are drawn once, if a format needs them.
+class PageFiles {
+  public:
+    PageFiles(const render::Page& page, const std::string& title, double dots_per_inch)
+        : page_(page), title_(title), dots_per_inch_(dots_per_inch) {}
+
+    const render::Image& pixels() {
+        if (!pixels_) pixels_ = page_.paint();
+        return *pixels_;
+    }
+    void write(const std::string& file, const std::optional<gis::PicturePlace>& place) {
+        if (file.ends_with(".pdf")) {
+            gis::write_pdf(file, render::page_pdf(page_, dots_per_inch_, title_), place);
+        } else if (file.ends_with(".svg")) {
+            write_file(file, render::page_svg(page_, dots_per_inch_, title_));
+        } else {
+            render::write_png(file, pixels(), dots_per_inch_);
+        }
+    }
+
+  private:
+    const render::Page& page_;
+    const std::string& title_;
+    double dots_per_inch_;
+    std::optional<render::Image> pixels_;
+};
 
 /// Extent of the page if the map continued to its edge.
 Bounds ground_of_page(const render::MapLayout& layout) {
@@ -187,32 +215,25 @@ std::vector<std::string> picture_files(const MapStyle& style, const std::string&
     return files;
 }
 
-std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,
-                                             const std::string& title, const std::string& stem) {
+std::vector<std::string> write_plain_picture(const render::Page& page, const MapStyle& style, const std::string& title,
+                                             const std::string& stem) {
     const std::vector<std::string> files = picture_files(style, stem, false);
-    for (const std::string& file : files) {
-        if (file.ends_with(".png")) {
-            render::write_png(file, image, style.size.dots_per_inch);
-        } else {
-            gis::write_picture_pdf(file, pixels(image), style.size.dots_per_inch, std::nullopt, title);
-        }
-    }
+    PageFiles writer(page, title, style.size.dots_per_inch);
+    for (const std::string& file : files) writer.write(file, std::nullopt);
     return files;
 }
 
 std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std::vector<std::string>& files) {
     const render::MapSpec spec = map_spec(source_, layer);
     render::MapLayout layout;
-    const render::Image image = maps_.draw(spec, &layout);
+    const render::Page page = maps_.draw(spec, &layout);
     const std::string& crs = layer.values.grid.crs_wkt;
+    PageFiles writer(page, spec.title, source_.style.size.dots_per_inch);
     for (const std::string& file : files) {
-        if (file.ends_with(".png")) {
-            render::write_png(file, image, source_.style.size.dots_per_inch);
-        } else if (file.ends_with(".pdf")) {
-            gis::write_picture_pdf(file, pixels(image), source_.style.size.dots_per_inch,
-                                   gis::PicturePlace{ground_of_page(layout), layout.window, crs}, spec.title);
+        if (!file.ends_with(".tif")) {
+            writer.write(file, gis::PicturePlace{ground_of_page(layout), layout.window, crs});
         } else {
-            const render::Image face = face_of(image, layout.map);
+            const render::Image face = face_of(writer.pixels(), layout.map);
             gis::write_picture_geotiff(
                 file, pixels(face), layout.window, crs,
                 {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}});
@@ -230,8 +251,8 @@ std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, 
         return draw_map(layer, files);
     }
     const render::ViewSpec spec = view_spec(source_, layer);
-    const render::Image view = views_.draw(spec);
-    if (!for_page.empty()) render::write_png(for_page, view, source_.style.size.dots_per_inch);
+    const render::Page view = views_.draw(spec);
+    if (!for_page.empty()) PageFiles(view, spec.title, source_.style.size.dots_per_inch).write(for_page, std::nullopt);
     return write_plain_picture(view, source_.style, spec.title, stem);
 }
 

@@ -36,7 +36,7 @@ inline constexpr double k_moving_speed = 0.1;
 /// Appearance of pictures: the keys output.map-... of a scene, or the options of `frana render`.
 struct MapStyle {
     Size size{1600, 1200};
-    std::vector<std::string> formats{"png"};  ///< of png, pdf, tif
+    std::vector<std::string> formats{"png"};  ///< of png, pdf, svg, tif
     bool continuous = false;                  ///< legend
     std::string background;                   ///< orthophoto or topographic raster; empty: the relief
     std::string attribution;                  ///< of data and author, at the foot
@@ -77,8 +77,8 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer);
 /// Returns the function from map points of a CRS to longitude and latitude; absent without CRS.
 std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt);
 
-/// Returns the files of a picture in the formats of the style: STEM.png, STEM.pdf, and STEM.tif for pictures of the
-/// ground.
+/// Returns the files of a picture in the formats of the style: STEM.png, STEM.pdf, STEM.svg, and STEM.tif for
+/// pictures of the ground.
 /// @param tif_stem replaces STEM, if a raster has that name
 std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool is_on_ground,
                                        const std::string& tif_stem = "");
@@ -95,8 +95,8 @@ class LayerDrawer {
     /// browser needs PNG.
     void draw_for_page_too(const std::string& folder) { page_folder_ = folder; }
 
-    /// Draws the map STEM.png (or .pdf, .tif, by the style) or a view, and returns the names of the files. A view is no
-    /// GeoTIFF; `tif_stem` as in picture_files. Throws Error.
+    /// Draws the map STEM.png (or .pdf, .svg, .tif, by the style) or a view, and returns the names of the files. A view
+    /// is no GeoTIFF; `tif_stem` as in picture_files. Throws Error.
     std::vector<std::string> draw(const MapLayer& layer, bool view_3d, const std::string& stem,
                                   const std::string& tif_stem = "");
 
@@ -110,8 +110,8 @@ class LayerDrawer {
     render::ViewSeries views_;
 };
 
-/// Writes a picture without a position on the ground (a chart, a view) as PNG, and as PDF if the style requests it.
-std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,
-                                             const std::string& title, const std::string& stem);
+/// Writes a page without a position on the ground (a chart, a view) in the formats of the style.
+std::vector<std::string> write_plain_picture(const render::Page& page, const MapStyle& style, const std::string& title,
+                                             const std::string& stem);
 
 }  // namespace frana::app

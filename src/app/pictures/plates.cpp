@@ -23,23 +23,23 @@ constexpr const char *k_initial_state = "initial_state", *k_snapshots = "snapsho
                      *k_comparison = "comparison";
 
 /// Draws a map without the parts that a plate has only once.
-render::Image lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
-                       int height) {
+render::Page lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
+                      int height) {
     render::MapSpec spec = map_spec(source, layer);
     spec.title.clear();
     spec.subtitle = subtitle;
     spec.attribution.clear();
     spec.crs_label.clear();
-    spec.side_notes = layer.notes;
+    spec.side_notes = layer.time ? std::vector<std::string>{} : layer.notes;
     spec.inset = false;
     spec.longitude_latitude = nullptr;
     spec.width = width;
     spec.height = height;
-    return render::draw_map(spec);
+    return render::map_page(spec);
 }
 
-render::Image lean_view(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
-                        int height) {
+render::Page lean_view(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
+                       int height) {
     render::ViewSpec spec = view_spec(source, layer);
     spec.title.clear();
     spec.subtitle = subtitle;
@@ -48,7 +48,7 @@ render::Image lean_view(const MapSource& source, const MapLayer& layer, const st
     spec.side_notes.clear();
     spec.width = width;
     spec.height = height;
-    return render::draw_view(spec);
+    return render::view_page(spec);
 }
 
 /// Returns four times from soon after the start to the end.
@@ -101,7 +101,7 @@ std::optional<std::pair<double, double>> column_weight(const ResultReader& resul
 }
 
 /// Draws the plate; its parts are small, and their messages are completed with the plate's name.
-render::Image draw(const render::Plate& plate, const std::string& name, Size size) {
+render::Page draw(const render::Plate& plate, const std::string& name, Size size) {
     try {
         return render::draw_plate(plate, size.width, size.height);
     } catch (const Error& error) {
@@ -128,9 +128,9 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     std::vector<std::string> files;
     const Size size = source.style.size;
     const auto write = [&](const std::string& name, const render::Plate& plate) {
-        const render::Image image = draw(plate, name, size);
+        const render::Page page = draw(plate, name, size);
         for (const std::string& file :
-             write_plain_picture(image, source.style, plate.title, (std::filesystem::path(folder) / name).string()))
+             write_plain_picture(page, source.style, plate.title, (std::filesystem::path(folder) / name).string()))
             files.push_back(file);
     };
 
@@ -174,7 +174,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
             render::Chart chart = charts.front().chart;
             chart.title = "";
             chart.subtitle = "longitudinal profile along the flow path";
-            return render::draw_chart(chart, w, h);
+            return render::chart_page(chart, w, h);
         });
     }
     last.parts.push_back(

@@ -190,6 +190,12 @@ const MapLayer& ResultReader::greatest(const std::string& quantity) const {
     return greatest_.emplace(quantity, read_greatest_layer(files, classes())).first->second;
 }
 
+void ResultReader::show_figures_of(double time, MapLayer& layer) const {
+    if (!has(k_series_file)) return;
+    layer.notes = figures_at({time}).front();
+    layer.notes_alone = true;  // the result's are those of the end
+}
+
 MapLayer ResultReader::particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const {
     MapLayer layer = greatest(quantity.colours);  // maps of different times are comparable
     layer.dots = read_particle_dots(frame.particle_file, quantity);
@@ -197,6 +203,8 @@ MapLayer ResultReader::particle_layer(const StoredFrame& frame, const ParticleQu
     layer.title = quantity.title;
     layer.time = frame.time;
     layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", " + quantity.attribute;
+    open_above(layer);
+    show_figures_of(frame.time, layer);
     layer.notes.push_back(grouped(static_cast<double>(layer.dots->dots.size())) + " particles");
     return layer;
 }
@@ -228,6 +236,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         // The greatest values over time define the colours, so that maps of different times are comparable.
         const bool over_frames = under_way() || find_result_raster("max_" + kind) == nullptr;
         if (over_frames || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
+        show_figures_of(nearest->time, layer);
         return layer;
     }
     if (has(name + ".tif")) {

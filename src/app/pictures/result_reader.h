@@ -42,6 +42,8 @@ class ResultReader {
     /// the result. Throws Error(input) listing the available names.
     [[nodiscard]] MapLayer map_layer(const std::string& name) const;
     /// Returns the particles of a frame for a map. Throws Error(input) if they were not written.
+    /// Replaces the values at the end beside the map, if those of this time [s] are known.
+    void show_figures_of(double time, MapLayer& layer) const;
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const;
     /// Returns the names of the run's rasters that can be drawn; terrain and bed are under all maps and not included.
     [[nodiscard]] std::vector<std::string> drawable() const;
@@ -51,6 +53,10 @@ class ResultReader {
     [[nodiscard]] bool under_way() const { return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list); }
     /// Whether it is the combined result of many runs (`frana ensemble`).
     [[nodiscard]] bool is_of_study() const;
+    /// Returns what is known of the whole flow at each of these times [s]: lines for a map, from the nearest row of
+    /// the time series; none without it.
+    [[nodiscard]] std::vector<std::vector<std::string>> figures_at(const std::vector<double>& times) const;
+
     /// The maximum over time of a raster of the frames: max_NAME.tif, or else the greatest values of the frames so far.
     /// Throws Error(input).
     [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;

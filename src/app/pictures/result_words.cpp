@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a result's own scene and outlines say besides their values.
+#include <algorithm>
+#include <cmath>
+
 #include "app/pictures/result_reader.h"
+#include "app/store/result_files.h"
+#include "app/text/number_text.h"
+#include "gis/access/table_in.h"
 #include "gis/vector/vector_in.h"
+#include "params/grammar/value_text.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -13,6 +20,38 @@ ClassSpec ResultReader::classes() const {
         if (key.name().starts_with("output.classes"))
             if (const auto text = scene_value(key.name())) key.read(scene, *text);
     return scene.output.classes;
+}
+
+std::vector<std::vector<std::string>> ResultReader::figures_at(const std::vector<double>& times) const {
+    std::vector<std::vector<std::string>> figures(times.size());
+    if (!has(k_series_file)) return figures;
+    const gis::Table table = gis::read_table(path(k_series_file), "RESULT_DIR");
+    const auto column = [&](const char* name) {
+        const auto place = std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin();
+        std::vector<double> values;
+        for (const auto& row : table.rows)
+            values.push_back(place < std::ssize(row)
+                                 ? number_from_text(row[static_cast<std::size_t>(place)]).value_or(k_no_data)
+                                 : k_no_data);
+        return values;
+    };
+    const std::vector<double> time = column("time_s"), volume = column("volume_m3"), area = column("covered_area_m2"),
+                              front = column("front_distance_m"), speed = column("max_speed_ms");
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const auto nearest = std::min_element(time.begin(), time.end(), [&](double a, double b) {
+            return std::abs(a - times[i]) < std::abs(b - times[i]);
+        });
+        if (nearest == time.end()) continue;
+        const auto row = static_cast<std::size_t>(nearest - time.begin());
+        const auto add = [&](const char* name, double value, const std::string& words) {
+            if (std::isfinite(value)) figures[i].push_back(name + (" " + words));
+        };
+        add("Volume", volume[row], grouped(volume[row]) + " m\u00B3");
+        add("Covers", area[row], grouped(area[row]) + " m\u00B2");
+        add("Front at", front[row], grouped(front[row]) + " m");
+        add("Greatest speed", speed[row], number_text(speed[row], 2) + " m/s");
+    }
+    return figures;
 }
 
 std::vector<std::string> ResultReader::release_names(const std::string& crs_wkt) const {

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "app/text/text_file.h"
+#include "core/base64.h"
 #include "core/error.h"
 #include "core/markup.h"
 
@@ -74,20 +75,6 @@ std::string table_row(const std::vector<std::string>& cells, const char* cell) {
     for (const std::string& text : cells)
         html += std::string("<") + cell + ">" + escaped_markup(text) + "</" + cell + ">";
     return html + "</tr>\n";
-}
-
-std::string base64(const std::string& bytes) {
-    static constexpr char k_signs[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        unsigned group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? k_signs[group >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
 }
 
 }  // namespace frana::app

@@ -34,7 +34,4 @@ class HtmlPage {
 /// @param cell "td", or "th" for a head
 std::string table_row(const std::vector<std::string>& cells, const char* cell = "td");
 
-/// Encodes bytes in the base64 alphabet (RFC 4648), for data URLs.
-std::string base64(const std::string& bytes);
-
 }  // namespace frana::app

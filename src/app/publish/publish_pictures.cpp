@@ -6,6 +6,7 @@
 
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
+#include "app/pictures/letter_warning.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/signals.h"
 #include "app/store/layers.h"
@@ -155,6 +156,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     }
     if (output.charts && output.maps.front() != "off") draw_all_charts(written, source, drawings);
     if (output.animation) draw_animation(written, source, drawings);
+    if (const std::string warning = letter_warning(); !warning.empty()) log.warn(warning);
     return drawings.outcome();
 }
 

@@ -27,7 +27,7 @@ bool is_drawn(const fs::path& file, const fs::path& folder) {
     if (const ResultFile* known = existing_file(file.lexically_relative(folder).generic_string()))
         return known->is_drawn();
     // Drawn to folders chosen by the user.
-    const std::array<std::string, 4> pictures{".png", ".pdf", ".mp4", ".gif"};
+    const std::array<std::string, 5> pictures{".png", ".pdf", ".svg", ".mp4", ".gif"};
     return std::find(pictures.begin(), pictures.end(), file.extension().string()) != pictures.end();
 }
 

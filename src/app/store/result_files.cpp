@@ -39,8 +39,10 @@ class Table {
         return *this;
     }
     /// Adds a picture in every format of output.map-formats.
-    Table& add_picture(const std::string& stem) {
-        for (const std::string& format : picture_formats()) add(FileKind::picture, {stem + "." + format});
+    /// Of a picture without a position on the ground.
+    Table& add_page(const std::string& stem) {
+        for (const std::string& format : picture_formats())
+            if (format != "tif") add(FileKind::picture, {stem + "." + format});
         return *this;
     }
     [[nodiscard]] std::vector<ResultFile> rows() const { return rows_; }
@@ -78,7 +80,7 @@ std::vector<ResultFile> make_table() {
     table.by("compare");
     table.add(FileKind::text, {k_comparison_file})
         .add(FileKind::table, {k_comparison_curve, k_reliability_table, k_roc_table});
-    table.add_rasters().add(FileKind::picture, {"comparison.png", "comparison.pdf"});
+    table.add_rasters().add_page("comparison");
     table.by("ensemble");
     table.add(FileKind::text, {k_study_file, std::string(k_member_folder) + "/member_*/scene.ini"});
     table.add(FileKind::working, {k_record_identity, std::string(k_record_folder) + "/record_*.frana"});
@@ -90,8 +92,8 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::table, {k_posterior_table, posterior_of("*"), k_design_table});
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});
     table.by("render");
-    table.add_picture("maps/*");
-    table.add(FileKind::picture, {"charts/*.png", "charts/*.pdf", "plates/*.png", "plates/*.pdf"});
+    table.add_page("maps/*").add(FileKind::picture, {"maps/*.tif"});
+    table.add_page("charts/*").add_page("plates/*");
     table.add(FileKind::animation, {k_animation_file, "animation.gif"});
     return table.rows();
 }

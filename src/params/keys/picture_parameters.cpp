@@ -32,7 +32,7 @@ Parameter understood_text(const std::string& name, Member member, const std::str
 }  // namespace
 
 const std::vector<std::string>& picture_formats() {
-    static const std::vector<std::string> k_formats{"png", "pdf", "tif"};
+    static const std::vector<std::string> k_formats{"png", "pdf", "svg", "tif"};
     return k_formats;
 }
 
@@ -41,9 +41,9 @@ void add_pictures(std::vector<Parameter>& list) {
                                    "Write for example 1600x1200 or A4@300",
                                    "Size of maps, views and charts, in pixels or as a page.",
                                    [](const std::string& value) { return size_from_text(value).has_value(); }));
-    list.push_back(
-        word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, picture_formats(),
-                  "File formats of each map: picture, geospatial PDF page, GeoTIFF of the area inside the frame."));
+    list.push_back(word_list(
+        "output.map-formats", FRANA_MEMBER(output.map_formats), {}, picture_formats(),
+        "File formats of each map: picture, geospatial PDF page, SVG drawing, GeoTIFF of the area inside the frame."));
     list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
                           "Colours in classes, or continuous."));
     list.push_back(text("output.map-background", FRANA_MEMBER(output.map_background), "file",

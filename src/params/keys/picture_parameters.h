@@ -8,7 +8,7 @@
 
 namespace frana {
 
-/// Returns the file formats of maps, which are the endings of their files: "png", "pdf", "tif".
+/// Returns the file formats of maps, which are the endings of their files: "png", "pdf", "svg", "tif".
 const std::vector<std::string>& picture_formats();
 
 /// Adds the keys of [output] for the appearance of maps, views and charts.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every PDF written by the program shows the same as the PNG beside it.
-#include <cstdlib>
-
+// Every PDF written by the program shows the same as the PNG beside it, and its texts are texts.
 #include "support/pdf_check.h"
 #include "support/tiny_scene.h"
 
@@ -10,10 +8,6 @@ namespace {
 
 class Pdf : public TinyScene {
   protected:
-    // GDAL's threads damaged them, pictures of more than a megabyte; a machine with one processor has none.
-    Pdf() { ::setenv("GDAL_NUM_THREADS", "2", 1); }
-    ~Pdf() override { ::unsetenv("GDAL_NUM_THREADS"); }
-
     // Returns those below a folder; every one must be valid.
     [[nodiscard]] std::vector<std::string> good_pdfs(const std::string& folder) const {
         std::vector<std::string> found;
@@ -29,7 +23,7 @@ class Pdf : public TinyScene {
     }
 };
 
-TEST_F(Pdf, OfEveryKindShowsThePixelsOfItsPng) {
+TEST_F(Pdf, OfEveryKindShowsWhatItsPngShows) {
     write_polygon("scar", {{20, 50}, {120, 50}, {120, 100}, {20, 100}});
     write_scene(
         "[scar]\nperimeter = scar.geojson\n[output]\nmap-formats = png, pdf\nmap-size = 800x600\n"
@@ -47,6 +41,40 @@ TEST_F(Pdf, OfEveryKindShowsThePixelsOfItsPng) {
                                    "--format", "pdf", "--size", "800x600", "--out", "foreign"});
     ASSERT_EQ(foreign.exit_code, 0) << foreign.err;
     EXPECT_EQ(good_pdfs("foreign/"), std::vector<std::string>{"max_depth.pdf"});
+}
+
+TEST_F(Pdf, CanBeSearchedForTitleNumbersAndNames) {
+    write_scene("[output]\nmaps = off\nanimation = off\ncharts = off\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result"}).exit_code, 0);
+    const std::vector<std::string> words{"render",   "result", "--map",    "max_depth",
+                                         "--size",   "A4",     "--format", "pdf",
+                                         "--format", "svg",    "--title",  "Hang \u05d0\u05d1 \u0416 slope"};
+    std::vector<std::string> first = words, again = words;
+    first.insert(first.end(), {"--out", "first"});
+    again.insert(again.end(), {"--out", "again"});
+    const Outcome outcome = frana(first);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const std::string text = gis::test::pdf_text(path("first/max_depth.pdf"));
+    for (const char* one :
+         {"Hang", "\u05d0\u05d1", "\u0416 slope", "Maximum depth [m]", "0.2 \u2013 0.5", "Release", "EPSG"})
+        EXPECT_NE(text.find(one), std::string::npos) << one << " in\n" << text;
+    const std::string svg = read_text(path("first/max_depth.svg"));
+    EXPECT_NE(svg.find(">Hang \u05d0\u05d1 \u0416 slope: Maximum depth</text>"), std::string::npos);
+    EXPECT_NE(svg.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+    ASSERT_EQ(frana(again).exit_code, 0);
+    for (const char* file : {"/max_depth.pdf", "/max_depth.svg"})
+        EXPECT_EQ(read_text(path(std::string("first") + file)), read_text(path(std::string("again") + file)));
+}
+
+TEST_F(Pdf, LettersWithoutFontAreWarnedOf) {
+    write_scene("[output]\nmaps = max_depth\nanimation = off\ncharts = off\nreport = off\ntitle = a\U0010fffd\n");
+    const Outcome run = frana({"run", "scene.ini", "--out", "result"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.err.find("no installed font has the letters \U0010fffd"), std::string::npos) << run.err;
+    EXPECT_NE(read_text(path("result/log.txt")).find("no installed font"), std::string::npos);
+    const Outcome drawn = frana({"render", "result", "--map", "max_depth", "--title", "b"});
+    EXPECT_EQ(drawn.err, "");
 }
 
 }  // namespace

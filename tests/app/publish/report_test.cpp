@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/publish/html_page.h"
 #include "params/keys/scene_parameters.h"
 #include "support/tiny_scene.h"
 
@@ -10,18 +9,6 @@ std::size_t count(const std::string& text, const std::string& word) {
     std::size_t n = 0;
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
     return n;
-}
-
-TEST(Base64, AsTheStandardsExamples) {
-    // RFC 4648, section 10
-    EXPECT_EQ(app::base64(""), "");
-    EXPECT_EQ(app::base64("f"), "Zg==");
-    EXPECT_EQ(app::base64("fo"), "Zm8=");
-    EXPECT_EQ(app::base64("foo"), "Zm9v");
-    EXPECT_EQ(app::base64("foob"), "Zm9vYg==");
-    EXPECT_EQ(app::base64("fooba"), "Zm9vYmE=");
-    EXPECT_EQ(app::base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(app::base64("\xff\xfe"), "//4=");
 }
 
 using Report = TinyScene;

@@ -32,6 +32,24 @@ TEST(MapAnimator, AFrameOfTheBaseIsTheMapItself) {
     EXPECT_LT(different, map.rgb.size() / 500);
 }
 
+// Classes that reach the greatest value over time are the same on a map and in a film: no open class is added.
+TEST(MapAnimator, AFrameOfTheBaseInGivenClassesIsTheMapItself) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 640, 480);
+    spec.classes = {0, 2, 5, 10, 20, 50};
+    MapAnimator animator(spec);
+    EXPECT_EQ(animator.frame(layer, spec.subtitle).rgb, draw_map(spec).rgb);
+}
+
+TEST(MapAnimator, PartsOfASubtitleWithoutRoomAreLeftOut) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapAnimator animator(test::full_map(ground, layer, 640, 480));
+    const std::string figures = "t = 12.5 s\nvolume 1 199 712 m\u00b3\ncovers 105 350 m\u00b2";
+    const Image fits = animator.frame(layer, figures);
+    EXPECT_NE(fits.rgb, animator.frame(layer, "t = 12.5 s").rgb);
+    EXPECT_EQ(fits.rgb, animator.frame(layer, figures + '\n' + std::string(90, 'm')).rgb);
+}
+
 TEST(MapAnimator, TheScaleIsFixedAndOnlyMapAndSubtitleChange) {
     const Raster ground = test::terrain(), layer = test::tongue();
     const MapSpec spec = test::full_map(ground, layer, 800, 600);

@@ -86,6 +86,41 @@ TEST(Lettering, BrokenUtf8AndLineEndsDoNoHarm) {
     EXPECT_GT(box.box.width(), 20);
 }
 
+// Both scripts are in DejaVu Sans.
+TEST(Lettering, EveryScriptHasItsDirectionAndJoinsItsLetters) {
+    const Lettering lettering;
+    const TextStyle style{40};
+    const auto glyphs = [&](const std::string& text) {
+        return lettering.set(text, {0, 0}, style, Across::left, Upright::baseline);
+    };
+    // The same letters, forced to stand in this order from left to right.
+    const Glyphs hebrew = glyphs("\u05d0\u05d1"), forced = glyphs("\u202d\u05d1\u05d0\u202c");
+    EXPECT_EQ(hebrew.ink, forced.ink);
+    EXPECT_NE(hebrew.ink, glyphs("\u202d\u05d0\u05d1\u202c").ink);
+    // Joined forms of BEH are narrower than three letters that are kept apart.
+    EXPECT_LT(lettering.width("\u0628\u0628\u0628", style),
+              0.9 * lettering.width("\u0628\u200c\u0628\u200c\u0628", style));
+}
+
+TEST(Lettering, LettersWithoutFontAreToldOnce) {
+    take_letters_without_font();
+    const Lettering lettering;
+    EXPECT_GT(lettering.width("a\U0010fffd", {20}), lettering.width("a", {20})) << "a box in its place";
+    EXPECT_GT(lettering.width("\U0010fffd \U0010fffd", {20}), 0);
+    EXPECT_EQ(take_letters_without_font(), std::vector<std::string>{"\U0010fffd"});
+    EXPECT_EQ(take_letters_without_font(), std::vector<std::string>{});
+    EXPECT_GT(lettering.width("Größe \u03be \u0416", {20}), 0);
+    EXPECT_EQ(take_letters_without_font(), std::vector<std::string>{});
+}
+
+TEST(Lettering, ChineseIsDrawn) {
+    take_letters_without_font();
+    const Glyphs glyphs = Lettering().set("\u6ed1\u5761", {0, 0}, {40}, Across::left, Upright::baseline);
+    if (!take_letters_without_font().empty()) GTEST_SKIP() << "no font has Chinese letters (Debian: fonts-noto-cjk)";
+    EXPECT_NEAR(glyphs.width, 80, 10);  // as wide as high
+    EXPECT_NE(glyphs.ink, Lettering().set("\u5761\u6ed1", {0, 0}, {40}, Across::left, Upright::baseline).ink);
+}
+
 TEST(Lettering, NothingFromNothing) {
     const Lettering lettering;
     EXPECT_EQ(lettering.width("", {20}), 0);

@@ -75,9 +75,13 @@ TEST(Plate, PartsAreInRowsUnderTheTitle) {
     Plate plate{"Four parts", "", "foot", 2, {}};
     const std::vector<Rgb> colours{{200, 0, 0}, {0, 200, 0}, {0, 0, 200}, {200, 200, 0}};
     for (const Rgb colour : colours)
-        plate.parts.push_back([colour](int width, int height) { return Image(width, height, colour); });
+        plate.parts.push_back([colour](int width, int height) {
+            Page part(width, height);
+            part.put(Image(width, height, colour), 0, 0);
+            return part;
+        });
     std::vector<TextBox> texts;
-    const Image page = draw_plate(plate, 1000, 800, &texts);
+    const Image page = draw_plate(plate, 1000, 800, &texts).paint();
     EXPECT_EQ(page.colour(250, 250), colours[0]);
     EXPECT_EQ(page.colour(750, 250), colours[1]);
     EXPECT_EQ(page.colour(250, 650), colours[2]);
@@ -94,10 +98,10 @@ TEST(Plate, GrowsIfPartsWouldBeTooSmallToDraw) {
         plate.parts.push_back([&](int width, int height) {
             least_width = std::min(least_width, width);
             least_height = std::min(least_height, height);
-            return Image(width, height);
+            return Page(width, height);
         });
     }
-    const Image page = draw_plate(plate, 640, 480);
+    const Image page = draw_plate(plate, 640, 480).paint();
     EXPECT_EQ(least_width, 480);
     EXPECT_EQ(least_height, 360);
     EXPECT_EQ(page.width, 960);
