@@ -23,14 +23,17 @@ void Overlay::replay_shapes(Surface& surface) const {
     }
 }
 
+void Overlay::rasterise() const {
+    if (!content_ || content_->has_pixels) return;
+    Canvas canvas(content_->width, content_->height);
+    replay_shapes(canvas);
+    content_->pixels = canvas.draw();
+    content_->has_pixels = true;
+}
+
 void Overlay::put(Image& page, int left, int top) const {
     if (!content_) return;
-    if (!content_->has_pixels) {
-        Canvas canvas(content_->width, content_->height);
-        replay_shapes(canvas);
-        content_->pixels = canvas.draw();
-        content_->has_pixels = true;
-    }
+    rasterise();
     compose(page, content_->pixels, left, top);
     for (const Text& text : content_->texts) blend(page, text.glyphs, text.style, left, top);
 }

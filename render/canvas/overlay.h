@@ -20,6 +20,8 @@ class Overlay {
 
     /// Draws everything on a picture, moved to the right and down. Throws Error(environment) if VTK or OpenGL fails.
     void put(Image& page, int left = 0, int top = 0) const;
+    /// Makes its pixels, which need most memory while they are made.
+    void rasterise() const;
     /// Makes the same calls again.
     void replay(Drawing& drawing) const;
 

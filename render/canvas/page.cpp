@@ -23,6 +23,8 @@ void Page::put(const Page& other, int left, int top) {
 }
 
 Image Page::paint() const {
+    for (const Part& part : parts_)
+        if (!part.picture) part.drawing.rasterise();
     Image page(width_, height_);
     for (const Part& part : parts_) {
         if (!part.picture) {

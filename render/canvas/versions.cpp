@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/canvas/versions.h"
 
+#include <pango/pangocairo.h>
 #include <vtkVersion.h>
 
 extern "C" {
@@ -10,7 +11,8 @@ extern "C" {
 namespace frana::render {
 
 std::string library_versions() {
-    return std::string("VTK ") + vtkVersion::GetVTKVersion() + "\nFFmpeg " + av_version_info() + "\n";
+    return std::string("VTK ") + vtkVersion::GetVTKVersion() + "\nCairo " + cairo_version_string() + "\nPango " +
+           pango_version_string() + "\nFFmpeg " + av_version_info() + "\n";
 }
 
 }  // namespace frana::render

@@ -200,6 +200,7 @@ class ViewSession::Scene {
             }
             layout_.texts = sheet.texts();
             above_ = sheet.take();
+            above_.rasterise();  // now: together with the scene it would need a third more memory
             return;
         }
         throw Error(ErrorKind::input,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <regex>
+#include <sstream>
 
 #include "support/tiny_scene.h"
 
@@ -42,6 +44,37 @@ TEST_F(Render, ViewAndAnimation) {
     EXPECT_EQ(png_size(path("result/maps/max_depth_3d.png")), (std::pair{800, 600}));
     EXPECT_EQ(frana({"render", "result", "--animation", "film.gif", "--size", "640x480"}).exit_code, 0);
     EXPECT_EQ(read_text(path("film.gif")).substr(0, 3), "GIF");
+}
+
+// The figures beside a map of one time are those of that time, not of the end.
+TEST_F(Render, AFrameShowsItsOwnFigures) {
+    const Outcome outcome = frana({"render", "result", "--map", "depth@2", "--map", "max_depth", "--format", "svg",
+                                   "--size", "1600x1200", "--out", "frame"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(outcome.out, found, std::regex("depth_t([0-9.]+)\\.svg"))) << outcome.out;
+    const double time = std::stod(found[1]);
+    // time_s, step, dt_s, volume_m3, volume_left_m3, max_depth_m, max_speed_ms, front_distance_m, energy, area
+    double nearest = 1e9, front = 0, last_front = 0;
+    std::istringstream rows(read_text(path("result/timeseries.csv")));
+    std::string row;
+    std::getline(rows, row);
+    while (std::getline(rows, row)) {
+        std::vector<double> cells;
+        std::istringstream columns(row);
+        for (std::string cell; std::getline(columns, cell, ',');) cells.push_back(std::stod(cell));
+        if (std::abs(cells.at(0) - time) < nearest) front = cells.at(7);
+        nearest = std::min(nearest, std::abs(cells.at(0) - time));
+        last_front = cells.at(7);
+    }
+    ASSERT_LT(nearest, 0.01) << "the name of the file has six digits of the time";
+    ASSERT_GT(last_front, front + 2);
+    const std::string page = read_text(path("frame/depth_t" + found[1].str() + ".svg"));
+    EXPECT_NE(page.find(">Front at " + std::to_string(std::lround(front)) + " m</text>"), std::string::npos);
+    EXPECT_EQ(page.find(">Run-out"), std::string::npos);
+    const std::string whole = read_text(path("frame/max_depth.svg"));
+    EXPECT_NE(whole.find(">Run-out"), std::string::npos);
+    EXPECT_EQ(whole.find(">Front at"), std::string::npos);
 }
 
 TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {

@@ -27,7 +27,7 @@ TEST_F(ResultTable, PlatesOfTheNewResultAreAFreshOnes) {
     const std::string text = k_voellmy + "[output]\nmaps = off\nanimation = off\n[scar]\nperimeter = scar.geojson\n";
     run(text + k_entrainment, "old");
     run(text, "fresh");
-    render({"--plates", "--size", "1600x1200", "--format", "png", "--format", "pdf"});
+    render({"--plates", "--size", "1600x1200", "--format", "png", "--format", "pdf", "--format", "svg"});
     run(text, "old", {"--overwrite"});
     EXPECT_FALSE(exists("old/plates"));
     render({"--plates", "--size", "1600x1200"});
