@@ -36,7 +36,8 @@ void add_fluid(std::vector<Parameter>& list) {
                           "Manning's n of the ground under free fluid; 0: smooth."));
     list.push_back(option("structured.manning-depth", FRANA_MEMBER(structured.manning_on_total),
                           Flag{{"free", false}, {"total", true}},
-                          "Depth in Manning's law where there are solids: of the free fluid, or of solids and fluid."));
+                          "Depth in Manning's law where there are solids: of the free fluid, or of solids and fluid as far as they "
+                          "move together."));
     list.push_back(by_place(
         "structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m", Range{0, 1000},
         "Depth of free fluid on the ground or on the solids at the start, in addition to the release.", "none"));
