@@ -12,18 +12,14 @@ namespace {
 template <class Visit>
 void for_each_mirror_pair(const NodeGrid& nodes, const Visit& visit) {
     const std::int64_t nx = nodes.columns(), ny = nodes.rows();
-    nodes.for_each_covered_part(-1, ny + 1, 0, NodeGrid::Along::column, [&](std::int64_t j) {
-        visit(nodes.index(-1, j), nodes.index(0, j), true);
-    });
-    nodes.for_each_covered_part(-1, ny + 1, nx - 1, NodeGrid::Along::column, [&](std::int64_t j) {
-        visit(nodes.index(nx, j), nodes.index(nx - 1, j), true);
-    });
-    nodes.for_each_covered_part(-1, nx + 1, 0, NodeGrid::Along::row, [&](std::int64_t i) {
-        visit(nodes.index(i, -1), nodes.index(i, 0), false);
-    });
-    nodes.for_each_covered_part(-1, nx + 1, ny - 1, NodeGrid::Along::row, [&](std::int64_t i) {
-        visit(nodes.index(i, ny), nodes.index(i, ny - 1), false);
-    });
+    nodes.for_each_covered_part(-1, ny + 1, 0, NodeGrid::Along::column,
+                                [&](std::int64_t j) { visit(nodes.index(-1, j), nodes.index(0, j), true); });
+    nodes.for_each_covered_part(-1, ny + 1, nx - 1, NodeGrid::Along::column,
+                                [&](std::int64_t j) { visit(nodes.index(nx, j), nodes.index(nx - 1, j), true); });
+    nodes.for_each_covered_part(-1, nx + 1, 0, NodeGrid::Along::row,
+                                [&](std::int64_t i) { visit(nodes.index(i, -1), nodes.index(i, 0), false); });
+    nodes.for_each_covered_part(-1, nx + 1, ny - 1, NodeGrid::Along::row,
+                                [&](std::int64_t i) { visit(nodes.index(i, ny), nodes.index(i, ny - 1), false); });
 }
 
 }  // namespace

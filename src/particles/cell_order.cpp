@@ -51,9 +51,9 @@ void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
     pool.for_blocks(n, k_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
             const bool kept = keep.empty() || keep[p];
-            keys_[p] = !kept ? k_dropped
-                             : static_cast<std::uint32_t>(
-                                   place(row_of_[steps(south_, y[p])], column_of_[steps(west_, x[p])]));
+            keys_[p] =
+                !kept ? k_dropped
+                      : static_cast<std::uint32_t>(place(row_of_[steps(south_, y[p])], column_of_[steps(west_, x[p])]));
         }
     });
     starts_.assign(static_cast<std::size_t>((rows_ + 2 * k_near) * (columns_ + 2 * k_near)) + 1, 0);

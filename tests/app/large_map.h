@@ -68,8 +68,8 @@ class LargeMap : public TinyScene {
               R"({"type":"Feature","properties":{"depth":2},"geometry":{"type":"MultiPolygon","coordinates":[)" +
                   parts + "]}}]}");
     }
-    [[nodiscard]] Outcome run(const std::string& dtm, const std::string& result,
-                              const std::string& extent = "map", double end = 3) const {
+    [[nodiscard]] Outcome run(const std::string& dtm, const std::string& result, const std::string& extent = "map",
+                              double end = 3) const {
         const std::vector<std::string> words{"run",
                                              "scene.ini",
                                              "--out",

@@ -15,9 +15,10 @@ TEST_F(LargeMap, TwoStructuredFlowsFarApartTakeLessThanAGigabyte) {
     const std::vector<Place> hills{{4000, 4000}, {12485, 12485}};  // 12.0 km
     write_map("large.tif", 20'000, k_map_west, k_map_north, hills);
     write_releases(hills);
-    write("scene.ini", "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n"
-                       "[material]\nmodel = structured\n[structured]\n" +
-                           std::string(k_blocks) + "[numerics]\nparticles-per-cell = 9\n[output]\nanimation = off\n");
+    write("scene.ini",
+          "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n"
+          "[material]\nmodel = structured\n[structured]\n" +
+              std::string(k_blocks) + "[numerics]\nparticles-per-cell = 9\n[output]\nanimation = off\n");
     const Outcome outcome = run("large.tif", "result", "map", k_end);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     if (!k_sanitized) {
@@ -68,9 +69,9 @@ TEST_F(SameBitsStructured, DepthsOfBothPhases) {
     write_round_top("solids.tif", dome);
     write_round_top("fluid.tif", [](double cells) { return 0.5 * dome(cells); });
     const std::string blocks = k_blocks;
-    write_structured_scene("thickness = phases:solids.tif,fluid.tif",
-                           "phases = solids-and-fluid\nconfined-fraction = 0.8\n" +
-                               blocks.substr(blocks.find("cohesion")));
+    write_structured_scene(
+        "thickness = phases:solids.tif,fluid.tif",
+        "phases = solids-and-fluid\nconfined-fraction = 0.8\n" + blocks.substr(blocks.find("cohesion")));
     expect_same_flow(k_end);
 }
 

@@ -154,7 +154,8 @@ TEST_F(SameBits, WithHolesThatAreFilled) {
         ASSERT_EQ(hole(-90, 10, 25), CE_None);
         ASSERT_EQ(hole(-30, 150, 130), CE_None);
     }
-    write_fluid_scene("perimeter = perimeter.geojson\nthickness = 2", "[terrain]\nnodata-policy = fill\nnodata-value = -9999\n");
+    write_fluid_scene("perimeter = perimeter.geojson\nthickness = 2",
+                      "[terrain]\nnodata-policy = fill\nnodata-value = -9999\n");
     expect_same_flow();
     for (const char* raster : {"dtm", "bed"}) {
         const Raster large = gis::read_result_raster(path("large/" + std::string(raster) + ".tif")),
@@ -176,8 +177,7 @@ TEST_F(SameBits, WhereAlmostNothingOfTheMapHasData) {
     write_maps();
     {
         const gis::GdalSession session;
-        const GDALDatasetUniquePtr file(
-            GDALDataset::Open(path("large.tif").c_str(), GDAL_OF_UPDATE | GDAL_OF_RASTER));
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path("large.tif").c_str(), GDAL_OF_UPDATE | GDAL_OF_RASTER));
         ASSERT_TRUE(file);
         file->GetRasterBand(1)->SetNoDataValue(-9999);  // which blocks that were left out then read as
     }

@@ -153,18 +153,16 @@ TEST_P(GroundOnDemand, GivesTheResultOfTheWholeGround) {
                 play(on_demand(whole), 1, GetParam().every, &read.states[read.states.size() / 2]).result);
 }
 
-INSTANTIATE_TEST_SUITE_P(, GroundOnDemand,
-                         testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 200},
-                                         Case{"resting", resting, 300}, Case{"settling", settling, 600},
-                                         Case{"flying", flying, 100}, Case{"inflow_elsewhere", inflow_elsewhere, 45},
-                                         Case{"earth_pressure", earth_pressure, 60}, Case{"fluid", fluid, 30},
-                                         Case{"breaking", breaking, 10}, Case{"breaking_later", breaking_later, 10},
-                                         Case{"loose_and_dry", loose_and_dry, 10},
-                                         Case{"between_walls", between_walls, 45},
-                                         Case{"fluid_between_walls", fluid_between_walls, 45},
-                                         Case{"into_a_pond", into_a_pond, 10},
-                                         Case{"eroding_by_place", eroding_by_place, 200}),
-                         [](const auto& instance) { return std::string(instance.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    , GroundOnDemand,
+    testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 200}, Case{"resting", resting, 300},
+                    Case{"settling", settling, 600}, Case{"flying", flying, 100},
+                    Case{"inflow_elsewhere", inflow_elsewhere, 45}, Case{"earth_pressure", earth_pressure, 60},
+                    Case{"fluid", fluid, 30}, Case{"breaking", breaking, 10},
+                    Case{"breaking_later", breaking_later, 10}, Case{"loose_and_dry", loose_and_dry, 10},
+                    Case{"between_walls", between_walls, 45}, Case{"fluid_between_walls", fluid_between_walls, 45},
+                    Case{"into_a_pond", into_a_pond, 10}, Case{"eroding_by_place", eroding_by_place, 200}),
+    [](const auto& instance) { return std::string(instance.param.name); });
 
 // Not before anything is computed: on the way. The state of the last whole step goes on when the ground can be read.
 TEST(GroundThatCannotBeRead, EndsTheRunAfterItsStateWasSaved) {

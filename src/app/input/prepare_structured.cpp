@@ -168,7 +168,8 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
     if (ground == nullptr || !ground->on_demand)
         return read_zone_raster(reading, ground, property.key, file, "", files, log, problems);
     const std::vector<Parameter> parameters = scene_parameters();
-    const auto within = [reading, key = property.key, fits = find_parameter(parameters, property.key)->fits](double value) {
+    const auto within = [reading, key = property.key,
+                         fits = find_parameter(parameters, property.key)->fits](double value) {
         if (!fits || fits(value)) return value;
         Problems wrong;
         (void)within_limits(reading, key, value, "a value of the raster", wrong);

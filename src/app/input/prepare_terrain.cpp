@@ -155,14 +155,15 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
     for (const std::string& warning : known.warnings) log.warn("DTM: " + warning);
     input.on_demand = file;
     input.terrain.grid = grid;
-    input.terrain.values =
-        CellValues::tiled(grid.rows, grid.columns, k_no_data,
-                          [file, grid, fills = spec.nodata_policy == "fill", error = error_of(spec)](
-                              const CellWindow& window, double* values) {
-                              if (fills) read_filled(*file, grid, window, values);
-                              else file->read(window, values);
-                              if (error) add_field(*error, grid, window, values);
-                          });
+    input.terrain.values = CellValues::tiled(grid.rows, grid.columns, k_no_data,
+                                             [file, grid, fills = spec.nodata_policy == "fill", error = error_of(spec)](
+                                                 const CellWindow& window, double* values) {
+                                                 if (fills)
+                                                     read_filled(*file, grid, window, values);
+                                                 else
+                                                     file->read(window, values);
+                                                 if (error) add_field(*error, grid, window, values);
+                                             });
     known.raster = samples_of(spec, input.file, grid);
     check_terrain(reading, known.raster, grid, log);
     input.used = used_raster("DTM", input.file, known);

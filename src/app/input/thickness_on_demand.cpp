@@ -65,7 +65,8 @@ void for_each_positive(const Raster& thickness, const Bounds& extent, const Visi
 
 Raster positive_cells(const Raster& thickness, const Bounds& extent) {
     Raster mask(thickness.grid);
-    for_each_positive(thickness, extent, [&](std::int64_t row, std::int64_t column, double) { mask.at(row, column) = 1; });
+    for_each_positive(thickness, extent,
+                      [&](std::int64_t row, std::int64_t column, double) { mask.at(row, column) = 1; });
     return mask;
 }
 

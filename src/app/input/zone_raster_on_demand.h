@@ -20,8 +20,8 @@ inline constexpr const char* k_state_zone_crs =
 void look_under(const MultiPolygon& released, const Raster& raster);
 
 /// The raster `path` of values of `key` on a working grid that is read on demand: nothing is read yet but what lies
-/// under `released` (map coordinates). `convert` makes a value out of what the file has, or throws; it is called as long
-/// as the raster exists. Adds the file to `files`. Throws Error(input).
+/// under `released` (map coordinates). `convert` makes a value out of what the file has, or throws; it is called as
+/// long as the raster exists. Adds the file to `files`. Throws Error(input).
 Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                              const std::string& path, const MultiPolygon& released,
                              const std::function<double(double)>& convert, std::vector<UsedFile>& files, RunLog& log);

@@ -16,8 +16,7 @@ namespace {
 template <class Task>
 void over_solid_tiles(const State& state, ThreadPool& pool, const Task& task) {
     const SolidNodes& nodes = state.solid->nodes;
-    pool.for_each(nodes.tiles.size(),
-                  [&](std::size_t t) { task(NodeRange(nodes.tiles[t], nodes.grid, state.grid)); });
+    pool.for_each(nodes.tiles.size(), [&](std::size_t t) { task(NodeRange(nodes.tiles[t], nodes.grid, state.grid)); });
 }
 
 void gather(State& state, const Laws& laws, ThreadPool& pool) {

@@ -137,7 +137,8 @@ TEST(Coupling, ExchangesMomentum) {
     constexpr double dt = 0.2;
     const SolidNodes& nodes = state.solid->nodes;
     for (const std::int64_t tile : nodes.tiles)
-        push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+        push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes,
+                    state.fluid.get());
     ParticleSet& p = state.solid->particles;
     state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
     double gained = 0;
@@ -179,7 +180,8 @@ TEST(Coupling, ExchangesMomentumUnderGravity) {
         constexpr double dt = 0.2;
         const SolidNodes& nodes = state.solid->nodes;
         for (const std::int64_t tile : nodes.tiles)
-            push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+            push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling,
+                        state.solid->nodes, state.fluid.get());
         ParticleSet& p = state.solid->particles;
         state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -330,7 +332,8 @@ TEST(Coupling, DragRelaxes) {
         for (int i = 0; i < 5; ++i) {
             constexpr double dt = 0.4;
             for (const std::int64_t tile : state.solid->nodes.tiles)
-                push_solids({tile, state.solid->nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+                push_solids({tile, state.solid->nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling,
+                            state.solid->nodes, state.fluid.get());
             SolidSums& sums = state.solid->nodes.sums[middle];
             sums.px += dt * sums.mass * state.solid->nodes.push[middle].ax;
             w *= exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * w * dt);

@@ -77,8 +77,8 @@ void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidSt
     });
 }
 
-void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const SolidLaws& laws, const CouplingLaws& coupling,
-                 SolidNodes& nodes, FluidState* fluid) {
+void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const SolidLaws& laws,
+                 const CouplingLaws& coupling, SolidNodes& nodes, FluidState* fluid) {
     const std::int64_t last_column = grid.stride() - 1, last_row = grid.padded_rows() - 1;
     range.for_each(grid.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
         if (i < 1 || j < 1 || i >= last_column || j >= last_row) return;  // a gradient needs the nodes beside

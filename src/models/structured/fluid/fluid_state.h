@@ -75,9 +75,9 @@ struct FluidState {
     ZeroArray<double> resistance_x, resistance_y;
 
     // Used by fluid_step.cpp only.
-    std::vector<std::int64_t> touched;    ///< tiles that were ever in `tiles`; ascending
-    FluidFields stage, next;              ///< buffers; as `now` outside `tiles`
-    ZeroArray<std::uint8_t> wet;          ///< by tile: contains fluid deeper than the dry depth
+    std::vector<std::int64_t> touched;  ///< tiles that were ever in `tiles`; ascending
+    FluidFields stage, next;            ///< buffers; as `now` outside `tiles`
+    ZeroArray<std::uint8_t> wet;        ///< by tile: contains fluid deeper than the dry depth
 
     // Of the ground; valid in tiles that have it (need_ground).
     ZeroArray<std::uint8_t> cell_kind;   ///< padded; CellKind

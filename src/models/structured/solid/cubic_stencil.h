@@ -54,8 +54,8 @@ struct CubicStencil {
         }
         const std::uint8_t* const solid = grid.solid();
         // Ghost nodes are not inside the terrain.
-        const bool within = i >= k_ghost && j >= k_ghost && i + 4 <= scale.stride - k_ghost &&
-                            j + 4 <= grid.padded_rows() - k_ghost;
+        const bool within =
+            i >= k_ghost && j >= k_ghost && i + 4 <= scale.stride - k_ghost && j + 4 <= grid.padded_rows() - k_ghost;
         if (within && (solid == nullptr || !any_of_sixteen(solid + first, scale.stride))) return;
         const auto active = [&](std::int64_t a, std::int64_t b) {
             if (i + a < k_ghost || j + b < k_ghost || i + a >= scale.stride - k_ghost ||

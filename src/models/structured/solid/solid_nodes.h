@@ -62,7 +62,7 @@ class SolidNodes {
     ZeroArray<CouplingSums> coupling;  ///< empty without fluid
     ZeroArray<NodePush> push;
     ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< inputs of the fluid (SolidsOnGrid)
-    std::vector<std::int64_t> tiles;  ///< ascending; outside them all sums are zero
+    std::vector<std::int64_t> tiles;                            ///< ascending; outside them all sums are zero
     TileGrid grid;
     bool gaps_are_walls;
 };

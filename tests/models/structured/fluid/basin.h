@@ -36,8 +36,7 @@ struct Basin {
         std::vector<FluidSource> sources;
         for_cells([&](Point p, std::size_t cell) {
             const Water w = at(p);
-            if (w.depth > 0 && has_fluid(cell))
-                sources.push_back({cell, w.depth, w.depth * w.u, w.depth * w.v});
+            if (w.depth > 0 && has_fluid(cell)) sources.push_back({cell, w.depth, w.depth * w.u, w.depth * w.v});
         });
         receive(sources, state, nodes, laws);
     }
