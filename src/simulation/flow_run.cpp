@@ -133,8 +133,10 @@ Raster pressure_of(const Scene& scene, const StructuredFlow& flow, const RunResu
     Raster pressure = flow.to_raster(flow.max_pressure());
     result.max_velocity.values.for_each_stored([&](std::size_t cell, double speed) {
         double& here = pressure.values[cell];
-        if (std::isnan(speed)) here = k_no_data;
-        else if (std::isnan(here)) here = 0;
+        if (std::isnan(speed))
+            here = k_no_data;
+        else if (std::isnan(here))
+            here = 0;
     });
     hide_walls(scene, pressure);
     hide_non_finite(pressure);

@@ -77,8 +77,8 @@ class StructuredFlow {
     /// Updates the maxima with the present state; advance does so after every step.
     void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
-    /// Maximum dynamic pressure: at every step the greater of the phases' own, density times speed along the bed squared
-    /// [kPa]; 0: never reached.
+    /// Maximum dynamic pressure: at every step the greater of the phases' own, density times speed along the bed
+    /// squared [kPa]; 0: never reached.
     [[nodiscard]] const ZeroArray<double>& max_pressure() const noexcept { return pressure_; }
     /// A padded array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
@@ -104,8 +104,8 @@ class StructuredFlow {
     /// Everything that changes during a step.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, pressure, origins, moving_speed,
-                                released_mass, released_volume, entered, steps, particle_steps] = *this;
+        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, pressure, origins,
+                                moving_speed, released_mass, released_volume, entered, steps, particle_steps] = *this;
         archive(state, maxima, pressure, released_mass, released_volume, entered, steps, particle_steps);
         if constexpr (Archive::k_reads) {
             if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);
