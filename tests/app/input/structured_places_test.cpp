@@ -260,7 +260,7 @@ INSTANTIATE_TEST_SUITE_P(
         Dubious{"bed_rougher_than_the_material",
                 {"structured.bed-friction-angle=30", "structured.internal-friction-angle=25"},
                 "5 degrees more than the material's internal-friction-angle"},
-        Dubious{"soft_moduli", {"structured.young-modulus=1e5", "structured.bulk-modulus=6e4"}, "before it yields"},
+        Dubious{"soft_moduli", {"structured.young-modulus=5e4", "structured.bulk-modulus=6e4"}, "before it yields"},
         Dubious{"tiny_critical_strain", {"structured.critical-strain=1e-6"}, "before it yields"},
         Dubious{"confined_without_cohesion",
                 {"structured.cohesion=0", "structured.confined-fraction=0.5"},
