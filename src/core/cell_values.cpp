@@ -77,13 +77,13 @@ struct CellValues::Tiles {
 };
 
 CellValues::CellValues() = default;
-CellValues::CellValues(std::vector<double> values) : dense_(std::move(values)) {}
-CellValues::CellValues(std::initializer_list<double> values) : dense_(values) {}
+CellValues::CellValues(std::vector<double> values) : dense_(std::make_shared<std::vector<double>>(std::move(values))) {}
+CellValues::CellValues(std::initializer_list<double> values) : dense_(std::make_shared<std::vector<double>>(values)) {}
 CellValues::CellValues(std::int64_t rows, std::int64_t columns, double fill) {
     if (rows * columns > k_most_dense) {
         tiles_ = std::make_unique<Tiles>(rows, columns, fill, Source());
     } else {
-        dense_.assign(static_cast<std::size_t>(rows * columns), fill);
+        dense_ = std::make_shared<std::vector<double>>(static_cast<std::size_t>(rows * columns), fill);
     }
 }
 
@@ -108,7 +108,7 @@ std::size_t CellValues::tiled_size() const noexcept {
 }
 
 std::int64_t CellValues::stored_cells() const noexcept {
-    if (!tiles_) return static_cast<std::int64_t>(dense_.size());
+    if (!tiles_) return static_cast<std::int64_t>(size());
     return std::count_if(tiles_->values.begin(), tiles_->values.end(), [](const auto& tile) { return !!tile; }) *
            k_side * k_side;
 }
@@ -147,7 +147,7 @@ void CellValues::visit_tiled(const std::function<void(std::size_t, double*, std:
 }
 
 bool CellValues::stores_any(const CellWindow& w) const {
-    if (!tiles_) return !dense_.empty();
+    if (!tiles_) return !empty();
     const Tiles& t = *tiles_;
     for (std::int64_t j = w.row / k_side; j <= (w.row + w.rows - 1) / k_side && j < t.down; ++j)
         for (std::int64_t i = w.column / k_side; i <= (w.column + w.columns - 1) / k_side && i < t.across; ++i)
@@ -157,7 +157,7 @@ bool CellValues::stores_any(const CellWindow& w) const {
 
 std::vector<CellWindow> CellValues::stored_windows(std::int64_t columns) const {
     if (!tiles_) {
-        const auto cells = static_cast<std::int64_t>(dense_.size());
+        const auto cells = static_cast<std::int64_t>(size());
         return cells == 0 ? std::vector<CellWindow>() : std::vector{CellWindow{0, 0, cells / columns, columns}};
     }
     struct Box {
@@ -193,19 +193,24 @@ std::vector<CellWindow> CellValues::stored_windows(std::int64_t columns) const {
 }
 
 std::vector<double>& CellValues::dense() {
-    return const_cast<std::vector<double>&>(std::as_const(*this).dense());
+    static_cast<void>(std::as_const(*this).dense());
+    return own();
+}
+
+void CellValues::part() {
+    dense_ = std::make_shared<std::vector<double>>(side_by_side());
 }
 
 const std::vector<double>& CellValues::dense() const {
-    if (!tiles_) return dense_;
+    if (!tiles_) return side_by_side();
     std::vector<double> all(tiled_size(), tiles_->fill);
     if (tiles_->source) tiles_->source({0, 0, tiles_->rows, tiles_->columns}, all.data());
     for_each_run([&](std::size_t first, const double* values, std::size_t count) {
         std::copy_n(values, count, all.begin() + static_cast<std::ptrdiff_t>(first));
     });
-    dense_ = std::move(all);
+    dense_ = std::make_shared<std::vector<double>>(std::move(all));
     tiles_.reset();
-    return dense_;
+    return *dense_;
 }
 
 }  // namespace frana

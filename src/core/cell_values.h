@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -21,6 +22,10 @@ struct CellWindow {
 /// when it is first asked for. Who needs all values side by side (data(), begin()) gets them, at the cost of all of
 /// their memory; loops over large rasters visit what is stored instead.
 /// Reading a cell that comes from a source changes the storage: not from several threads at once.
+///
+/// Copies of values side by side share them until one is changed, so that the members of a study share one terrain.
+/// Writing takes a copy then, also of who only asks for places to write: the first access that may write is not to be
+/// from several threads at once, and no place that was handed out is to be written after the values were copied.
 class CellValues {
   public:
     /// Side of a tile [cells].
@@ -44,19 +49,19 @@ class CellValues {
     ~CellValues();
 
     [[nodiscard]] bool is_tiled() const noexcept { return tiles_ != nullptr; }
-    [[nodiscard]] std::size_t size() const noexcept { return tiles_ ? tiled_size() : dense_.size(); }
+    [[nodiscard]] std::size_t size() const noexcept { return tiles_ ? tiled_size() : side_by_side().size(); }
     [[nodiscard]] bool empty() const noexcept { return size() == 0; }
     /// Cells that take memory.
     [[nodiscard]] std::int64_t stored_cells() const noexcept;
 
-    double operator[](std::size_t cell) const { return tiles_ ? tiled_value(cell) : dense_[cell]; }
-    double& operator[](std::size_t cell) { return tiles_ ? tiled_place(cell) : dense_[cell]; }
+    double operator[](std::size_t cell) const { return tiles_ ? tiled_value(cell) : (*dense_)[cell]; }
+    double& operator[](std::size_t cell) { return tiles_ ? tiled_place(cell) : own()[cell]; }
 
     /// Calls visit(first, values, count) for the stored parts of rows, in the order of cells.
     template <class Visit>
     void for_each_run(const Visit& visit) const {
         if (!tiles_) {
-            if (!dense_.empty()) visit(std::size_t{0}, dense_.data(), dense_.size());
+            if (!empty()) visit(std::size_t{0}, dense_->data(), dense_->size());
             return;
         }
         visit_tiled([&](std::size_t first, double* values, std::size_t count) {
@@ -77,7 +82,7 @@ class CellValues {
             for (std::size_t k = 0; k < count; ++k) visit(first + k, values[k]);
         };
         if (!tiles_) {
-            run(0, dense_.data(), dense_.size());
+            run(0, own().data(), own().size());
         } else {
             visit_tiled(run);
         }
@@ -115,8 +120,21 @@ class CellValues {
     [[nodiscard]] double& tiled_place(std::size_t cell);
     void visit_tiled(const std::function<void(std::size_t, double*, std::size_t)>& visit) const;
 
-    mutable std::vector<double> dense_;
-    mutable std::unique_ptr<Tiles> tiles_;  // none: dense
+    // The values, or none at all.
+    [[nodiscard]] const std::vector<double>& side_by_side() const noexcept {
+        static const std::vector<double> empty;
+        return dense_ ? *dense_ : empty;
+    }
+    // The values, which no copy shares any more.
+    [[nodiscard]] std::vector<double>& own() {
+        if (!dense_ || dense_.use_count() > 1) part();
+        std::atomic_thread_fence(std::memory_order_acquire);  // who shared them may just have ended reading
+        return *dense_;
+    }
+    void part();
+
+    mutable std::shared_ptr<std::vector<double>> dense_;  // null: empty, or in tiles
+    mutable std::unique_ptr<Tiles> tiles_;                // none: dense
 };
 
 }  // namespace frana

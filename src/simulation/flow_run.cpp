@@ -124,6 +124,25 @@ double density_of(const Scene&, const StructuredFlow& flow) {
     return flow.density();
 }
 
+Raster pressure_of(const Scene& scene, const Flow& flow, const RunResult& result) {
+    return pressure_kpa(result.max_velocity, density_of(scene, flow));
+}
+
+// Where cells move at different speeds in both phases, each has its own density.
+Raster pressure_of(const Scene& scene, const StructuredFlow& flow, const RunResult& result) {
+    Raster pressure = flow.to_raster(flow.max_pressure());
+    result.max_velocity.values.for_each_stored([&](std::size_t cell, double speed) {
+        double& here = pressure.values[cell];
+        if (std::isnan(speed))
+            here = k_no_data;
+        else if (std::isnan(here))
+            here = 0;
+    });
+    hide_walls(scene, pressure);
+    hide_non_finite(pressure);
+    return pressure;
+}
+
 void add_exchanges_to(const Scene& scene, const Flow& flow, RunResult& result) {
     result.exchanges = scene.entrainment.active();
     if (!result.exchanges) return;
@@ -355,7 +374,7 @@ RunResult FlowRun<AnyFlow>::finish() {
             hide_non_finite(*raster);
         for (NamedRaster& raster : result.more) hide_non_finite(raster.values);
     }
-    result.max_pressure = pressure_kpa(result.max_velocity, density_of(scene_, flow_));
+    result.max_pressure = pressure_of(scene_, flow_, result);
     read_ground_under(flow_.nodes(), scene_.terrain, release_.bed);
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);

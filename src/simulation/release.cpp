@@ -236,11 +236,11 @@ Release make_release(const Scene& scene) {
             release.particles = std::move(entry.particles);
         }
     }
-    release.bed = release.bed_at_start = scene.terrain;
-    if (scene.terrain_contains_release) {
-        remove(release.depth, release.bed);
+    release.bed = scene.terrain;
+    if (scene.terrain_contains_release) remove(release.depth, release.bed);
+    release.bed_at_start = release.later.empty() ? release.bed : scene.terrain;
+    if (scene.terrain_contains_release && !release.later.empty())
         remove(cell_depth(release.particles, scene.grid), release.bed_at_start);
-    }
     return release;
 }
 

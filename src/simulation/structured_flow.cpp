@@ -55,7 +55,8 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       laws_(structured_laws(material, numerics, grid_)),
       state_(initial_state(walled(ground, walls), laws_, material, numerics, grid_, released)),
       tiles_(structured::tiles_on(state_.grid)),
-      maxima_(state_.grid.bed.size()) {
+      maxima_(state_.grid.bed.size()),
+      pressure_(state_.grid.bed.size()) {
     receive(released, true);
     receive_lying();
     structured::prepare(state_, laws_, pool_);
@@ -217,9 +218,9 @@ std::size_t StructuredFlow::bytes_per_particle() const noexcept {
 }
 
 std::size_t StructuredFlow::bytes_per_node() const noexcept {
-    constexpr std::size_t k_fluid_values = 9;  // present, stage and next of depth and two discharges
-    constexpr std::size_t k_solid_values = 5;  // fields of the solids that act on the fluid
-    std::size_t bytes = sizeof(double) + Maxima::k_bytes;
+    constexpr std::size_t k_fluid_values = 9;                  // present, stage and next of depth and two discharges
+    constexpr std::size_t k_solid_values = 5;                  // fields of the solids that act on the fluid
+    std::size_t bytes = 2 * sizeof(double) + Maxima::k_bytes;  // bed and pressure, and the maxima
     if (state_.fluid) bytes += k_fluid_values * sizeof(double) + 1 + (laws_.fluid.steep ? sizeof(double) : 0);
     if (state_.solid)
         bytes += sizeof(structured::SolidSums) + sizeof(structured::NodePush) + k_solid_values * sizeof(double) +
@@ -253,6 +254,7 @@ StepStatistics StructuredFlow::observe() {
                 const Point here = state_.grid.middle(i, j);
                 f.front_distance = std::max(f.front_distance, origins_.squared_distance(here));
                 maxima_.update(cell, depth, fast, state_.time);
+                pressure_[cell] = std::max(pressure_[cell], dynamic_pressure(cell));
             });
     });
     StepStatistics sum;

@@ -77,6 +77,9 @@ class StructuredFlow {
     /// Updates the maxima with the present state; advance does so after every step.
     void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
+    /// Maximum dynamic pressure: at every step the greater of the phases' own, density times speed along the bed
+    /// squared [kPa]; 0: never reached.
+    [[nodiscard]] const ZeroArray<double>& max_pressure() const noexcept { return pressure_; }
     /// A padded array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
@@ -101,9 +104,9 @@ class StructuredFlow {
     /// Everything that changes during a step.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origins, moving_speed,
-                                released_mass, released_volume, entered, steps, particle_steps] = *this;
-        archive(state, maxima, released_mass, released_volume, entered, steps, particle_steps);
+        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, pressure, origins,
+                                moving_speed, released_mass, released_volume, entered, steps, particle_steps] = *this;
+        archive(state, maxima, pressure, released_mass, released_volume, entered, steps, particle_steps);
         if constexpr (Archive::k_reads) {
             if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);
         }
@@ -121,6 +124,7 @@ class StructuredFlow {
     }
     [[nodiscard]] double fluid_speed(std::size_t cell) const;
     [[nodiscard]] double solid_speed(std::size_t cell) const;
+    [[nodiscard]] double dynamic_pressure(std::size_t cell) const;
     void receive(const ParticleSet& particles, bool columns);
     void receive_lying();
     void take(const std::vector<structured::FluidSource>& sources);
@@ -136,6 +140,7 @@ class StructuredFlow {
     structured::State state_;
     TileGrid tiles_;
     Maxima maxima_;
+    ZeroArray<double> pressure_;
     FrontOrigins origins_{Point{}};
     double moving_speed_ = 0;
     double released_mass_ = 0, released_volume_ = 0;  // [kg], [m3]

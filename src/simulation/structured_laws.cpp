@@ -53,14 +53,19 @@ structured::Elasticity elasticity(const StructuredMaterial& m) {
                                                        m.bulk_modulus / m.modulus_reduction);
 }
 
-// Calls visit for the uniform material and for that of every cell that a zone changes.
 template <class Visit>
-void for_each_material(const StructuredMaterial& m, const Visit& visit) {
-    visit(uniform_material(m));
+void for_each_zone_cell(const StructuredMaterial& m, const Visit& visit) {
     for (const SolidZone& zone : m.zones)
         zone.raster.values.for_each_stored([&](std::size_t cell, double value) {
             if (!std::isnan(value)) visit(material_of_cell(m, cell));
         });
+}
+
+// Calls visit for the uniform material and for that of every cell that a zone changes.
+template <class Visit>
+void for_each_material(const StructuredMaterial& m, const Visit& visit) {
+    visit(uniform_material(m));
+    for_each_zone_cell(m, visit);
 }
 
 // Elastic waves are fastest in the lightest material.
@@ -109,6 +114,11 @@ structured::EarthPressure law_of(StructuredMaterial::EarthPressure law) {
 }
 
 }  // namespace
+
+void visit_materials(const StructuredMaterial& m, const std::function<void(const SolidValues&)>& visit) {
+    if (m.zones.empty()) visit(uniform_material(m));
+    for_each_zone_cell(m, visit);
+}
 
 bool can_fracture(const StructuredMaterial& m) {
     return anywhere(m, &SolidValues::cohesion, [](double cohesion) { return cohesion > 0; });

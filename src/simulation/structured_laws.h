@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "models/structured/solid/placement.h"
 #include "models/structured/state.h"
 #include "simulation/scene.h"
@@ -19,6 +21,9 @@ bool can_fracture(const StructuredMaterial& material);
 bool has_fluid(const StructuredMaterial& material);
 /// Returns the density of solids and fluid together, as released [kg/m3].
 double whole_density(const StructuredMaterial& material, const structured::SolidMaterial& solid);
+/// Calls visit for the material of every cell with zones, or for the uniform one in a scene without.
+void visit_materials(const StructuredMaterial& material, const std::function<void(const SolidValues&)>& visit);
+
 /// Returns the speed of elastic rebound at a free face of material stretched to its strength, 2 T / (rho c), with Mohr
 /// and Coulomb's uniaxial tensile strength T = 2 c cos phi / (1 + sin phi) and c the elastic waves' speed [m/s]. Our
 /// estimate.

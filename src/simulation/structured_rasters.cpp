@@ -65,6 +65,16 @@ double StructuredFlow::solid_speed(std::size_t cell) const {
     return along_bed(cell, state_.solid->nodes.u[cell], state_.solid->nodes.v[cell]);
 }
 
+double StructuredFlow::dynamic_pressure(std::size_t cell) const {
+    const double fluid = fluid_speed(cell), solid = solid_speed(cell);
+    double most = material_.fluid_density * fluid * fluid;
+    if (solid > 0) {
+        const structured::SolidSums& sums = state_.solid->nodes.sums[cell];
+        most = std::max(most, sums.mass / (sums.solids + sums.confined) * solid * solid);
+    }
+    return most / 1000;
+}
+
 double StructuredFlow::speed(std::size_t cell) const {
     return std::max(fluid_speed(cell), solid_speed(cell));
 }

@@ -117,5 +117,30 @@ TEST(ZeroArray, IsSavedWhereItWasTouched) {
     EXPECT_EQ(reader.left(), 0U);
 }
 
+TEST(CellValues, CopiesShareWhatTheyHaveUntilOneIsChanged) {
+    CellValues values(30, 40, 1.5);
+    const CellValues copy = values, another = copy;
+    const CellValues& same = values;
+    EXPECT_EQ(copy.data(), same.data());
+    EXPECT_EQ(another.data(), same.data());
+    values[7] = 2;
+    EXPECT_EQ(copy.data(), another.data());
+    EXPECT_NE(copy.data(), same.data());
+    EXPECT_EQ(copy[7], 1.5);
+    EXPECT_EQ(same[7], 2);
+    const double* const place = same.data();
+    values[8] = 3;  // nobody shares it any more
+    EXPECT_EQ(same.data(), place);
+    CellValues changed = copy;
+    changed.change_each_stored([](std::size_t, double& value) { value += 1; });
+    EXPECT_EQ(changed[0], 2.5);
+    EXPECT_EQ(copy[0], 1.5);
+    EXPECT_EQ(CellValues().size(), 0U);
+    CellValues none, grown = none;
+    grown.push_back(4);
+    EXPECT_EQ(none.size(), 0U);
+    EXPECT_EQ(grown.size(), 1U);
+}
+
 }  // namespace
 }  // namespace frana

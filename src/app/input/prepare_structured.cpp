@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/input/check_release.h"
+#include "app/input/check_structured.h"
 #include "app/input/layer_values.h"
 #include "app/input/prepare_material.h"
 #include "app/input/prepare_zones.h"
@@ -133,7 +134,7 @@ void check_modulus_reduction(const SceneReading& reading, const StructuredMateri
     if (!(m.modulus_reduction > most)) return;
     problems.add({"softens the material so much that it would break by that",
                   reading.where("structured.modulus-reduction"), number_text(m.modulus_reduction, 4),
-                  "at most " + number_text(most, 3),
+                  most > 1 ? "at most " + number_text(most, 3) : "1, none: it is soft already",
                   "Lower it: at its strength the material would have an elastic strain of over a twentieth of "
                   "structured.critical-strain"});
 }
@@ -228,6 +229,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
         material->zones.push_back({property.value, std::move(kept)});
     }
     check_modulus_reduction(reading, *material, problems);
+    check_structured_values(reading, *material, release, ground->terrain.grid, log, problems);
     bound_initial_fluid(spec.initial_fluid_depth, ground->terrain, walls, *material);
     return material;
 }

@@ -34,9 +34,10 @@ void add_fluid(std::vector<Parameter>& list) {
                           Range{0, 10}, "Shape of the velocity over depth, chi, in the viscous shear at the bed."));
     list.push_back(number("structured.manning", FRANA_MEMBER(structured.manning), "s/m^(1/3)", Range{0, 1},
                           "Manning's n of the ground under free fluid; 0: smooth."));
-    list.push_back(option("structured.manning-depth", FRANA_MEMBER(structured.manning_on_total),
-                          Flag{{"free", false}, {"total", true}},
-                          "Depth in Manning's law where there are solids: of the free fluid, or of solids and fluid."));
+    list.push_back(option(
+        "structured.manning-depth", FRANA_MEMBER(structured.manning_on_total), Flag{{"free", false}, {"total", true}},
+        "Depth in Manning's law where there are solids: of the free fluid, or of solids and fluid as far as they "
+        "move together."));
     list.push_back(by_place(
         "structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m", Range{0, 1000},
         "Depth of free fluid on the ground or on the solids at the start, in addition to the release.", "none"));

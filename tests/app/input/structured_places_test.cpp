@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the structured model's release that vary from place to place, and later additions.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "particle_points.h"
@@ -204,12 +206,71 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"solids_share_told_twice",
                               {"release.thickness=phases:ones.asc,ones.asc", "structured.solid-fraction=0.5"},
                               {"structured.solid-fraction", "is given twice"}},
+                      Refused{"grains_that_float",
+                              {"structured.grain-density=1000"},
+                              {"structured.grain-density", "not denser than the fluid", "1000 kg/m3"}},
+                      Refused{"grains_that_float_in_mud",
+                              {"structured.fluid-density=2500"},
+                              {"structured.grain-density", "more than structured.fluid-density, 2500 kg/m3"}},
                       Refused{"phases_of_fluid_alone",
                               {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
                               {"release.thickness", "gives solids and fluid separately"}},
                       Refused{"a_perimeter_without_the_column",
                               {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
                               {"structured.cohesion", "no number in the attribute c"}}),
+    [](const auto& tested) { return tested.param.name; });
+
+struct Dubious {
+    const char* name;
+    std::vector<std::string> set;
+    std::string words;  // empty: no warning of any of these
+};
+
+class StructuredPlacesWarn : public StructuredPlaces, public ::testing::WithParamInterface<Dubious> {};
+
+const std::string k_sound[] = {"structured.cohesion=2000", "structured.young-modulus=1e7",
+                               "structured.bulk-modulus=6e6", "structured.critical-strain=0.05"};
+
+TEST_P(StructuredPlacesWarn, OfWhatIsLegalAndDubious) {
+    std::vector<std::string> set = GetParam().set;
+    const auto given = [&](const std::string& one) {
+        return std::any_of(GetParam().set.begin(), GetParam().set.end(),
+                           [&](const std::string& own) { return own.rfind(one.substr(0, one.find('=') + 1), 0) == 0; });
+    };
+    std::remove_copy_if(std::begin(k_sound), std::end(k_sound), std::back_inserter(set), given);
+    std::vector<std::string> arguments{"check", "scene.ini"};
+    for (const std::string& one : set) arguments.insert(arguments.end(), {"--set", one});
+    const Outcome outcome = frana(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string said = outcome.out + outcome.err;
+    if (!GetParam().words.empty()) {
+        EXPECT_NE(said.find(GetParam().words), std::string::npos) << said;
+        return;
+    }
+    for (const char* words : {"has no effect", "shear within itself", "before it yields", "its edges stand"})
+        EXPECT_EQ(said.find(words), std::string::npos) << said;
+}
+
+// The release is 2 m thick, the cells are of 5 m: 1.53 tan(30) 5 m = 4.4 m, 1.53 tan(12) 5 m = 1.6 m.
+INSTANTIATE_TEST_SUITE_P(
+    What, StructuredPlacesWarn,
+    ::testing::Values(
+        Dubious{"nothing", {}, ""},
+        Dubious{"cells_too_large", {"structured.bed-friction-angle=28"}, "its edges stand whatever their cohesion"},
+        Dubious{"bed_rougher_than_the_material",
+                {"structured.bed-friction-angle=30", "structured.internal-friction-angle=25"},
+                "5 degrees more than the material's internal-friction-angle"},
+        Dubious{"soft_moduli", {"structured.young-modulus=5e4", "structured.bulk-modulus=6e4"}, "before it yields"},
+        Dubious{"tiny_critical_strain", {"structured.critical-strain=1e-6"}, "before it yields"},
+        Dubious{"confined_without_cohesion",
+                {"structured.cohesion=0", "structured.confined-fraction=0.5"},
+                "confined-fraction has no effect: without structured.cohesion"},
+        Dubious{"confined_without_pores",
+                {"structured.solid-fraction=1", "structured.confined-fraction=0.5"},
+                "with structured.solid-fraction = 1 there are no pores"},
+        Dubious{"mobility_without_viscosity",
+                {"structured.mobility=2"},
+                "structured.mobility has no effect: structured.fluid-viscosity is 0"}),
     [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

@@ -24,6 +24,21 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
     return laws.viscosity * std::exp(laws.viscosity_growth * solid_fraction) / laws.density;
 }
 
+namespace {
+
+// Returns V with b V + A V^2 + B max(0, V - c)^2 = left, for left, b > 0 and A, B, c not negative: backward Euler of
+// Manning's resistance by the depth of both phases (A) and, in excess of the solids' speed c, by the fluid's own (B).
+double speed_over_solids(double left, double b, double total, double own, double c) {
+    const double together = left / implicit_divisor(left, b, total);
+    if (together <= c || !(own > 0)) return together;
+    // Beyond c the sum is one quadratic, and its greater root the only one there.
+    const double square = total + own, linear = b - 2 * own * c, constant = own * c * c - left;
+    const double root = std::sqrt(linear * linear - 4 * square * constant);
+    return linear > 0 ? -2 * constant / (linear + root) : (root - linear) / (2 * square);
+}
+
+}  // namespace
+
 void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
             const SolidsOnGrid& solid, double dt, FluidFields& fields) {
     const bool enhanced = solid.u != nullptr && laws.mobility > 0 && laws.viscosity > 0;
@@ -52,13 +67,20 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
         u += dt * pull_u;
         v += dt * pull_v;
         // Quadratic: Manning, along the bed. The speed V after the step solves V (1 + dt linear + dt a V) = V*.
-        double climb = 0, thickness = laws.manning_on_total ? total : h;
+        double climb = 0, flat = 1;
         if (laws.steep) {
             climb = climb_at(nodes.bed.data() + cell, nodes.stride(), half_inverse, u, v);
-            thickness *= std::sqrt(state.slope_factor[cell]);
+            flat = std::sqrt(state.slope_factor[cell]);
         }
-        const double a = manning_resistance(dt * laws.gravity, laws.manning, thickness);
-        const double kept = 1 / implicit_divisor(speed_along_bed(u, v, climb), 1 + dt * linear, a);
+        const double speed = speed_along_bed(u, v, climb), b = 1 + dt * linear;
+        const double own = manning_resistance(dt * laws.gravity, laws.manning, h * flat);
+        double kept = 1 / implicit_divisor(speed, b, own);
+        if (laws.manning_on_total && solid_depth > 0 && speed > 0) {
+            const double both = manning_resistance(dt * laws.gravity, laws.manning, total * flat);
+            // The solids' velocity along the fluid's, as a part of it.
+            const double along = (u * solid.u[cell] + v * solid.v[cell]) / (u * u + v * v);
+            kept = speed_over_solids(speed, b, both, own - both, std::max(along, 0.0) * speed) / speed;
+        }
         fields.qx[cell] = h * u * kept;
         fields.qy[cell] = h * v * kept;
     });

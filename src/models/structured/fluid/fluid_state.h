@@ -48,8 +48,10 @@ struct FluidLaws {
     bool wall = false;                    ///< the edge of the grid; false: open
     bool gaps_are_open = true;            ///< flow may enter cells without terrain (and is counted); false: walls
     double manning = 0;                   ///< n [s/m^(1/3)]
-    bool manning_on_total =
-        false;  ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
+    /// R_n by the depth of solids and fluid together (paper, equation 46) as far as they move together; in excess of
+    /// the solids' velocity by the fluid's own (ours: a film is braked by the block that it runs over). Needs
+    /// SolidsOnGrid::u.
+    bool manning_on_total = false;
     double density = k_fluid_density;  ///< rho_u [kg/m3]
     double viscosity = 0;              ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
     double viscosity_growth = 10;      ///< b_eta [-]

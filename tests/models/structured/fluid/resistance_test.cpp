@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Manning's resistance (U25) and viscous stress against exact solutions.
+// Manning's resistance (U25), by own and by total depth, and viscous stress against exact solutions.
 #include <gtest/gtest.h>
 
 #include "basin.h"
@@ -165,6 +165,76 @@ TEST(FluidResistance, EnhancedStressOfAVaryingShareOfSolids) {
         greatest = std::max(greatest, std::abs(force));
     }
     EXPECT_GT(greatest, 2e-3);
+}
+
+// Manning's law with the depth of both phases: 0.5 m of water on 2 m of solids that move with the given velocity.
+struct StreamOverSolids {
+    static constexpr double k_water = 0.5, k_solids = 2, k_slope = 0.01, k_manning = 0.03;
+
+    [[nodiscard]] static double speed(double solids_velocity, bool on_total) {
+        FluidLaws laws = still_laws();
+        laws.manning = k_manning;
+        laws.manning_on_total = on_total;
+        Basin basin = plane(k_slope, k_water, laws);
+        const Solids solids(basin, solids_velocity, 0.8, 1, [](Point) { return k_solids; });
+        basin.advance(100);
+        return basin.u(150, 1);
+    }
+    // Of uniform flow of this depth.
+    [[nodiscard]] static double manning(double depth) {
+        return std::pow(depth, 2.0 / 3) * std::sqrt(k_slope) / k_manning;
+    }
+};
+
+// 1 % is the mark of U25 and of the steady stream over resting solids.
+TEST(ManningOnTotalDepth, OverStandingSolidsWaterFeelsItsOwnDepth) {
+    const double exact = StreamOverSolids::manning(StreamOverSolids::k_water);
+    EXPECT_NEAR(StreamOverSolids::speed(0, true), exact, 0.01 * exact);
+    EXPECT_EQ(StreamOverSolids::speed(0, true), StreamOverSolids::speed(0, false));
+    EXPECT_EQ(StreamOverSolids::speed(-3, true), StreamOverSolids::speed(0, false));  // moving against it
+}
+
+TEST(ManningOnTotalDepth, PhasesThatMoveTogetherFlowAsOneColumn) {
+    const double exact = StreamOverSolids::manning(StreamOverSolids::k_water + StreamOverSolids::k_solids);
+    EXPECT_NEAR(StreamOverSolids::speed(exact, true), exact, 0.01 * exact);
+    EXPECT_NEAR(StreamOverSolids::speed(10 * exact, true), exact, 0.01 * exact);  // and none faster
+}
+
+// Between the limits: S = n^2 [V^2/h^(4/3) + (1/h_u^(4/3) - 1/h^(4/3)) (V - u_c)^2], solved here by halving.
+TEST(ManningOnTotalDepth, SlowerSolidsSlowTheWaterWithoutAStep) {
+    const double total = std::pow(StreamOverSolids::k_water + StreamOverSolids::k_solids, -4.0 / 3);
+    const double own = std::pow(StreamOverSolids::k_water, -4.0 / 3);
+    double before = StreamOverSolids::speed(0, true);
+    for (const double solids : {0.01, 0.5, 2.0, 4.0, 6.0}) {
+        double low = 0, high = 20;
+        while (high - low > 1e-9) {
+            const double v = 0.5 * (low + high), apart = std::max(0.0, v - solids);
+            const double drag = StreamOverSolids::k_manning * StreamOverSolids::k_manning *
+                                (total * v * v + (own - total) * apart * apart);
+            (drag < StreamOverSolids::k_slope ? low : high) = v;
+        }
+        const double speed = StreamOverSolids::speed(solids, true);
+        EXPECT_NEAR(speed, low, 0.01 * low) << solids;
+        EXPECT_GT(speed, before);
+        EXPECT_LT(speed - before, solids);  // the water never gains more than the solids do
+        before = speed;
+    }
+}
+
+// A film, far stiffer than an explicit step bears, keeps to the solids it lies on; nothing reverses.
+TEST(ManningOnTotalDepth, AFilmRidesOnItsBlock) {
+    FluidLaws laws = still_laws();
+    laws.manning = 0.1;
+    laws.manning_on_total = true;
+    Basin basin(Raster(plain_grid(20, 20, 10), 0.0), laws);
+    basin.fill([](Point) { return Water{1e-3, 12, 5}; });
+    const Solids solids(basin, 10, 0.5, 1, [](Point) { return 8.0; });
+    basin.advance(10);
+    // Relative motion along 12, 5: what remains after t is 1/(R t), R = g n^2/d^(4/3) = 981 per metre; the column of
+    // 8 m takes g n^2 u^2/h^(4/3) = 0.74 m/s2 from the water, which the solids here do not feel.
+    EXPECT_LT(basin.u(10, 10), 10);
+    EXPECT_GT(basin.u(10, 10), 10 / (1 + 10 * 10 * 9.81 * 0.01 / 16));
+    EXPECT_GT(basin.state.now.qy[basin.nodes.index(10, 10)], 0);
 }
 
 }  // namespace
