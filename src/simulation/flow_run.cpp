@@ -128,19 +128,8 @@ Raster pressure_of(const Scene& scene, const Flow& flow, const RunResult& result
     return pressure_kpa(result.max_velocity, density_of(scene, flow));
 }
 
-// Where cells move at different speeds in both phases, each has its own density.
-Raster pressure_of(const Scene& scene, const StructuredFlow& flow, const RunResult& result) {
-    Raster pressure = flow.to_raster(flow.max_pressure());
-    result.max_velocity.values.for_each_stored([&](std::size_t cell, double speed) {
-        double& here = pressure.values[cell];
-        if (std::isnan(speed))
-            here = k_no_data;
-        else if (std::isnan(here))
-            here = 0;
-    });
-    hide_walls(scene, pressure);
-    hide_non_finite(pressure);
-    return pressure;
+Raster pressure_of(const Scene&, const StructuredFlow& flow, const RunResult& result) {
+    return flow.max_pressure_where(result.max_velocity);
 }
 
 void add_exchanges_to(const Scene& scene, const Flow& flow, RunResult& result) {

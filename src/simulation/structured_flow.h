@@ -77,9 +77,9 @@ class StructuredFlow {
     /// Updates the maxima with the present state; advance does so after every step.
     void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
-    /// Maximum dynamic pressure: at every step the greater of the phases' own, density times speed along the bed
-    /// squared [kPa]; 0: never reached.
-    [[nodiscard]] const ZeroArray<double>& max_pressure() const noexcept { return pressure_; }
+    /// Maximum dynamic pressure in the cells that have a greatest speed: at every step the greater of the phases' own,
+    /// density times speed along the bed squared [kPa]; NaN elsewhere and where it is not finite.
+    [[nodiscard]] Raster max_pressure_where(const Raster& max_velocity) const;
     /// A padded array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 

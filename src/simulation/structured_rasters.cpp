@@ -75,6 +75,17 @@ double StructuredFlow::dynamic_pressure(std::size_t cell) const {
     return most / 1000;
 }
 
+Raster StructuredFlow::max_pressure_where(const Raster& max_velocity) const {
+    Raster pressure(grid_, k_no_data);
+    max_velocity.values.for_each_stored([&](std::size_t cell, double speed) {
+        if (std::isnan(speed)) return;
+        const auto n = static_cast<std::int64_t>(cell);
+        const double most = pressure_[state_.grid.index(n % grid_.columns, grid_.rows - 1 - n / grid_.columns)];
+        if (std::isfinite(most)) pressure.values[cell] = most;
+    });
+    return pressure;
+}
+
 double StructuredFlow::speed(std::size_t cell) const {
     return std::max(fluid_speed(cell), solid_speed(cell));
 }

@@ -100,7 +100,7 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
                  ", more than structured.critical-strain = " + number_text(m.critical_strain, 2) +
                  ": it loses its cohesion before it yields. Raise structured.young-modulus (and bulk-modulus) or the "
                  "critical strain, or lower the cohesion");
-    // share/doc/structured.md, "Edges on a grid".
+    // share/doc/structured.md, "Solids with confined fluid": edges on a grid.
     constexpr double k_edge = 1.53;
     const double thickness = thickest(release, grid),
                  least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * grid.cell_size;
