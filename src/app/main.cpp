@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <poll.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -63,6 +66,7 @@ int dispatch(Arguments words) {
         std::cerr << k_help;
         return static_cast<int>(ExitCode::input);
     }
+    if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
     const std::string& name = words.front();
     if (name == "--help" || name == "-h" || name == "help") {
         std::cout << k_help;
@@ -86,6 +90,12 @@ int dispatch(Arguments words) {
     throw Error(ErrorKind::input,
                 Problem{"unknown command", "command line", name, "",
                         nearest.empty() ? "`frana --help` lists the commands" : "Did you mean " + nearest + "?"});
+}
+
+// Whether standard output is a pipe whose reader has ended, as `head` does when it has its lines.
+bool nobody_reads_output() {
+    pollfd output{STDOUT_FILENO, POLLOUT, 0};
+    return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
 int report(const Error& error) {
@@ -122,7 +132,8 @@ int main(int count, char** words) {
         const int code = frana::app::dispatch({words + 1, words + count});
         std::cout.flush();
         // An earlier failed write is recorded although the last one succeeded.
-        if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        const bool written = std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+        if (!written && !frana::app::nobody_reads_output()) {
             std::cerr << "frana: the output could not be written to stdout\n";
             return static_cast<int>(frana::app::ExitCode::environment);
         }

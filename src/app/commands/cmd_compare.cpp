@@ -8,6 +8,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
+#include "app/commands/refuse_scene.h"
 #include "app/compare/comparison.h"
 #include "app/compare/probability_comparison.h"
 #include "app/compare/ranking.h"
@@ -54,6 +55,11 @@ CommandForm compare_form() {
 
 /// Reads a raster of another program: depths on square cells in metres.
 Raster foreign_depth(const std::string& file) {
+    refuse_scene(file);
+    // GDAL reads more than files: what it names itself (/vsizip/..., NETCDF:...) is left to it.
+    if (!fs::exists(file) && file.find(':') == std::string::npos && file.rfind("/vsi", 0) != 0)
+        throw Error(ErrorKind::input, Problem{"there is no such result folder or raster", "RESULT_DIR|RASTER", file, "",
+                                              "Check the path; it is relative to the current folder"});
     const gis::RasterInfo info = gis::inspect_raster(file, "RESULT_DIR|RASTER");
     if (!info.crs_wkt.empty() && !gis::is_projected_in_metres(info.crs_wkt)) {
         throw Error(ErrorKind::input,

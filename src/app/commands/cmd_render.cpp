@@ -8,6 +8,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
+#include "app/commands/refuse_scene.h"
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
 #include "app/pictures/foreign_map.h"
@@ -359,6 +360,7 @@ int cmd_render(const Arguments& arguments) {
     if (!values) return static_cast<int>(ExitCode::done);
     Problems problems;
     const Request request = read_request(*values, problems);
+    refuse_scene((*values)["operand"].as<std::string>());
     if (fs::is_regular_file((*values)["operand"].as<std::string>()))
         render_raster(*values, request, problems);
     else

@@ -43,6 +43,19 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
     const std::string name = "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
     const auto found = from.numbers.find(source.name);
     if (found == from.numbers.end()) {
+        // A column that only some features have a number in is told once, not for each of them.
+        const auto lacks = [&](const PolygonFeature& f) { return f.numbers.count(source.name) == 0; };
+        const auto lacking = std::count_if(layer.features.begin(), layer.features.end(), lacks);
+        if (lacking < static_cast<std::ptrdiff_t>(layer.features.size())) {
+            if (std::find_if(layer.features.begin(), layer.features.end(), lacks) - layer.features.begin() !=
+                static_cast<std::ptrdiff_t>(feature))
+                return std::nullopt;
+            problems.add({"is empty (NULL) in the attribute " + source.name + " of " + std::to_string(lacking) +
+                              " of " + std::to_string(layer.features.size()) + " features of " + layer.layer_name +
+                              ", the first of them feature " + std::to_string(feature + 1),
+                          reading.where(key), "", "a number in each", "Fill the column, or leave these features out"});
+            return std::nullopt;
+        }
         problems.add({name + " has no number in the attribute " + source.name, reading.where(key), "", columns_of(from),
                       "Name one of its attributes"});
         return std::nullopt;

@@ -27,8 +27,8 @@ constexpr double k_least_cell_bytes = 120;
 
 std::optional<double> bytes_from_text(const std::string& text) {
     static const std::map<std::string, double> k_units{
-        {"", 1},      {"B", 1},        {"kB", 1e3},     {"MB", 1e6},     {"GB", 1e9},
-        {"TB", 1e12}, {"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
+        {"", 1},    {"B", 1},   {"kB", 1e3}, {"MB", 1e6},     {"GB", 1e9},     {"TB", 1e12},    {"k", 1e3},
+        {"M", 1e6}, {"G", 1e9}, {"T", 1e12}, {"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
     const std::size_t end = text.find_last_of("0123456789.");
     if (end == std::string::npos) return std::nullopt;
     const auto number = number_from_text(trimmed(text.substr(0, end + 1)));

@@ -50,6 +50,42 @@ TEST_F(Command, ErrorsOnTheCommandLine) {
     EXPECT_EQ(files().size(), 4U);  // dtm.asc, dtm.prj, perimeter.geojson, scene.ini
 }
 
+TEST_F(Command, HelpOfACommandByItsName) {
+    EXPECT_EQ(frana({"help", "run"}).out, frana({"run", "--help"}).out);
+    EXPECT_EQ(frana({"help", "rum"}).exit_code, 2);
+}
+
+TEST_F(Command, NeitherResultNorRaster) {
+    write_scene(k_numbers_only);
+    const Outcome missing = frana({"compare", "nowhere", "--scar", "perimeter.geojson"}),
+                  scene = frana({"render", "scene.ini"}),
+                  compared = frana({"compare", "scene.ini", "--scar", "perimeter.geojson"});
+    EXPECT_NE(missing.err.find("there is no such result folder or raster (value nowhere)"), std::string::npos)
+        << missing.err;
+    for (const Outcome& outcome : {scene, compared})
+        EXPECT_NE(outcome.err.find("is a scene, not its result"), std::string::npos) << outcome.err;
+    for (const Outcome& outcome : {missing, scene, compared}) EXPECT_EQ(outcome.exit_code, 2);
+}
+
+// `frana params | head` is not an error; a disk that is full is.
+TEST_F(Command, AReaderThatHasWhatItWanted) {
+    const auto run = [&](const std::string& command) {
+        return WEXITSTATUS(std::system(("cd '" + folder_.string() + "' && bash -c '" + command + "'").c_str()));
+    };
+    const std::string params = std::string("\"") + FRANA_PROGRAM + "\" params";
+    EXPECT_EQ(run("{ " + params + "; echo $? > code; } 2> err | head -n 1 > /dev/null"), 0);
+    EXPECT_EQ(read_text(path("code")), "0\n");
+    EXPECT_EQ(read_text(path("err")), "");
+    EXPECT_EQ(run(params + " > /dev/full 2> /dev/null"), 4);
+}
+
+TEST_F(Command, AnAmountOfMemoryAsShellsWriteIt) {
+    write_scene(k_numbers_only);
+    EXPECT_EQ(frana({"run", "scene.ini", "--out", "r", "--quiet", "--memory-limit", "2G"}).exit_code, 0);
+    EXPECT_NE(frana({"run", "scene.ini", "--out", "r2", "--quiet", "--memory-limit", "2X"}).err.find("4GB"),
+              std::string::npos);
+}
+
 TEST_F(Command, ParamsAndMaterials) {
     EXPECT_NE(frana({"params"}).out.find("# friction-angle = "), std::string::npos);
     const Json keys = parse_json(frana({"params", "--json"}).out);

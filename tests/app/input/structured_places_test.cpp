@@ -177,6 +177,7 @@ class StructuredPlacesRefuse : public StructuredPlaces, public ::testing::WithPa
 
 TEST_P(StructuredPlacesRefuse, ByName) {
     write_zones("west.geojson", {{0, 45, R"("c": 1e4)"}});
+    write_zones("partly.geojson", {{0, 30, R"("c": 1e4)"}, {30, 60, R"("c": null)"}, {60, 90, R"("d": 1)"}});
     write_dtm([](int, int) { return 1.0; }, true, "ones.asc");
     write_dtm([](int, int) { return -1.0; }, true, "negative.asc");
     const Outcome outcome = run(GetParam().set);
@@ -194,6 +195,11 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"no_such_column",
                               {"structured.zones=zones.geojson", "structured.cohesion=attribute:strength"},
                               {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
+                      Refused{
+                          "empty_in_some_features",
+                          {"structured.zones=partly.geojson", "structured.cohesion=attribute:c"},
+                          {"frana: --set structured.cohesion: is empty (NULL) in the attribute c of 2 of 3 features",
+                           "the first of them feature 2"}},
                       Refused{"zones_that_nothing_reads",
                               {"structured.zones=zones.geojson"},
                               {"structured.zones: names a file that nothing of the scene reads"}},

@@ -76,10 +76,10 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
         const double own = manning_resistance(dt * laws.gravity, laws.manning, h * flat);
         double kept = 1 / implicit_divisor(speed, b, own);
         if (laws.manning_on_total && solid_depth > 0 && speed > 0) {
-            const double both = manning_resistance(dt * laws.gravity, laws.manning, total * flat);
-            // The solids' velocity along the fluid's, as a part of it.
+            // The solids' velocity along the fluid's, as a part of it; over solids at rest the fluid has its own depth.
             const double along = (u * solid.u[cell] + v * solid.v[cell]) / (u * u + v * v);
-            kept = speed_over_solids(speed, b, both, own - both, std::max(along, 0.0) * speed) / speed;
+            const double both = manning_resistance(dt * laws.gravity, laws.manning, total * flat);
+            if (along > 0) kept = speed_over_solids(speed, b, both, own - both, along * speed) / speed;
         }
         fields.qx[cell] = h * u * kept;
         fields.qy[cell] = h * v * kept;

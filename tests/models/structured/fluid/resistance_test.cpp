@@ -176,6 +176,10 @@ struct StreamOverSolids {
         laws.manning = k_manning;
         laws.manning_on_total = on_total;
         Basin basin = plane(k_slope, k_water, laws);
+        // Near the speed of the whole column, which it would take minutes to reach from rest: what is wrong at the
+        // start decays with exp(-2 g S t/V), V the final speed, to 4 % of it in 100 s.
+        for (std::size_t cell = 0; cell < basin.state.now.depth.size(); ++cell)
+            basin.state.now.qx[cell] = 6 * basin.state.now.depth[cell];
         const Solids solids(basin, solids_velocity, 0.8, 1, [](Point) { return k_solids; });
         basin.advance(100);
         return basin.u(150, 1);
@@ -191,7 +195,8 @@ TEST(ManningOnTotalDepth, OverStandingSolidsWaterFeelsItsOwnDepth) {
     const double exact = StreamOverSolids::manning(StreamOverSolids::k_water);
     EXPECT_NEAR(StreamOverSolids::speed(0, true), exact, 0.01 * exact);
     EXPECT_EQ(StreamOverSolids::speed(0, true), StreamOverSolids::speed(0, false));
-    EXPECT_EQ(StreamOverSolids::speed(-3, true), StreamOverSolids::speed(0, false));  // moving against it
+    // Moving against it. At the upper edge water runs uphill for a moment, with these solids.
+    EXPECT_NEAR(StreamOverSolids::speed(-3, true), StreamOverSolids::speed(0, false), 1e-9);
 }
 
 TEST(ManningOnTotalDepth, PhasesThatMoveTogetherFlowAsOneColumn) {
@@ -230,10 +235,12 @@ TEST(ManningOnTotalDepth, AFilmRidesOnItsBlock) {
     basin.fill([](Point) { return Water{1e-3, 12, 5}; });
     const Solids solids(basin, 10, 0.5, 1, [](Point) { return 8.0; });
     basin.advance(10);
-    // Relative motion along 12, 5: what remains after t is 1/(R t), R = g n^2/d^(4/3) = 981 per metre; the column of
-    // 8 m takes g n^2 u^2/h^(4/3) = 0.74 m/s2 from the water, which the solids here do not feel.
-    EXPECT_LT(basin.u(10, 10), 10);
-    EXPECT_GT(basin.u(10, 10), 10 / (1 + 10 * 10 * 9.81 * 0.01 / 16));
+    // The motion keeps its direction, (12, 5)/13, and of its excess over the block's speed along it, c = 10 12/13 m/s,
+    // nothing is left after a second (1/(R t), R = g n^2/d^(4/3) = 981 per metre). The column of 8 m goes on taking g
+    // n^2 V^2/h^(4/3) from the water, which the solids here do not feel.
+    constexpr double along = 12.0 / 13, c = 10 * along;
+    EXPECT_LT(basin.u(10, 10), along * c);
+    EXPECT_GT(basin.u(10, 10), along * c / (1 + c * 10 * 9.81 * 0.01 / 16));
     EXPECT_GT(basin.state.now.qy[basin.nodes.index(10, 10)], 0);
 }
 
