@@ -125,7 +125,8 @@ TEST_F(Ranks, ResumesAfterAFullDisk) {
 }
 
 TEST_F(Ranks, ASignalStopsAllInOrder) {
-    write_study("samples = 100\n", k_two_keys);
+    // More than are done before the signal comes, however busy the machine is.
+    write_study("samples = 1000\n", k_two_keys);
     StartedProgram job(folder_.string(), under_mpirun(3, {"ensemble", "study.ini", "--out", "out"}), "mpirun");
     ASSERT_TRUE(job.wait_until([&] { return records().size() >= 3; }));
     const auto ranks = ranks_here();
