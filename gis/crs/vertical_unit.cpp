@@ -12,8 +12,30 @@
 namespace frana::gis {
 namespace {
 
-constexpr double k_foot = 0.3048;                     // international foot, exact
-constexpr double k_us_survey_foot = 1200.0 / 3937.0;  // exact by definition
+/// A unit of elevations.
+struct Unit {
+    const char* key;  ///< of terrain.vertical-unit
+    const char* name;
+    double metres;
+    std::initializer_list<const char*> words;  ///< in files, letters only
+};
+
+// The feet are exact by definition.
+constexpr Unit k_units[] = {
+    {"metre", "metre", 1, {"m", "metre", "metres", "meter", "meters"}},
+    {"decimetre", "decimetre", 0.1, {"dm", "decimetre", "decimeter"}},
+    {"centimetre", "centimetre", 0.01, {"cm", "centimetre", "centimeter"}},
+    {"millimetre", "millimetre", 0.001, {"mm", "millimetre", "millimeter"}},
+    {"foot", "foot", 0.3048, {"ft", "foot", "feet", "internationalfoot"}},
+    {"us-survey-foot",
+     "US survey foot",
+     1200.0 / 3937.0,
+     {"ftus", "usft", "ussurveyfoot", "ussurveyfeet", "footus", "footussurvey", "sft"}},
+};
+
+VerticalUnit known(const Unit& unit) {
+    return {unit.name, unit.metres, true, true};
+}
 
 std::string simplified(const std::string& text) {
     std::string simple;
@@ -33,28 +55,24 @@ bool one_of(const std::string& word, std::initializer_list<const char*> words) {
 
 VerticalUnit vertical_unit_of(const std::string& band_unit, const std::string& crs_wkt) {
     const std::string word = simplified(band_unit);
-    if (one_of(word, {"m", "metre", "metres", "meter", "meters"})) return {"metre", 1, true, true};
-    if (one_of(word, {"ft", "foot", "feet", "internationalfoot"})) return {"foot", k_foot, true, true};
-    if (one_of(word, {"ftus", "usft", "ussurveyfoot", "ussurveyfeet", "footus", "footussurvey", "sft"})) {
-        return {"US survey foot", k_us_survey_foot, true, true};
-    }
-    if (word == "cm") return {"centimetre", 0.01, true, true};
-    if (word == "mm") return {"millimetre", 0.001, true, true};
+    for (const Unit& unit : k_units)
+        if (one_of(word, unit.words)) return known(unit);
     if (!band_unit.empty()) return {band_unit, 1, false, true};
     const double metres = crs_wkt.empty() ? 0 : vertical_metres_per_unit(crs_wkt);
     if (metres == 0) return {};
-    if (std::abs(metres - 1) < 1e-12) return {"metre", 1, true, true};
-    // Units are stored with rounded factors in some files; these are the only two in use for heights.
-    if (std::abs(metres - k_foot) < 1e-9) return {"foot", k_foot, true, true};
-    if (std::abs(metres - k_us_survey_foot) < 1e-9) return {"US survey foot", k_us_survey_foot, true, true};
+    // Units are stored with rounded factors in some files.
+    for (const Unit& unit : k_units)
+        if (std::abs(metres - unit.metres) < (unit.metres == 1 ? 1e-12 : 1e-9)) return known(unit);
     return {"unit of " + std::to_string(metres) + " m", metres, true, true};
 }
 
 VerticalUnit vertical_unit_named(const std::string& name) {
-    if (name == "metre") return {"metre", 1, true, true};
-    if (name == "foot") return {"foot", k_foot, true, true};
-    if (name == "us-survey-foot") return {"US survey foot", k_us_survey_foot, true, true};
-    throw Error(ErrorKind::input, Problem{"unknown vertical unit", "", name, "metre, foot, us-survey-foot", ""});
+    std::string names;
+    for (const Unit& unit : k_units) {
+        if (name == unit.key) return known(unit);
+        names += (names.empty() ? "" : ", ") + std::string(unit.key);
+    }
+    throw Error(ErrorKind::input, Problem{"unknown vertical unit", "", name, names, ""});
 }
 
 }  // namespace frana::gis

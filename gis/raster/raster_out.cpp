@@ -33,7 +33,7 @@ constexpr std::uint8_t k_no_class = 0;
                         "Check that the folder exists, may be written and has free space"});
 }
 
-void place(GDALDatasetH dataset, const GridSpec& grid, double nodata) {
+void place(GDALDatasetH dataset, const GridSpec& grid, std::optional<double> nodata) {
     std::array<double, 6> geo{grid.west, grid.cell_size, 0, grid.north, 0, -grid.cell_size};
     GDALSetGeoTransform(dataset, geo.data());
     if (!grid.crs_wkt.empty()) {
@@ -42,8 +42,8 @@ void place(GDALDatasetH dataset, const GridSpec& grid, double nodata) {
         GDALSetSpatialRef(dataset, crs);
         OSRDestroySpatialReference(crs);
     }
-    for (int band = 1; band <= GDALGetRasterCount(dataset); ++band)
-        GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, band), nodata);
+    for (int band = 1; nodata && band <= GDALGetRasterCount(dataset); ++band)
+        GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, band), *nodata);
 }
 
 GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata, int bands = 1) {
@@ -62,8 +62,9 @@ void set_texts(GDALDatasetH dataset, const BandText& text, int number = 1) {
         GDALSetMetadataItem(dataset, key.c_str(), valid_utf8(value).c_str(), nullptr);
 }
 
-/// Statistics of the values in the file, not of those before rounding.
-void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std::size_t cells, int number = 1) {
+/// Statistics of the values in the file, not of those before rounding. `zeros`: further cells, of value 0.
+void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std::size_t cells, int number = 1,
+                    std::size_t zeros = 0) {
     double least = HUGE_VAL, greatest = -HUGE_VAL, sum = 0, squares = 0;
     std::size_t count = 0;
     for (const float value : values) {
@@ -73,11 +74,17 @@ void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std:
         sum += value;
         ++count;
     }
+    if (zeros > 0) {
+        least = std::min(least, 0.0);
+        greatest = std::max(greatest, 0.0);
+        count += zeros;
+    }
     if (count == 0) return;
     const double mean = sum / static_cast<double>(count);
     for (const float value : values) {
         if (value != static_cast<float>(k_file_nodata)) squares += (value - mean) * (value - mean);
     }
+    squares += static_cast<double>(zeros) * mean * mean;
     GDALRasterBandH band = GDALGetRasterBand(dataset, number);
     const auto set = [&](const char* key, double value) {
         GDALSetMetadataItem(band, key, shortest_text(value).c_str(), nullptr);
@@ -155,15 +162,44 @@ GdalDataset in_memory(const std::string& path, const GridSpec& grid, const std::
     return dataset;
 }
 
-/// Writes a raster of a large map: only the blocks that contain data, and no overviews.
-void write_sparse(const std::string& path, const Raster& raster, GDALDataType type, double nodata,
-                  const char* predictor, const std::function<void(GDALDatasetH)>& describe) {
+/// Calls visit(window) for the blocks of a file.
+void for_each_block(const GridSpec& grid, const std::function<void(const CellWindow& window)>& visit) {
+    for (std::int64_t row = 0; row < grid.rows; row += k_block)
+        for (std::int64_t column = 0; column < grid.columns; column += k_block)
+            visit({row, column, std::min<std::int64_t>(k_block, grid.rows - row),
+                   std::min<std::int64_t>(k_block, grid.columns - column)});
+}
+
+void write_block(const std::string& path, GDALDatasetH dataset, int number, const Raster& raster,
+                 const CellWindow& window, double nodata, const GdalSession& session) {
+    if (!raster.values.stores_any(window)) return;
+    Raster block = part_of(raster, window);
+    bool empty = true;
+    for (double& value : block.values.dense()) {
+        empty = empty && !std::isfinite(value);
+        if (!std::isfinite(value)) value = nodata;
+    }
+    if (empty) return;
+    const int columns = static_cast<int>(window.columns), rows = static_cast<int>(window.rows);
+    if (GDALRasterIO(GDALGetRasterBand(dataset, number), GF_Write, static_cast<int>(window.column),
+                     static_cast<int>(window.row), columns, rows, block.values.data(), columns, rows, GDT_Float64, 0,
+                     0) != CE_None) {
+        refuse(path, session);
+    }
+}
+
+/// Writes rasters of a large map as the bands of a file: only the blocks that contain data, and no overviews. Blocks
+/// that are not there read as `nodata`, or as 0 where there is none.
+void write_sparse(const std::string& path, const std::vector<const Raster*>& bands, GDALDataType type,
+                  std::optional<double> nodata, const char* predictor,
+                  const std::function<void(GDALDatasetH)>& describe) {
     const GdalSession session;
     const NoSideFiles quiet;
     const MemoryFolder memory;
-    const GridSpec& grid = raster.grid;
+    const GridSpec& grid = bands.front()->grid;
     CPLStringList options;
     options.SetNameValue("TILED", "YES");
+    options.SetNameValue("INTERLEAVE", "BAND");
     options.SetNameValue("BLOCKXSIZE", std::to_string(k_block).c_str());
     options.SetNameValue("BLOCKYSIZE", std::to_string(k_block).c_str());
     options.SetNameValue("SPARSE_OK", "TRUE");
@@ -172,30 +208,16 @@ void write_sparse(const std::string& path, const Raster& raster, GDALDataType ty
     {
         GDALDriverH const driver = GDALGetDriverByName("GTiff");
         const GdalDataset written(GDALCreate(driver, memory.place_of(path).c_str(), static_cast<int>(grid.columns),
-                                             static_cast<int>(grid.rows), 1, type, options.List()));
+                                             static_cast<int>(grid.rows), static_cast<int>(bands.size()), type,
+                                             options.List()));
         if (!written) refuse(path, session);
         place(written.get(), grid, nodata);
         describe(written.get());
-        for (std::int64_t row = 0; row < grid.rows; row += k_block) {
-            for (std::int64_t column = 0; column < grid.columns; column += k_block) {
-                const CellWindow window{row, column, std::min<std::int64_t>(k_block, grid.rows - row),
-                                        std::min<std::int64_t>(k_block, grid.columns - column)};
-                if (!raster.values.stores_any(window)) continue;
-                Raster block = part_of(raster, window);
-                bool empty = true;
-                for (double& value : block.values.dense()) {
-                    empty = empty && !std::isfinite(value);
-                    if (!std::isfinite(value)) value = nodata;
-                }
-                if (empty) continue;
-                if (GDALRasterIO(GDALGetRasterBand(written.get(), 1), GF_Write, static_cast<int>(column),
-                                 static_cast<int>(row), static_cast<int>(window.columns), static_cast<int>(window.rows),
-                                 block.values.data(), static_cast<int>(window.columns), static_cast<int>(window.rows),
-                                 GDT_Float64, 0, 0) != CE_None) {
-                    refuse(path, session);
-                }
-            }
-        }
+        for_each_block(grid, [&](const CellWindow& window) {
+            int number = 0;
+            for (const Raster* band : bands)
+                write_block(path, written.get(), ++number, *band, window, nodata.value_or(k_no_data), session);
+        });
         GDALFlushCache(written.get());
     }
     if (session.failed()) refuse(path, session);
@@ -230,7 +252,7 @@ std::vector<float> stored_values(const Raster& raster) {
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text, RasterUse use) {
     const GdalSession session;
     if (raster.values.is_tiled()) {
-        write_sparse(path, raster, GDT_Float32, k_file_nodata, "3", [&](GDALDatasetH dataset) {
+        write_sparse(path, {&raster}, GDT_Float32, k_file_nodata, "3", [&](GDALDatasetH dataset) {
             set_texts(dataset, text);
             set_statistics(dataset, stored_values(raster), raster.values.size());
         });
@@ -245,6 +267,22 @@ void write_geotiff(const std::string& path, const Raster& raster, const BandText
 
 void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands) {
     const GdalSession session;
+    if (bands.front().raster.values.is_tiled()) {
+        std::vector<const Raster*> rasters;
+        for (const RasterBand& band : bands) rasters.push_back(&band.raster);
+        const bool zeros = bands.front().zero_elsewhere;
+        write_sparse(path, rasters, GDT_Float32, zeros ? std::nullopt : std::optional<double>(k_file_nodata), "3",
+                     [&](GDALDatasetH dataset) {
+                         int number = 0;
+                         for (const RasterBand& band : bands) {
+                             const std::vector<float> values = stored_values(band.raster);
+                             const std::size_t cells = band.raster.values.size();
+                             set_texts(dataset, band.text, ++number);
+                             set_statistics(dataset, values, cells, number, zeros ? cells - values.size() : 0);
+                         }
+                     });
+        return;
+    }
     const GdalDataset dataset =
         in_memory(bands.front().raster.grid, GDT_Float32, k_file_nodata, static_cast<int>(bands.size()));
     int number = 0;
@@ -292,7 +330,7 @@ void write_class_geotiff(const std::string& path, const Raster& raster, const st
         set_classes(GDALGetRasterBand(dataset, 1), classes);
         set_texts(dataset, text);
     };
-    if (sparse) return write_sparse(path, raster, GDT_Byte, k_no_class, "1", describe);
+    if (sparse) return write_sparse(path, {&raster}, GDT_Byte, k_no_class, "1", describe);
     const GdalDataset dataset = in_memory(raster.grid, GDT_Byte, k_no_class);
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     const int columns = static_cast<int>(raster.grid.columns), rows = static_cast<int>(raster.grid.rows);

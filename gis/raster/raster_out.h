@@ -37,8 +37,9 @@ void write_geotiff(const std::string& path, const Raster& raster, const BandText
 struct RasterBand {
     const Raster& raster;
     BandText text;
+    bool zero_elsewhere = false;  ///< on a large map: a cell that is not stored is 0, not NaN
 };
-/// The same with several bands, all on one grid.
+/// The same with several bands, all on one grid and alike in zero_elsewhere.
 void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands);
 
 /// Writes an ESRI ASCII grid (.asc, and .prj if there is a CRS), six significant digits, nodata -9999: for programs

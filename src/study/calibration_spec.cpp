@@ -6,13 +6,13 @@ namespace frana::study {
 const char* source_of(Evidence evidence) {
     switch (evidence) {
         case Evidence::scar:
-            return "scar.perimeter in the scene";
+            return "observed.perimeter in the scene";
         case Evidence::runout:
-            return "scar.perimeter in the scene, or runout in [event NAME]";
+            return "observed.perimeter in the scene, or runout in [event NAME]";
         case Evidence::deposit:
-            return "scar.deposit in the scene";
+            return "observed.deposit in the scene";
         case Evidence::elevation_change:
-            return "scar.deposit in the scene, as a raster";
+            return "observed.deposit in the scene, as a raster";
         case Evidence::arrival:
             return "arrival GAUGE in [event NAME]";
         case Evidence::speed:

@@ -149,27 +149,36 @@ double ProbabilityEstimate::group_error(double probability, std::span<const floa
     return used > 1 ? std::sqrt(squares / (used - 1) / used) : 0.5;
 }
 
-double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,
-                         std::vector<std::size_t>& order) {
+namespace {
+
+template <class Value>
+double quantile_of(std::span<const Value> values, const std::vector<double>& weights, double q,
+                   std::vector<std::size_t>& order) {
     order.resize(values.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
     constexpr double k_rounding = 1e-12;  // of the sum of weights
     double sum = 0;
-    for (const std::size_t m : order)
-        if ((sum += weights[m]) >= q - k_rounding) return static_cast<double>(values[m]);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        sum += weights[order[i]];
+        // Weights of a multilevel study have either sign: only with all members of a value is its sum meant.
+        if (i + 1 < order.size() && values[order[i + 1]] == values[order[i]]) continue;
+        if (sum >= q - k_rounding) return static_cast<double>(values[order[i]]);
+    }
     return static_cast<double>(values[order.back()]);
 }
 
+}  // namespace
+
+double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,
+                         std::vector<std::size_t>& order) {
+    return quantile_of(values, weights, q, order);
+}
+
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-    double sum = 0;
-    for (const std::size_t i : order)
-        if ((sum += weights[i]) >= q - 1e-12) return values[i];
-    return values[order.back()];
+    std::vector<std::size_t> order;
+    return quantile_of(std::span<const double>(values), weights, q, order);
 }
 
 }  // namespace frana::study

@@ -300,7 +300,7 @@ void Reader::check() {
     });
     if (!names_scene)
         problems.add({"is missing", reading_.where("study.scene"), "", "scene files",
-                      "Name the scene of each event, with its [scar]"});
+                      "Name the scene of each event, with its [observed]"});
     if (calibration.objective.empty() && std::none_of(seen_.begin(), seen_.end(), [](const std::string& name) {
             return name.starts_with("objective.") && name != "objective.exponent";
         }))

@@ -265,13 +265,15 @@ void Reader::add_variation(const std::string& key, const IniEntry& entry) {
 void Reader::add_correlation(const std::string& keys, const IniEntry& entry) {
     const std::vector<std::string> words = words_of(keys);
     const auto rho = number_from_text(entry.value);
-    if (words.size() != 2 || words[0] == words[1]) {
-        refuse("is not a pair of varied keys", entry, "", "Write material.turbulence release.volume = 0.3");
-    } else if (!rho || !(*rho > -1 && *rho < 1)) {
-        refuse("is not a rank correlation", entry, "greater than -1, less than 1", "");
-    } else {
-        reading_.study.correlate.push_back({present_name(words[0]), present_name(words[1]), *rho});
-    }
+    if (words.size() != 2 || words[0] == words[1])
+        return refuse("is not a pair of varied keys", entry, "", "Write material.turbulence release.volume = 0.3");
+    if (!rho || !(*rho > -1 && *rho < 1))
+        return refuse("is not a rank correlation", entry, "greater than -1, less than 1", "");
+    const Correlation one{present_name(words[0]), present_name(words[1]), *rho};
+    auto& all = reading_.study.correlate;
+    if (std::any_of(all.begin(), all.end(), [&](const auto& other) { return one.is_of_the_keys_of(other); }))
+        return refuse("is given more than once, in either order", entry, "", "Keep one of the lines");
+    all.push_back(one);
 }
 
 const Variation* Reader::variation_of(const std::string& key) const {

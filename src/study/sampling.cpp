@@ -5,9 +5,12 @@
 #include <cmath>
 
 #include "core/shortest_text.h"
+#include "params/grammar/nearest_name.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/former_names.h"
 #include "params/keys/scene_parameters.h"
 #include "study/openturns/functions.h"
+#include "study/varied_key.h"
 
 namespace frana::study {
 namespace {
@@ -165,18 +168,50 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
     return table;
 }
 
+namespace {
+
+/// A column whose name has the section of a key was meant as one; other columns are notes.
+void refuse_mistyped(const std::string& name, const std::string& column, const std::string& where,
+                     const std::vector<Parameter>& parameters, Problems& problems) {
+    const auto dot = name.find('.');
+    const bool meant = dot != std::string::npos && name.find(' ') == std::string::npos &&
+                       std::any_of(parameters.begin(), parameters.end(),
+                                   [&](const Parameter& key) { return key.section == name.substr(0, dot); });
+    if (!meant) return;
+    const std::string nearest = nearest_name(name, names_of(parameters));
+    problems.add({"unknown key of the scene", where + ": " + column, "", "",
+                  nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"});
+}
+
+}  // namespace
+
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                              const std::string& where, Problems& problems) {
     SampleTable table;
     const std::vector<Parameter> parameters = scene_parameters();
     std::vector<std::size_t> of_key;
     std::optional<std::size_t> weights;
+    const std::size_t known = problems.list().size();
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (columns[i] == "weight") weights = i;
-        if (find_parameter(parameters, columns[i]) == nullptr) continue;
-        table.keys.push_back(columns[i]);
+        const std::string name = present_name(columns[i]);
+        const Parameter* const parameter = find_parameter(parameters, name);
+        if (parameter == nullptr) {
+            refuse_mistyped(name, columns[i], where, parameters, problems);
+            continue;
+        }
+        if (const auto refusal = refusal_to_vary(*parameter)) {
+            problems.add({refusal->what, where + ": " + columns[i], "", "", refusal->remedy});
+            continue;
+        }
+        if (std::find(table.keys.begin(), table.keys.end(), name) != table.keys.end()) {
+            problems.add({"is a column twice", where + ": " + columns[i], "", "", "Keep one of the two"});
+            continue;
+        }
+        table.keys.push_back(name);
         of_key.push_back(i);
     }
+    if (problems.list().size() > known) return table;
     if (of_key.empty() || rows.empty()) {
         problems.add({of_key.empty() ? "has no column with the name of a key" : "has no rows", where, "", "",
                       "Write a column for each key that varies, and a row for each member"});

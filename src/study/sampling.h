@@ -48,8 +48,8 @@ Places draw_places(const StudySpec& study);
 SampleTable samples_at(const StudySpec& study, const Places& independent, const std::string& label, Problems& problems);
 
 /// The same from a table with a row for each member: columns named as keys of the scene, and, if there is one,
-/// `weight`; others are ignored. Adds a problem for a table without rows or keys, and for weights that are not
-/// positive.
+/// `weight`; others are ignored. Adds a problem for a table without rows or keys, for a mistyped key (a name with a
+/// section of the scene), for a key that cannot vary, and for weights that are not positive.
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                              const std::string& where, Problems& problems);
 

@@ -41,8 +41,9 @@ void add_moments(std::span<const float> values, const std::vector<double>& weigh
         const double difference = static_cast<double>(values[m]) - mean;
         squares += weights[m] * difference * difference;
     }
-    maps.mean.values[cell] = mean;
-    maps.deviation.values[cell] = std::sqrt(std::max(0.0, squares));  // below 0 only by estimate, with levels
+    // Below 0 only by estimate, with levels.
+    maps.mean.values[cell] = std::max(0.0, mean);
+    maps.deviation.values[cell] = std::sqrt(std::max(0.0, squares));
     maps.hits.values[cell] = hits;
 }
 

@@ -37,6 +37,10 @@ struct Variation {
 struct Correlation {
     std::string first, second;
     double rho = 0;
+
+    [[nodiscard]] bool is_of_the_keys_of(const Correlation& other) const {
+        return (first == other.first && second == other.second) || (first == other.second && second == other.first);
+    }
 };
 
 enum class Sampling {

@@ -43,7 +43,7 @@ std::optional<ValueProblem> refusal_to_vary(const Parameter& key) {
     if (k_grid.count(name) > 0)
         return ValueProblem{"cannot vary: all members need the same cells, or their maps could not be combined",
                             "Set it in the scene"};
-    if (key.section == "output" || key.section == "scar" || key.section == "hazard" || key.section == "scene")
+    if (key.section == "output" || key.section == "observed" || key.section == "hazard" || key.section == "scene")
         return ValueProblem{"cannot vary: it does not change the flow, only what is written of it",
                             "Set it in the scene"};
     if (name == "numerics.accuracy" || name == "time.frame-interval")

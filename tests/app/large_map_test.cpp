@@ -49,6 +49,33 @@ TEST_F(LargeMap, TwoFlowsFarApartTakeLessThanAGigabyte) {
     }
 }
 
+// The maps of a study are those of its flows too, in several bands, and 0 where no member came.
+TEST_F(LargeMap, AStudyOfTwoFlowsFarApartTakesLessThanAGigabyte) {
+    const std::vector<Place> hills{{4000, 4000}, {12485, 12485}};
+    write_map("dtm.tif", 20'000, k_map_west, k_map_north, hills);
+    write_releases(hills);
+    write("scene.ini",
+          "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+          "friction-angle = 8\nturbulence = 500\n[time]\nend = 3\n" +
+              k_numbers_only);
+    write("study.ini", "[study]\nscene = scene.ini\nsamples = 4\n[vary]\nmaterial.friction-angle = uniform(5, 12)\n");
+    const Outcome outcome = frana({"ensemble", "study.ini", "--out", "range", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    if (!k_sanitized) {
+        EXPECT_LT(outcome.peak_memory_bytes, 1e9);
+    }
+    const Raster probability = gis::read_result_raster(path("range/probability_depth_0.5.tif"));
+    EXPECT_GT(probability.grid.columns, 8'000);
+    const auto at = [&](double column, double row) {
+        const double x = k_map_west + column - probability.grid.west, y = probability.grid.north - (k_map_north - row);
+        return probability.at(static_cast<std::int64_t>(y), static_cast<std::int64_t>(x));
+    };
+    for (const Place& hill : hills) EXPECT_EQ(at(hill.column, hill.row), 1);
+    EXPECT_EQ(at(8000, 8000), 0);
+    EXPECT_LT(std::filesystem::file_size(path("range/probability_depth_0.5.tif")), 1e6);
+    EXPECT_LT(std::filesystem::file_size(path("range/dtm.tif")), 1e6);
+}
+
 TEST_F(LargeMap, ShowsWhatWasReachedUnlessAskedForTheMap) {
     const std::vector<Place> hill{{9123, 7321}};
     write_map("large.tif", 20'000, k_map_west, k_map_north, hill);
@@ -99,7 +126,8 @@ TEST_F(SameBits, WithADifferenceOfElevations) {
     write_maps();
     write_round_top("before.tif", [](double cells) { return 60 - 0.4 * cells; });
     write_round_top("after.tif", [](double cells) { return 60 - 0.4 * cells - dome(cells); });
-    write_fluid_scene("perimeter = perimeter.geojson\nthickness = difference:before.tif,after.tif");
+    write_fluid_scene(
+        "perimeter = perimeter.geojson\nthickness = difference:before.tif,after.tif\ndtm-contains-release = on");
     expect_same_flow();
 }
 

@@ -53,6 +53,10 @@ TEST(WeightedQuantile, IsTheLeastValueWithEnoughWeightBelow) {
     EXPECT_EQ(weighted_quantile(values, weights, 0.2, order), 1);
     EXPECT_EQ(weighted_quantile(values, weights, 0.21, order), 2);
     EXPECT_EQ(weighted_quantile(values, weights, 1, order), 5);
+    // Signed weights of equal values count together: 0.6 - 0.6 at 1.
+    const std::vector<float> tied{1, 1, 2, 3};
+    EXPECT_EQ(weighted_quantile(tied, {0.6, -0.6, 0.4, 0.6}, 0.3, order), 2);
+    EXPECT_EQ(weighted_quantile(std::vector<double>{1, 1, 2, 3}, {0.6, -0.6, 0.4, 0.6}, 0.5), 3);
 }
 
 // The members of a group depend on each other: the error is that of the groups' means.

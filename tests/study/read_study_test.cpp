@@ -68,6 +68,10 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
               std::string::npos);
     EXPECT_NE(problems(std::string(k_head) + "sampling = grid\n" + two + correlated).find("needs independent keys"),
               std::string::npos);
+    EXPECT_NE(
+        problems(std::string(k_head) + two + correlated + "material.friction-coefficient material.turbulence = -0.3\n")
+            .find("is given more than once, in either order"),
+        std::string::npos);
     EXPECT_NE(problems(std::string(k_head) + "sampling = grid\nuntil = 0.02\n" + two).find("study.until"),
               std::string::npos);
     EXPECT_NE(problems(std::string(k_head) + "sampling = table:t.csv\n" + two).find("gives all values"),

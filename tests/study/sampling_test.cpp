@@ -173,6 +173,18 @@ TEST(Sampling, ATableGivesTheMembersItself) {
     EXPECT_EQ(problems.list().size(), 1U);
 }
 
+TEST(Sampling, ATableWithAMistypedKeyOrOneThatCannotVaryIsRefused) {
+    Problems problems;
+    (void)samples_of_table({"material.friction-angle", "material.turbulense", "terrain.cell-size", "output.maps",
+                            "gauge a.b: max_depth_m", "release.volume of bindo"},
+                           {{"8", "5", "5", "on", "1", "2"}}, "t.csv", problems);
+    ASSERT_EQ(problems.list().size(), 3U);
+    EXPECT_EQ(problems.list()[0].where, "t.csv: material.turbulense");
+    EXPECT_NE(problems.list()[0].remedy.find("material.turbulence"), std::string::npos);
+    EXPECT_EQ(problems.list()[1].where, "t.csv: terrain.cell-size");
+    EXPECT_EQ(problems.list()[2].where, "t.csv: output.maps");
+}
+
 TEST(Sampling, TheCentralMemberHasMediansAndLikeliestChoices) {
     EXPECT_EQ(central_values(study_of(Sampling::sobol, 10,
                                       {{"material.friction-coefficient", "uniform(0, 0.5)"},

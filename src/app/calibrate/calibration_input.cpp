@@ -95,7 +95,7 @@ void check_survey(const study::CalibrationSpec& calibration, std::size_t event, 
 
 /// Figures and outlines of a member use the survey's threshold, and records contain what is compared.
 void compare_by_survey(const study::CalibrationSpec& calibration, StudyInput& input) {
-    input.base.spec.output.trace_threshold = scar_threshold(input.base.spec);
+    input.base.spec.output.trace_threshold = observed_threshold(input.base.spec);
     const Survey& survey = input.base.extra.survey;
     const bool has_deposit = survey.elevation_change || !survey.deposit.empty();
     input.keeps_final_depth = has_deposit && (weighs(calibration, study::Evidence::deposit) ||

@@ -115,7 +115,7 @@ void check_gauges(const Prepared& base, const study::EventSpec& event, const std
 
 EventSurvey::EventSurvey(const Prepared& base, const study::EventSpec& event,
                          const std::vector<study::Weight>& objective, const CellWindow& window)
-    : event_(event), threshold_(scar_threshold(base.spec)), gauges_(base.scene.recording.gauges) {
+    : event_(event), threshold_(observed_threshold(base.spec)), gauges_(base.scene.recording.gauges) {
     for (const study::Weight& one : objective)
         if (has_evidence(base, event, row_of(one.measure).needs)) measures_.push_back(one);
     const Survey survey = surveyed(base).survey;

@@ -88,7 +88,7 @@ std::optional<AccuracyLevel> compute_level(const SceneReading& reading, const Pr
                                            const RunLevel& run) try {
     RunLog silent(true);
     SceneReading numbers_only = reading;
-    numbers_only.scene.scar = {};
+    numbers_only.scene.observed = {};
     Prepared level = prepare_level(numbers_only, finest, cell_size, silent);
     level.scene.time.frame_interval = 0;
     const RunResult result = run(level.scene);

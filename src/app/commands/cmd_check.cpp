@@ -16,6 +16,7 @@
 #include "app/commands/memory_limit.h"
 #include "app/commands/study_check.h"
 #include "app/commands/time_estimate.h"
+#include "app/input/check_ground.h"
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
 #include "app/input/thickness_volume.h"
@@ -122,6 +123,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
+    if (prepared.release.ground) line("release", ground_text(*prepared.release.ground));
+    if (trial && trial->path) line("path", ground_text(*trial->path) + ", of the trial");
     const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes per ";
     if (expected.particles == 0) {
         line("fields", node_bytes + "cell");
@@ -177,6 +180,7 @@ int cmd_check(const Arguments& arguments) {
     std::fflush(stdout);
     compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
     warn_of_thin_release(expected, prepared.scene, log);
+    if (trial && trial->path) warn_of_path_ground(*trial->path, log);
     return static_cast<int>(ExitCode::done);
 }
 

@@ -34,15 +34,16 @@ namespace fs = std::filesystem;
 
 CommandForm compare_form() {
     namespace options = boost::program_options;
-    CommandForm form{"frana compare RESULT_DIR|RASTER... --scar VECTOR... [--deposit FILE] [options]",
+    CommandForm form{"frana compare RESULT_DIR|RASTER... --observed VECTOR... [--deposit FILE] [options]",
                      "Compares simulated depths with a survey, in any CRS: areas, lines of a front, points of a "
                      "tip.\nPrints the scores and writes comparison.json, comparison_curve.csv, comparison.tif and "
-                     "comparison.png.\nSeveral results or scars give one folder each, and a ranking in ranking.csv.",
+                     "comparison.png.\nSeveral results or outlines give one folder each, and a ranking in ranking.csv.",
                      "RESULT_DIR|RASTER",
                      {},
                      true};
-    form.options.add_options()("scar", options::value<std::vector<std::string>>(),
+    form.options.add_options()("observed", options::value<std::vector<std::string>>(),
                                "surveyed areas, open lines (a front) or points (a tip); repeatable")(
+        "scar", options::value<std::vector<std::string>>(), "the same as --observed")(
         "deposit", options::value<std::string>(),
         "surveyed deposit: polygons, or a raster of elevation after minus before")(
         "threshold", options::value<std::string>(),
@@ -97,7 +98,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         if (result.has("final_depth.tif")) input.final_depth = result.raster("final_depth");
         simulated.source = result.map_source();
         usual_threshold =
-            result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", usual_threshold));
+            result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", usual_threshold));
         input.depth_label = result.path("max_depth.tif");
     } else {
         input.depth = foreign_depth(operand);
@@ -116,7 +117,7 @@ Survey read_survey(const std::optional<std::string>& scar, const std::optional<s
     Survey survey;
     if (grid.crs_wkt.empty())
         log.warn("the raster has no CRS: the survey's coordinates are used without transformation");
-    if (scar) add_surveyed(*scar, grid.crs_wkt, "--scar", log, survey);
+    if (scar) add_surveyed(*scar, grid.crs_wkt, "--observed", log, survey);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;
 }
@@ -254,10 +255,10 @@ void refuse_in_ranking(const std::vector<Pair>& pairs, const std::optional<std::
         if (pairs.size() > 1)
             throw Error(ErrorKind::input,
                         Problem{"is a map of probability, which cannot be ranked", "RESULT_DIR|RASTER", pair.operand,
-                                "", "Compare it alone, with one --scar"});
+                                "", "Compare it alone, with one --observed"});
         if (deposit)
             throw Error(ErrorKind::input, Problem{"cannot be compared with a map of probability", "--deposit", *deposit,
-                                                  "", "Name the surveyed outline: --scar VECTOR"});
+                                                  "", "Name the surveyed outline: --observed VECTOR"});
     }
 }
 
@@ -266,11 +267,12 @@ void refuse_in_ranking(const std::vector<Pair>& pairs, const std::optional<std::
 int cmd_compare(const Arguments& arguments) {
     const auto values = parse_arguments(compare_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const std::vector<std::string> scars = text_options(*values, "scar");
+    std::vector<std::string> scars = text_options(*values, "observed");
+    for (const std::string& file : text_options(*values, "scar")) scars.push_back(file);
     const auto deposit = text_option(*values, "deposit");
     if (scars.empty() && !deposit) {
-        throw Error(ErrorKind::input,
-                    Problem{"--scar is missing", "command line", "", "", "Name the surveyed outline: --scar VECTOR"});
+        throw Error(ErrorKind::input, Problem{"--observed is missing", "command line", "", "",
+                                              "Name the surveyed outline: --observed VECTOR"});
     }
     const auto threshold = threshold_option(*values);
     const auto size = size_option(*values);

@@ -37,7 +37,7 @@ CommandForm run_form() {
     namespace options = boost::program_options;
     CommandForm form{"frana run SCENE.ini [options]",
                      "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
-                     "summary,\nand the comparison with a scar if one is given.",
+                     "summary,\nand the comparison with an observed outline if one is given.",
                      "SCENE.ini",
                      {}};
     form.options.add_options()("out", options::value<std::string>(),

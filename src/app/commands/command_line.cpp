@@ -115,7 +115,7 @@ std::optional<double> threshold_option(const options::variables_map& values) {
     if (!text) return std::nullopt;
     const auto metres = number_from_text(*text);
     for (const Parameter& key : scene_parameters()) {  // the option replaces it
-        if (key.name() != "scar.threshold" || (metres && key.fits(*metres))) continue;
+        if (key.name() != "observed.threshold" || (metres && key.fits(*metres))) continue;
         throw Error(ErrorKind::input, Problem{"is not a depth", "--threshold", *text, key.limits + " " + key.unit, ""});
     }
     return metres;

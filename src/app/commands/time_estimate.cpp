@@ -26,13 +26,14 @@ struct Trial {
     double seconds_per_particle_step = 0;
     double reached = 0;  ///< simulated time [s]
     bool cut_short = false;
+    std::optional<GroundStatistics> path;
 };
 
 Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, int threads) {
     SceneReading coarse = reading;
     coarse.scene.terrain.cell_size = grid.cell_size * factor;
     coarse.scene.terrain.bounds = grid.bounds();
-    coarse.scene.scar = {};
+    coarse.scene.observed = {};
     RunLog silent(true);
     const Prepared prepared = prepare(coarse, silent);
     const Stopwatch watch;
@@ -48,6 +49,7 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     trial.particle_steps = steps * squared * factor * rest;
     trial.steps = static_cast<double>(result.steps) * factor * rest;
     trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
+    trial.path = ground_where(prepared.scene.terrain, result.max_depth, reading.scene.output.trace_threshold);
     trial.seconds_per_particle_step = result.engine_seconds / steps;
     return trial;
 }
@@ -75,6 +77,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     estimate.coarsening = use_fine ? factor : 2 * factor;
     estimate.trial_end = base.reached;
     estimate.cut_short = base.cut_short;
+    estimate.path = fine.path;
     // With few particles each is expensive (as in the trial), and so are the first steps (of the scene itself).
     const double start_cost =
         start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "analysis/ground_statistics.h"
 #include "app/input/prepare.h"
 #include "simulation/result.h"
 
@@ -14,9 +15,10 @@ struct TimeEstimate {
     double engine_seconds = 0;
     std::int64_t particles_peak = 0;
     double steps = 0;
-    int coarsening = 1;      ///< cells of the trial, in cells of the scene
-    double trial_end = 0;    ///< simulated time of the trial [s]
-    bool cut_short = false;  ///< the trial was stopped before its end, the rest is extrapolated
+    int coarsening = 1;                    ///< cells of the trial, in cells of the scene
+    double trial_end = 0;                  ///< simulated time of the trial [s]
+    bool cut_short = false;                ///< the trial was stopped before its end, the rest is extrapolated
+    std::optional<GroundStatistics> path;  ///< the ground that the trial's flow covered
 };
 
 /// Runs the scene on cells four and eight times as large (two and four for a small release), for at most a second and a

@@ -11,10 +11,10 @@ ComparisonInput surveyed(const Prepared& prepared) {
     input.survey = prepared.extra.survey;
     if (prepared.scar) {
         input.survey.scar = parts_of(prepared.scar->features);
-        input.survey.scar_label = prepared.spec.scar.perimeter.value();
+        input.survey.scar_label = prepared.spec.observed.perimeter.value();
     }
     if (input.survey.empty()) return input;
-    input.threshold = scar_threshold(prepared.spec);
+    input.threshold = observed_threshold(prepared.spec);
     input.depth_label = "max_depth.tif";
     input.metadata = provenance(prepared);
     return input;

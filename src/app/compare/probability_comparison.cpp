@@ -53,7 +53,7 @@ std::string map_of_study(const ResultReader& result, const std::optional<double>
     if (maps.empty())
         throw Error(ErrorKind::input, Problem{"has no map of the probability of a depth", "RESULT_DIR",
                                               result.directory(), "", "Set output.depth-thresholds in the scene"});
-    const double usual = result.scene_number("scar.threshold", maps.front().first);
+    const double usual = result.scene_number("observed.threshold", maps.front().first);
     const std::string* const name = find(usual);
     return name != nullptr ? *name : maps.front().second;
 }
@@ -139,7 +139,7 @@ ProbabilityMap read_probability_map(const std::string& operand, const std::optio
 
 ProbabilityScores compare_with_survey(const ProbabilityMap& map, const Survey& survey, RunLog& log) {
     if (survey.scar.empty())
-        throw Error(ErrorKind::input, Problem{"is no area, and probabilities are compared with areas", "--scar",
+        throw Error(ErrorKind::input, Problem{"is no area, and probabilities are compared with areas", "--observed",
                                               survey.front_label, "polygons or closed lines", ""});
     if (!survey.fronts.empty() || !survey.tips.empty())
         log.warn("fronts and tips are not compared with a map of probability");

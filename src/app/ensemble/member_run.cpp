@@ -12,7 +12,7 @@ Scene scene_of(const StudyInput& input, const MemberTask& task) {
     const gis::UseRemembered remember(*input.files);
     RunLog silent(true);
     SceneReading reading = input.scene_with(task.overrides);
-    reading.scene.scar = {};  // read once, for the maps
+    reading.scene.observed = {};  // read once, for the maps
     reading.scene.output.profiles.reset();
     Scene scene = prepare(reading, silent).scene;
     scene.time.frame_interval = 0;

@@ -37,7 +37,9 @@ class MapWriter {
     void write(const std::string& name, const Raster& raster) const { write(name, {band_of(name, raster)}); }
     void write_probability(const std::string& name, const Raster& probability, const Raster& error) const {
         gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
-        write(name, {band_of(name, probability), {error, text}});
+        gis::RasterBand band = band_of(name, probability);
+        band.zero_elsewhere = true;
+        write(name, {band, {error, text, true}});
     }
 
   private:

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <vector>
 
+#include "app/input/survey_input.h"
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
@@ -87,6 +89,41 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
     }
 }
 
+/// A DTM of before the failure contains the release, one of after does not: the other choice would lay the mass on top
+/// of itself, or dig it out of the ground that it has left.
+void check_difference(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
+                      const Raster& cover, RunLog& log, Problems& problems) {
+    constexpr double k_most_doubt = 0.25;
+    if (!release.before || release.areas.empty() || !release.areas.front().thickness_raster) return;
+    // How far the ground is from "after" towards "before", over the mass: 1 before, 0 after.
+    const Raster& thickness = *release.areas.front().thickness_raster;
+    double above = 0, all = 0;
+    cover.values.for_each_stored([&](std::size_t cell, double covered) {
+        const double t = thickness.values[cell];
+        if (covered == 0 || !(t > 0)) return;
+        const double after = release.before->values[cell] - t, z = ground.terrain.values[cell];
+        if (std::isnan(after) || std::isnan(z)) return;
+        above += (z - after) * t;
+        all += t * t;
+    });
+    if (!(all > 0)) return;
+    const double fraction = above / all;
+    const bool contains = reading.scene.release.dtm_contains_release;
+    const std::string where = reading.where("release.dtm-contains-release");
+    if (!contains && std::abs(fraction - 1) < k_most_doubt) {
+        problems.add(
+            {"would lay the release on top of the slope that contains it: the DTM is that of before the failure", where,
+             "off", "on", "Set it to on, or take the DTM of after the failure as terrain.dtm"});
+    } else if (contains && std::abs(fraction) < k_most_doubt) {
+        problems.add({"would dig the release out of ground that it has left: the DTM is that of after the failure",
+                      where, "on", "off", "Set it to off, or take the DTM of before the failure as terrain.dtm"});
+    } else if (std::abs(fraction - (contains ? 1 : 0)) > k_most_doubt) {
+        log.warn("the DTM lies at " + number_text(100 * fraction, 3) +
+                 " % of the way from the elevations after the failure to those before it (release.thickness): neither "
+                 "of the two. Check that all three are of the same place and height system");
+    }
+}
+
 /// Areas whose thickness rasters must be checked: a raster file is common to all, a fitted surface belongs to one area.
 std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, const ReleaseInput& release) {
     std::vector<const ReleaseArea*> areas;
@@ -151,6 +188,28 @@ MultiPolygon all_outlines(const ReleaseInput& release) {
     return all;
 }
 
+void question_outline(const ReleaseInput& release, const gis::PolygonLayer& outline, const GridSpec& grid,
+                      const std::string& where, RunLog& log) {
+    constexpr double k_nearly = 0.8;  // of all cells of either; two surveyors differ by as much
+    const auto cells_of = [&](const MultiPolygon& polygons) {
+        std::vector<std::int64_t> cells;
+        gis::visit_cells(polygons, grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) { cells.push_back(row * grid.columns + column); });
+        std::sort(cells.begin(), cells.end());
+        return cells;
+    };
+    const std::vector<std::int64_t> released = cells_of(all_outlines(release)),
+                                    observed = cells_of(parts_of(outline.features));
+    std::vector<std::int64_t> both;
+    std::set_intersection(released.begin(), released.end(), observed.begin(), observed.end(), std::back_inserter(both));
+    const auto all = static_cast<double>(released.size() + observed.size() - both.size());
+    const double alike = all > 0 ? static_cast<double>(both.size()) / all : 0;
+    if (alike > k_nearly)
+        log.warn(where + " is nearly the release (" + number_text(100 * alike, 3) +
+                 " % of the cells of either are in both): it must be the outline of all the ground that the event "
+                 "covered, not that of its source alone");
+}
+
 void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
                    Problems& problems) {
     const MultiPolygon outlines = all_outlines(release);
@@ -166,6 +225,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     for (const ReleaseArea* area : different_rasters(reading, release))
         check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
     check_greatest(reading, release, outlines, cover, problems);
+    check_difference(reading, ground, release, cover, log, problems);
     check_overlap(release, ground.terrain.grid, log);
 }
 

@@ -145,7 +145,7 @@ std::optional<Bounds> ground_of(const SceneReading& reading, const std::string& 
                                 const std::string& crs) {
     const std::string where = reading.where(key);
     if (const auto raster = if_readable([&] { return gis::inspect_raster(file, where); })) return box_of(*raster, crs);
-    const LayerSpec choice = key == "scar.perimeter" ? reading.scene.scar.perimeter_layer : LayerSpec{};
+    const LayerSpec choice = key == "observed.perimeter" ? reading.scene.observed.perimeter_layer : LayerSpec{};
     std::optional<Bounds> box =
         if_readable([&] { return gis::read_polygons(file, crs, where, layer_choice(reading, choice, key)).bounds; });
     const auto add = [&](const Bounds& part) { box = box ? united(*box, part) : part; };

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/input/check_ground.h"
 #include "app/input/check_release.h"
 #include "app/input/layer_choice.h"
 #include "app/input/memory_bound.h"
@@ -52,20 +53,20 @@ Numerics numerics_of(const SceneSpec& spec) {
 
 std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
-    if (!reading.scene.scar.perimeter) return std::nullopt;
-    const std::string where = reading.where("scar.perimeter");
+    if (!reading.scene.observed.perimeter) return std::nullopt;
+    const std::string where = reading.where("observed.perimeter");
     try {
         const bool local = reading.scene.terrain.crs == "local";
         const std::string crs = ground != nullptr ? ground->terrain.grid.crs_wkt
                                 : local           ? std::string()
                                                   : gis::crs_from_user("EPSG:4326", "");
         gis::PolygonLayer layer =
-            gis::read_polygons(*reading.scene.scar.perimeter, crs, where,
-                               layer_choice(reading, reading.scene.scar.perimeter_layer, "scar.perimeter"));
-        files.push_back(used_polygons("Scar", *reading.scene.scar.perimeter, layer));
-        for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
+            gis::read_polygons(*reading.scene.observed.perimeter, crs, where,
+                               layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
+        files.push_back(used_polygons("Observed outline", *reading.scene.observed.perimeter, layer));
+        for (const std::string& warning : layer.warnings) log.warn("observed outline: " + warning);
         if (ground != nullptr) {
-            report_transform("scar", layer.transform, ground->terrain.grid.cell_size, log);
+            report_transform("observed outline", layer.transform, ground->terrain.grid.cell_size, log);
             const Bounds map = ground->terrain.grid.bounds(), box = layer.bounds;
             if (box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north) {
                 problems.add({"lies outside the DTM", where, extent_text(box),
@@ -96,7 +97,7 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["numerics.flight"] = flight(spec.numerics) ? "on" : "off";
     chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
     chosen["time.frame-interval"] = shortest_text(frame_interval(spec));
-    chosen["scar.threshold"] = shortest_text(scar_threshold(spec));
+    chosen["observed.threshold"] = shortest_text(observed_threshold(spec));
     return chosen;
 }
 
@@ -136,6 +137,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     std::optional<StructuredMaterial> structured =
         prepare_structured(reading, known_ground, release, walls, files, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, files, log, problems);
+    if (scar && ground)
+        question_outline(release, *scar, ground->terrain.grid, reading.where("observed.perimeter"), log);
     ExtraInput extra;
     if (ground) extra = prepare_extra(reading, ground->terrain.grid, files, log, problems);
     problems.throw_if_any();
@@ -169,6 +172,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     refuse_too_much(reading, prepared.scene, release.area_m2);
     refuse_what_cannot_start(prepared.scene);
     check_ground_read(reading, *ground, prepared.scene.terrain, log);
+    release.ground = ground_of_release(prepared.scene);
+    if (release.ground) warn_of_release_ground(*release.ground, log);
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {
         prepared.convergence_deg = gis::meridian_convergence_deg(

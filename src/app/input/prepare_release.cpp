@@ -122,6 +122,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     }
     if (rasters.size() != names.size()) return std::nullopt;
     if (ground->on_demand && spec.kind == Kind::phases) return sum_of_phases(rasters[0], rasters[1], release);
+    if (ground->on_demand && spec.kind == Kind::difference)
+        release.before = raster_values_on_demand(ground->terrain.grid, unread[0], [](double z) { return z; });
     if (ground->on_demand) return thickness_on_demand(spec.kind, ground->terrain.grid, unread, ground->on_demand);
     if (spec.kind == Kind::raster) return std::move(rasters.front());
     if (spec.kind == Kind::phases) {
@@ -143,6 +145,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
         const double lowered = above.values[i] - below.values[i];
         thickness.values[i] = std::isnan(lowered) ? k_no_data : std::max(lowered, 0.0);
     }
+    if (spec.kind == Kind::difference) release.before = std::move(rasters[0]);
     return thickness;
 }
 
@@ -196,6 +199,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
     for (const ReleaseArea& area : release.areas) release.area_m2 += frana::area(area.outline);
     if (ground != nullptr) {
         check_release(reading, *ground, release, log, problems);
+        release.before.reset();
         // What was read on demand is that under the outlines, which were looked at just now.
         if (ground->on_demand && spec.by_raster() && !release.areas.empty())
             files.back().checksum.add(*release.areas.front().thickness_raster);

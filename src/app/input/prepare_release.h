@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/ground_statistics.h"
 #include "app/input/prepare_terrain.h"
 #include "app/input/used_file.h"
 #include "gis/vector/vector_in.h"
@@ -20,6 +21,8 @@ struct ReleaseInput {
     std::optional<double> file_volume_m3;        ///< of the thickness raster, see match_file_volume
     std::optional<Raster> solid_fraction;        ///< if the thickness is that of two phases
     double area_m2 = 0;                          ///< of the outlines, in map view
+    std::optional<GroundStatistics> ground;      ///< the DTM under the outlines
+    std::optional<Raster> before;                ///< of a thickness that is a difference, until it is checked
 };
 
 /// Reads perimeter and thickness onto the working grid and checks them against the terrain. Adds every problem to

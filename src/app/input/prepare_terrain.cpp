@@ -25,6 +25,8 @@ namespace {
 constexpr auto k_large = static_cast<double>(CellValues::k_most_dense);
 // With terrain read on demand a cell costs addresses (of nodes and their maxima) and tables of tiles.
 // A map of 20 000 x 20 000 cells is the largest that tests run.
+// Reading so many cells of a file takes some five seconds; larger working cells would need all of them.
+constexpr double k_most_cells_read = 1e8;
 constexpr double k_most_cells_on_demand = 4e8, k_table_bytes_per_cell = 0.3;
 double addresses_per_cell(const SceneSpec& scene) {
     return scene.material.model == "structured" ? 400 : 320;
@@ -69,6 +71,12 @@ gis::Resampling resampling_of(const std::string& name) {
 bool can_read_on_demand(const SceneSpec& scene) {
     const auto& lying = scene.structured.initial_fluid_depth;
     return !(lying && lying->kind == SourceSpec::Kind::number && lying->number > 0);
+}
+
+/// Cells of the file under a grid.
+double cells_to_read(const gis::RasterInfo& file, const GridSpec& grid) {
+    const double own = gis::working_grid(file, grid.crs_wkt, grid.bounds(), std::nullopt).cell_size;
+    return static_cast<double>(grid.cell_count()) * std::pow(grid.cell_size / own, 2);
 }
 
 void check_size(const SceneReading& reading, const GridSpec& grid, bool on_demand) {
@@ -194,7 +202,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
                      "; terrain.bounds overrides this");
     }
     const GridSpec grid = gis::working_grid(input.file, crs, bounds, spec.cell_size);
-    on_demand = on_demand && static_cast<double>(grid.cell_count()) > k_large;
+    on_demand = on_demand && (static_cast<double>(grid.cell_count()) > k_large ||
+                              cells_to_read(input.file, grid) > k_most_cells_read);
     check_size(reading, grid, on_demand);
     if (on_demand) {
         read_on_demand(reading, grid, input, log);

@@ -109,7 +109,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
     const auto areas = marks.polygons + std::count_if(marks.lines.begin(), marks.lines.end(), closed);
     if (areas > 0) {
         const gis::PolygonLayer layer = gis::read_polygons(file, crs_wkt, where);
-        for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
+        for (const std::string& warning : layer.warnings) log.warn("observed outline: " + warning);
         const MultiPolygon parts = parts_of(layer.features);
         survey.scar.insert(survey.scar.end(), parts.begin(), parts.end());
         survey.scar_label = file;
@@ -152,7 +152,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
         if (marks) files.push_back(used_marks(what, *file, *marks));
     };
     const std::string gauges_key = "output.gauges", sections_key = "output.cross-sections",
-                      profiles_key = "output.profiles", front_key = "scar.front", deposit_key = "scar.deposit";
+                      profiles_key = "output.profiles", front_key = "observed.front", deposit_key = "observed.deposit";
 
     const auto gauges = marks_of(output.gauges, gauges_key, reading, grid, problems);
     keep("Gauges", output.gauges, gauges);
@@ -190,18 +190,18 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
                              gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background"))));
         });
     }
-    if (const auto& front = reading.scene.scar.front) {
+    if (const auto& front = reading.scene.observed.front) {
         attempt([&] {
             const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
             files.push_back(used_marks("Surveyed front", *front, marks));
             add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
             if (!extra.survey.scar.empty()) {
                 problems.add({"is an area", reading.where(front_key), *front, "open lines or points",
-                              "Give areas as scar.perimeter"});
+                              "Give areas as observed.perimeter"});
             }
         });
     }
-    if (const auto& deposit = reading.scene.scar.deposit)
+    if (const auto& deposit = reading.scene.observed.deposit)
         attempt([&] { files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey)); });
     return extra;
 }

@@ -7,50 +7,92 @@
 #include "app/input/thickness_on_demand.h"
 #include "app/text/number_text.h"
 #include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
 #include "gis/raster/raster_in.h"
 #include "particles/seeding.h"
 
 namespace frana::app {
 namespace {
 
+// For the area of one CRS in another: long enough for the digits of the operation, short beside its curvature [m].
+constexpr double k_side = 100;
+
 constexpr double k_worth_a_warning = 0.01;  // of the volume; smaller than the accuracy of any thickness
 
-// Exact for a thickness that is constant over each of the raster's cells.
-double volume_inside(const Raster& thickness, const MultiPolygon& outline) {
-    const GridSpec& grid = thickness.grid;
-    MultiPolygon local = outline;
-    const auto move = [&](Ring& ring) {
-        for (Point& p : ring) p = grid.local_from_map(p);
-    };
-    for (Polygon& polygon : local) {
-        move(polygon.outer);
-        for (Ring& hole : polygon.holes) move(hole);
+/// A raster's own cells as seen from the working CRS. Between different CRSs lengths are in cells of the raster, which
+/// may have sides in degrees.
+class OwnCells {
+  public:
+    OwnCells(const GridSpec& grid, const GridSpec& working, const MultiPolygon& outline)
+        : grid_(grid),
+          to_own_(working.crs_wkt, working.crs_wkt.empty() ? "" : grid.crs_wkt, bounds(outline)),
+          unit_(to_own_.is_identity() ? 1 : grid.cell_size) {
+        if (to_own_.is_identity()) return;
+        const Bounds box = bounds(outline);
+        const Point middle{(box.west + box.east) / 2, (box.south + box.north) / 2};
+        const Point west = place(to_own_({middle.x - k_side, middle.y})),
+                    east = place(to_own_({middle.x + k_side, middle.y})),
+                    south = place(to_own_({middle.x, middle.y - k_side})),
+                    north = place(to_own_({middle.x, middle.y + k_side}));
+        area_ = 4 * k_side * k_side /
+                std::abs((east.x - west.x) * (north.y - south.y) - (east.y - west.y) * (north.x - south.x));
     }
+    [[nodiscard]] MultiPolygon places(const MultiPolygon& outline) const {
+        MultiPolygon moved = outline;
+        const auto move = [&](Ring& ring) {
+            for (Point& p : ring) p = place(to_own_(p));
+        };
+        for (Polygon& polygon : moved) {
+            move(polygon.outer);
+            for (Ring& hole : polygon.holes) move(hole);
+        }
+        return moved;
+    }
+    [[nodiscard]] double side() const { return grid_.cell_size / unit_; }
+    /// Area in the working CRS of an area of one here [m2].
+    [[nodiscard]] double area() const { return area_; }
+
+  private:
+    [[nodiscard]] Point place(Point map) const {
+        const Point local = grid_.local_from_map(map);
+        return {local.x / unit_, local.y / unit_};
+    }
+
+    const GridSpec& grid_;
+    gis::CrsTransform to_own_;
+    double unit_, area_ = 1;
+};
+
+// Exact for a thickness that is constant over each of the raster's cells.
+double volume_inside(const Raster& thickness, const GridSpec& working, const MultiPolygon& outline) {
+    const GridSpec& grid = thickness.grid;
+    const OwnCells cells(grid, working, outline);
     ParticleSet pieces;
-    return fill_outline(
-        local, grid.cell_size,
+    const double volume = fill_outline(
+        cells.places(outline), cells.side(),
         [&](Point p) {
-            const auto column = static_cast<std::int64_t>(std::floor(p.x / grid.cell_size));
-            const auto row = grid.rows - 1 - static_cast<std::int64_t>(std::floor(p.y / grid.cell_size));
+            const auto column = static_cast<std::int64_t>(std::floor(p.x / cells.side()));
+            const auto row = grid.rows - 1 - static_cast<std::int64_t>(std::floor(p.y / cells.side()));
             const bool inside = column >= 0 && column < grid.columns && row >= 0 && row < grid.rows;
             return inside ? thickness.at(row, column) : k_no_data;
         },
         pieces);
+    return volume * cells.area();
 }
 
-/// Returns the raster's own cells; none if they are not square, rotated, or in another CRS.
+/// Returns the raster's own cells, in its own CRS; none if they are not square or rotated.
 std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& working) {
     const bool square = !file.rotated && std::abs(file.cell_x - file.cell_y) <= 1e-9 * file.cell_x;
+    if (!square) return std::nullopt;
     const bool same_crs = file.crs_wkt.empty() || working.crs_wkt.empty() ||
                           gis::crs_name(gis::horizontal_crs(file.crs_wkt)) == gis::crs_name(working.crs_wkt);
-    if (!square || !same_crs) return std::nullopt;
     GridSpec grid;
     grid.west = file.bounds.west;
     grid.north = file.bounds.north;
     grid.cell_size = file.cell_x;
     grid.columns = file.columns;
     grid.rows = file.rows;
-    grid.crs_wkt = working.crs_wkt;
+    grid.crs_wkt = same_crs ? working.crs_wkt : gis::horizontal_crs(file.crs_wkt);
     return grid;
 }
 
@@ -75,7 +117,7 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, Used
     const Raster own = read_own(file.path, *grid);
     double sum = 0;
     for (ReleaseArea& area : release.areas) {
-        const double volume = volume_inside(own, area.outline);
+        const double volume = volume_inside(own, working_grid, area.outline);
         if (volume > 0) area.volume = volume;
         sum += volume;
     }

@@ -7,7 +7,8 @@ namespace frana::app {
 
 /// Makes the volume of each area that of the thickness raster inside it, over the covered parts of the raster's own
 /// cells, and stores the sum in release.file_volume_m3. Does nothing if the thickness is not one vertical raster of
-/// square cells in the working CRS. `used` is that raster: its own cells are added to its checksum.
+/// square cells; their CRS may be another than the working one. `used` is that raster: its own cells are added to its
+/// checksum.
 void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used);
 
 /// The released volume must equal that of the file; logs both, as a warning if they differ by a percent. `in_file`:

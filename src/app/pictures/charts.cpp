@@ -172,7 +172,7 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
     areas.series = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, Stroke::solid)};
     for (render::ChartPanel* panel : {&scores, &areas}) {
         panel->x = render::Scale::logarithmic;
-        panel->mark_x = result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", 0.1));
+        panel->mark_x = result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
     scores.fraction = 1.6;
     render::Chart chart = page(source, "scores over the depth threshold", k_comparison_curve);

@@ -26,6 +26,7 @@
 #include "gis/vector/vector_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/former_names.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_spec.h"
 
@@ -132,7 +133,7 @@ Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) co
 std::optional<std::string> ResultReader::scene_value(const std::string& key) const {
     if (!has(k_scene_file)) return std::nullopt;
     for (const IniEntry& entry : read_ini(path(k_scene_file)))
-        if (entry.name == key) return entry.value;
+        if (present_name(entry.name) == key) return entry.value;
     return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include "analysis/trace.h"
 #include "app/compare/comparison.h"
 #include "app/compare/comparison_input.h"
+#include "app/input/check_ground.h"
 #include "app/input/thickness_volume.h"
 #include "app/input/thin_release.h"
 #include "app/publish/publish_exchange.h"
@@ -208,13 +209,16 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.statistics = {threshold, masked_area(trace), runouts(flows, result.bed, result.release, trace)};
     note_flows(facts.statistics.run_outs, log);
     facts.high = peak_statistics(result, trace);
+    facts.release_ground = prepared.release.ground;
+    facts.path_ground = ground_where(prepared.scene.terrain, trace, 0);
+    if (facts.path_ground) warn_of_path_ground(*facts.path_ground, log);
 
     publish_rasters(prepared, result, directory);
     publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
     publish_series(prepared, result, directory);
     publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.hazard = publish_hazard(prepared, result, directory);
-    publish_avaframe(prepared, result, directory);
+    publish_avaframe(prepared, result, directory, log);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
     publish_frame_stacks(prepared, directory);
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);

@@ -9,6 +9,7 @@
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/text/file_stems.h"
+#include "app/text/number_text.h"
 #include "gis/raster/frames_out.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
@@ -75,13 +76,18 @@ std::string avaframe_name(const std::string& scene, const std::string& hash) {
     return release + "_" + digits + "_C_null_dfa";
 }
 
-void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory,
+                      RunLog& log) {
     if (prepared.spec.output.names != "avaframe") return;
     directory.make_folder(k_peak_folder);
     const auto origin = provenance(prepared);
     const std::string name =
         std::string(k_peak_folder) + "/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
     const Raster thickness = normal_thickness(result.max_depth, result.bed);
+    const bool large = result.max_depth.values.is_tiled(), text_files = has_format(prepared.spec, "ascii");
+    if (text_files && large)
+        log.warn("the AvaFrame rasters are written as GeoTIFF: an ASCII grid would hold all " +
+                 grouped(result.max_depth.grid.cell_count()) + " cells of the map, reached or not");
     const Raster* const values_of[] = {&result.max_pressure, &thickness, &result.max_velocity};
     static_assert(std::size(values_of) == std::size(k_peak_files));
     for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
@@ -89,7 +95,7 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
         const Raster& values = *values_of[i];
         const Raster raster = filled(values, prepared.scene.terrain);
         const std::string stem = directory.path(name + "_" + kind);
-        if (has_format(prepared.spec, "ascii"))
+        if (text_files && !large)
             gis::write_ascii_grid(stem + ".asc", raster);
         else
             gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});

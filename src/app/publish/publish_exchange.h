@@ -18,8 +18,9 @@ Raster normal_thickness(const Raster& depth, const Raster& bed);
 std::string avaframe_name(const std::string& scene, const std::string& hash);
 
 /// Writes peakFiles/ with AvaFrame's names, if output.names requests them: ppr [kPa], pft [m, normal to the slope] and
-/// pfv [m/s], zero where there was no flow, nodata without terrain. Throws Error(environment).
-void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
+/// pfv [m/s], zero where there was no flow, nodata without terrain; of a large map as GeoTIFF whatever the format.
+/// Throws Error(environment).
+void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory, RunLog& log);
 
 /// Writes frames.nc and frames.zarr, if output.formats requests them, from the frames already written. Throws
 /// Error(environment).

@@ -147,6 +147,18 @@ std::string results_table(const ReportInput& input) {
            " m, with the maximum over time in each cell.</p>\n" + flows_table(f.statistics.run_outs);
 }
 
+std::string ground_table(const SummaryFacts& facts) {
+    Table table({"", "lowest [m]", "highest [m]", "mean slope [°]", "steepest slope [°]"});
+    const auto row = [&](const char* where, const std::optional<GroundStatistics>& ground) {
+        if (!ground) return;
+        table.row({where, number_text(ground->lowest, 5), number_text(ground->highest, 5),
+                   number_text(ground->mean_slope_deg, 3), number_text(ground->steepest_slope_deg, 3)});
+    };
+    row("Release", facts.release_ground);
+    row("Path", facts.path_ground);
+    return table.html();
+}
+
 std::string budget_table(const RunResult& r) {
     Table table;
     table.number("Released, at the start and later", grouped(r.volume_entered - r.volume_inflow), "m³");

@@ -10,6 +10,8 @@ namespace frana::app {
 // The parts of report.html as HTML tables and charts.
 
 std::string results_table(const ReportInput& input);
+/// Elevations and slopes under the release and along the path.
+std::string ground_table(const SummaryFacts& facts);
 /// The levels of numerics.accuracy with their cost, the estimate of each value, what is claimed.
 std::string accuracy_tables(const AccuracyRecord& record);
 std::string budget_table(const RunResult& result);

@@ -109,7 +109,17 @@ Json runout_json(const Runout& one) {
     return {{"horizontal_m", one.horizontal_m}, {"drop_m", one.drop_m}, {"reach_angle_deg", one.reach_angle_deg}};
 }
 
+void add_ground(Json& json, const char* where, const std::optional<GroundStatistics>& ground) {
+    if (!ground) return;
+    json["ground"][where] = {{"lowest_m", ground->lowest},
+                             {"highest_m", ground->highest},
+                             {"mean_slope_deg", ground->mean_slope_deg},
+                             {"steepest_slope_deg", ground->steepest_slope_deg}};
+}
+
 void add_trace(Json& json, const SummaryFacts& facts) {
+    add_ground(json, "release", facts.release_ground);
+    add_ground(json, "path", facts.path_ground);
     add_peak_statistics(json, facts.high);
     json["covered_area_m2"] = facts.statistics.covered_area_m2;
     json["trace_threshold_m"] = facts.statistics.threshold;

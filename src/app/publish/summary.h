@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/ground_statistics.h"
 #include "app/publish/peak_statistics.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/accuracy_record.h"
@@ -28,8 +29,9 @@ struct SummaryFacts {
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;
     MainStatistics statistics;
-    PeakStatistics high;             ///< over that trace
-    std::vector<HazardArea> hazard;  ///< empty: no scheme
+    PeakStatistics high;                                          ///< over that trace
+    std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
+    std::vector<HazardArea> hazard;                               ///< empty: no scheme
     std::vector<std::string> warnings;
     std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data

@@ -35,7 +35,7 @@ std::string values_only(const std::string& text) {
 std::string numbers_fingerprint(const SceneSpec& scene) {
     SceneSpec numbers = scene;
     numbers.output = OutputSpec{};
-    numbers.scar = ScarSpec{};
+    numbers.observed = ObservedSpec{};
     numbers.time.frame_interval = TimeSpec{}.frame_interval;
     char text[32];
     std::snprintf(text, sizeof text, "%016llx",

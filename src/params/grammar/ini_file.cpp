@@ -16,6 +16,29 @@ namespace {
 
 constexpr std::uintmax_t k_most_bytes = 10'000'000;
 
+// The library cuts a line at any '#'. No UTF-8 text contains these bytes.
+const std::string k_number_sign = "\xFF\xFE\xFF";
+
+/// A '#' within a word belongs to it, as in the name of a folder; at the start of a line or after a space it starts a
+/// comment.
+std::string with_signs_in_words_kept(const std::string& text) {
+    std::string kept;
+    bool comment = false, space = true;
+    for (const char c : text) {
+        const bool sign = c == '#', end = c == '\n';
+        comment = !end && (comment || (sign && space));
+        space = end || c == ' ' || c == '\t' || c == '\r';
+        kept += sign && !comment ? k_number_sign : std::string(1, c);
+    }
+    return kept;
+}
+
+std::string with_signs_back(std::string value) {
+    for (auto at = value.find(k_number_sign); at != std::string::npos; at = value.find(k_number_sign, at))
+        value.replace(at, k_number_sign.size(), "#");
+    return value;
+}
+
 }  // namespace
 
 std::vector<IniEntry> read_ini(const std::string& path) {
@@ -42,14 +65,15 @@ std::vector<IniEntry> read_ini(const std::string& path) {
 
     std::vector<IniEntry> entries;
     try {
-        std::istringstream stream(text);
+        std::istringstream stream(with_signs_in_words_kept(text));
         // No option is registered: the caller matches the keys and can suggest the nearest one.
         const auto parsed = options::parse_config_file(stream, options::options_description{}, true);
         for (const auto& option : parsed.options)
-            entries.push_back({option.string_key, option.value.empty() ? "" : trimmed(option.value.front())});
+            entries.push_back({with_signs_back(option.string_key),
+                               option.value.empty() ? "" : with_signs_back(trimmed(option.value.front()))});
     } catch (const options::error& error) {
-        throw Error(ErrorKind::input,
-                    Problem{error.what(), path, "", "[section], key = value or # comment", "Correct the line"});
+        throw Error(ErrorKind::input, Problem{with_signs_back(error.what()), path, "",
+                                              "[section], key = value or # comment", "Correct the line"});
     }
     return entries;
 }

@@ -17,14 +17,26 @@ const std::vector<FormerName>& former_names() {
         {"entrainment.potential-depth", "entrainment.erosion-depth-per-stress"},
         {"time.stop-energy-share", "time.stop-energy-fraction"},
         {"time.stop-moving-share", "time.stop-moving-fraction"},
+        {"scar.perimeter", "observed.perimeter", true},
+        {"scar.perimeter-layer", "observed.perimeter-layer", true},
+        {"scar.perimeter-filter", "observed.perimeter-filter", true},
+        {"scar.perimeter-crs", "observed.perimeter-crs", true},
+        {"scar.front", "observed.front", true},
+        {"scar.deposit", "observed.deposit", true},
+        {"scar.threshold", "observed.threshold", true},
     };
     return names;
 }
 
-std::string present_name(const std::string& name) {
+const FormerName* former_name(const std::string& name) {
     for (const FormerName& key : former_names())
-        if (name == key.former) return key.now;
-    return name;
+        if (name == key.former) return &key;
+    return nullptr;
+}
+
+std::string present_name(const std::string& name) {
+    const FormerName* const former = former_name(name);
+    return former != nullptr ? former->now : name;
 }
 
 }  // namespace frana

@@ -46,7 +46,7 @@ void add_input_parameters(std::vector<Parameter>& list) {
                      "release.thickness-crs", [](auto& scene) -> auto& { return scene.release.thickness_crs; }, "text",
                      "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
     add_layer_choice(
-        list, "scar.perimeter", [](auto& scene) -> auto& { return scene.scar.perimeter_layer; });
+        list, "observed.perimeter", [](auto& scene) -> auto& { return scene.observed.perimeter_layer; });
 }
 
 }  // namespace frana

@@ -130,10 +130,10 @@ void add_hazard(std::vector<Parameter>& list) {
 
 void add_survey(std::vector<Parameter>& list) {
     list.push_back(
-        on_map(text("scar.front", FRANA_MEMBER(scar.front), "file",
+        on_map(text("observed.front", FRANA_MEMBER(observed.front), "file",
                     "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.", "no comparison")));
     list.push_back(
-        on_map(text("scar.deposit", FRANA_MEMBER(scar.deposit), "file",
+        on_map(text("observed.deposit", FRANA_MEMBER(observed.deposit), "file",
                     "Surveyed deposit: polygons, or a raster of elevation after minus before.", "no comparison")));
 }
 

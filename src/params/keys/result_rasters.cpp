@@ -182,7 +182,7 @@ std::vector<ResultRaster> make_table() {
 
     table.by("compare", "with a surveyed outline");
     table.add("comparison", Kind::classes, "Comparison with the survey",
-              "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss", "", "depth", k_even);
+              "Simulated trace against the observed outline: 1 hit, 2 false alarm, 3 miss", "", "depth", k_even);
 
     table.by("run", "with `output.frames = on`");
     table.add("depth", Kind::frame, "Flow depth", "Flow depth at one instant, vertical", "m", "depth", k_progressive)

@@ -155,10 +155,10 @@ void add_rest(std::vector<Parameter>& list) {
     add_hazard(list);
 
     list.push_back(
-        declare::on_map(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
+        declare::on_map(text("observed.perimeter", FRANA_MEMBER(observed.perimeter), "file",
                              "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison")));
     add_survey(list);
-    list.push_back(number("scar.threshold", FRANA_MEMBER(scar.threshold), "m", Range{1e-6, 100},
+    list.push_back(number("observed.threshold", FRANA_MEMBER(observed.threshold), "m", Range{1e-6, 100},
                           "Depth above which ground counts as covered in the comparison.", "output.trace-threshold"));
 }
 
@@ -222,7 +222,7 @@ std::vector<Section> scene_sections() {
             {"time", "Simulated time, stopping and frames."},
             {"output", "Output files and pictures."},
             {"hazard", "Intensity classes."},
-            {"scar", "The surveyed outline to compare with."}};
+            {"observed", "The surveyed outline to compare with; [scar] is the same section."}};
 }
 
 }  // namespace frana

@@ -76,8 +76,8 @@ std::string output_directory(const SceneSpec& scene) {
     return (std::filesystem::path(scene.file).parent_path() / "results" / scene_name(scene)).string();
 }
 
-double scar_threshold(const SceneSpec& scene) {
-    return scene.scar.threshold.value_or(scene.output.trace_threshold);
+double observed_threshold(const SceneSpec& scene) {
+    return scene.observed.threshold.value_or(scene.output.trace_threshold);
 }
 
 }  // namespace frana

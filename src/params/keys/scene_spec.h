@@ -174,8 +174,8 @@ struct HazardSpec {
     std::vector<double> depth_limits, velocity_limits, flux_limits, pressure_limits;
 };
 
-/// [scar]
-struct ScarSpec {
+/// [observed], of which [scar] is a second name
+struct ObservedSpec {
     std::optional<std::string> perimeter;
     LayerSpec perimeter_layer;
     std::optional<std::string> front;
@@ -202,7 +202,7 @@ struct SceneSpec {
     TimeSpec time;
     OutputSpec output;
     HazardSpec hazard;
-    ScarSpec scar;
+    ObservedSpec observed;
     std::map<std::string, Origin> origins;  ///< "section.key" -> source of its value; absent: default
 
     [[nodiscard]] Origin origin_of(const std::string& name) const {
@@ -232,6 +232,6 @@ std::string scene_name(const SceneSpec& scene);
 /// Returns the result directory: as given, else results/NAME beside the scene file.
 std::string output_directory(const SceneSpec& scene);
 /// Returns the depth threshold of the comparison with the scar [m]: as given, else that of the trace.
-double scar_threshold(const SceneSpec& scene);
+double observed_threshold(const SceneSpec& scene);
 
 }  // namespace frana

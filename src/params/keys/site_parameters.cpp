@@ -125,7 +125,7 @@ void add_terrain(std::vector<Parameter>& list) {
                           "Where the flow reaches ground without elevation: end the run, treat it as a wall, or "
                           "interpolate the bed beforehand."));
     list.push_back(choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
-                          {"auto", "metre", "foot", "us-survey-foot"},
+                          {"auto", "metre", "decimetre", "centimetre", "millimetre", "foot", "us-survey-foot"},
                           "Unit of the DTM's elevations; auto: as stated in the file, otherwise metres."));
     list.push_back(choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
                           {"automatic", "nearest", "bilinear", "cubic", "average"},

@@ -59,11 +59,17 @@ class Reader {
 
 void Reader::use_present_names(Source& source) {
     for (IniEntry& entry : source.entries) {
-        const std::string now = present_name(entry.name);
-        if (now == entry.name) continue;
-        reading_.warnings.push_back(source.where(entry.name) + " is now called " + now +
-                                    ": a later version will refuse the former name");
-        entry.name = now;
+        const FormerName* const former = former_name(entry.name);
+        if (former == nullptr) {
+            reading_.written.erase(entry.name);
+            continue;
+        }
+        if (former->stays)
+            reading_.written[former->now] = former->former;
+        else
+            reading_.warnings.push_back(source.where(entry.name) + " is now called " + former->now +
+                                        ": a later version will refuse the former name");
+        entry.name = former->now;
     }
 }
 
@@ -90,7 +96,8 @@ void Reader::apply(Source source) {
 }
 
 void Reader::apply(const Source& source, const IniEntry& entry) {
-    const std::string where = source.where(entry.name);
+    const auto second = reading_.written.find(entry.name);
+    const std::string where = source.where(second == reading_.written.end() ? entry.name : second->second);
     const Parameter* const parameter = find_parameter(parameters_, entry.name);
     if (parameter == nullptr) {
         const std::string nearest = nearest_name(entry.name, names_of(parameters_));
@@ -144,9 +151,9 @@ void Reader::make_paths_absolute(const Parameter& parameter, const std::string& 
         parameter.map_files(reading_.scene, [&](const std::string& path) { return absolute_path(path, directory_); });
     }
     const std::string value = parameter.write(reading_.scene).value_or("");
-    if (value.find('#') != std::string::npos) {
-        reading_.problems.add(
-            {"contains '#', which starts a comment in scene files", where, value, "", "Rename the file or folder"});
+    if (value.find(" #") != std::string::npos || value.find("\t#") != std::string::npos || value.rfind('#', 0) == 0) {
+        reading_.problems.add({"contains '#' after a space, which starts a comment in scene files", where, value, "",
+                               "Rename the file or folder"});
     }
     if (has_control_characters(value)) {
         reading_.problems.add({"contains a line break or another control character, which a scene file cannot contain",

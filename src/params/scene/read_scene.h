@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,14 @@ struct SceneReading {
     std::string label;                  ///< the scene file as the user named it
     std::string override_label;         ///< before the name of a key that was overridden: "--set "
 
-    /// Returns where a key was given, for messages: "scene.ini: terrain.dtm" or "--set terrain.dtm".
+    std::map<std::string, std::string> written;  ///< by the key's name: the second name under which it was given
+
+    /// Returns where a key was given, for messages, in the words of the user: "scene.ini: terrain.dtm" or "--set
+    /// terrain.dtm".
     [[nodiscard]] std::string where(const std::string& name) const {
-        return scene.origin_of(name) == Origin::command_line ? override_label + name : label + ": " + name;
+        const auto second = written.find(name);
+        return (scene.origin_of(name) == Origin::command_line ? override_label : label + ": ") +
+               (second == written.end() ? name : second->second);
     }
 };
 

@@ -127,9 +127,9 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
         {"output.gauges", {scene, {shape}, point}},
         {"output.cross-sections", {scene, {shape}, line}},
         {"output.profiles", {scene, {shape}, line}},
-        {"scar.perimeter", {scene, {shape}, box(30)}},
-        {"scar.front", {scene, {shape}, line}},
-        {"scar.deposit", {scene, {shape}, box(100)}},
+        {"observed.perimeter", {scene, {shape}, box(30)}},
+        {"observed.front", {scene, {shape}, line}},
+        {"observed.deposit", {scene, {shape}, box(100)}},
     };
     const auto found = samples.find(name);
     if (found == samples.end()) return std::nullopt;
@@ -181,7 +181,7 @@ class ChangedInput : public Resuming {};
 // Files only drawn or compared count too: --resume would show the old one as the new.
 TEST_F(ChangedInput, IsNotResumedAndNotCalledComplete) {
     write_polygon("scar", {{20, 50}, {200, 50}, {200, 100}, {20, 100}});
-    const std::vector<std::string> more{"--set", "scar.perimeter=scar.geojson"};
+    const std::vector<std::string> more{"--set", "observed.perimeter=scar.geojson"};
     const auto with = [&](std::vector<std::string> first) {
         first.insert(first.end(), more.begin(), more.end());
         return first;

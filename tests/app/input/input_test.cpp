@@ -70,7 +70,7 @@ TEST_F(Input, CheckPrintsThemAsOneTable) {
                                "Working grid",
                                "memory of a run: about"});
     // Half a cell is 2.5 m; the register states 4 m for Monte Mario.
-    expect_words(outcome.err, {"scar: its position is accurate to 4 m only", "half a cell is 2.5 m"});
+    expect_words(outcome.err, {"observed outline: its position is accurate to 4 m only", "half a cell is 2.5 m"});
     std::size_t tables = 0;
     for (std::size_t at = 0; (at = outcome.out.find("Extent (west", at)) != std::string::npos; ++at) ++tables;
     EXPECT_EQ(tables, 1U);

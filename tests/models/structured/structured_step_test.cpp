@@ -271,6 +271,38 @@ TEST(Coupling, SteadyStreamOverRestingSolids) {
     }
 }
 
+// With drag the stream is slower, and the virtual mass leaves it at the speed that it has without.
+TEST(Coupling, SteadyStreamOverRestingSolidsWithDrag) {
+    ThreadPool pool(1);
+    constexpr double manning = 0.05, slope = 0.1, depth = 1;
+    const auto speed_after = [&](VirtualMassLaw law, double start, int steps) {
+        Case c(2);
+        c.material.solid_fraction = 0.5;
+        c.material.grain_density = 2400;
+        c.material.bed_friction = 2;
+        c.laws.coupling.virtual_mass.law = law;
+        c.laws.coupling.drag.smoothing_velocity = 1;
+        c.laws.coupling.drag.fluid.gravity = 9.81;
+        c.laws.solid.elastic = Elasticity::from_young_and_bulk(1e6, 1e6 / 1.5);
+        c.laws.fluid.steep = c.laws.solid.steep = false;
+        c.laws.fluid.manning = manning;
+        c.fill(0, 0, 150, 30, [](Point) { return bench::Seed{1}; });
+        State state = c.start(incline(std::atan(slope) / k_degree, 50, 10, 2), pool, true);
+        std::vector<FluidSource> water;
+        for (std::int64_t j = 0; j < 10; ++j)
+            for (std::int64_t i = 0; i < 50; ++i) water.push_back({state.grid.index(i, j), depth, start * depth, 0});
+        receive(water, *state.fluid, state.grid, c.laws.fluid);
+        const std::size_t middle = state.grid.index(25, 5);
+        for (int i = 0; i < steps; ++i) step(state, c.laws, 0.01, pool);
+        EXPECT_EQ(state.solid->particles[Field::u][0], 0);
+        return state.fluid->now.qx[middle] / state.fluid->now.depth[middle];
+    };
+    const double alone = speed_after(VirtualMassLaw::none, 1.9, 500);
+    EXPECT_LT(alone, 4);  // Manning alone: 6.3 m/s
+    for (const VirtualMassLaw law : {VirtualMassLaw::pudasaini_2012, VirtualMassLaw::pudasaini_2019})
+        EXPECT_NEAR(speed_after(law, alone, 300), alone, 0.01 * alone);
+}
+
 // What becomes free in a step keeps its momentum, and the push that the nodes gave for both.
 TEST(Coupling, KeepsMomentumWhileWaterIsReleased) {
     ThreadPool pool(1);

@@ -25,9 +25,11 @@ TEST(FormerNames, AreMappedToKeysAndAreNoKeysThemselves) {
 TEST(FormerNames, AreInTheChangelogsTable) {
     std::ifstream file(FRANA_SOURCE_SHARE "/../CHANGELOG.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    for (const FormerName& name : former_names())
+    for (const FormerName& name : former_names()) {
+        if (name.stays) continue;
         EXPECT_NE(text.find("| `" + std::string(name.former) + "` | `" + name.now + "` |"), std::string::npos)
             << name.former;
+    }
 }
 
 class FormerNamesInScenes : public SceneFixture {};

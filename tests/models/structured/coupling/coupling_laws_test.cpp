@@ -173,6 +173,54 @@ TEST(Exchange, SolidsThatTheBedHoldsDoNotStirWaterAtRest) {
     EXPECT_EQ(impulse.y(), 0);
 }
 
+// What drives the fluid, drag and nothing else hold back: drag alone decides its final speed. With the solids' own mass
+// in place of the bed's hold, m_v / m_c = 1.2 more weight would be on the drag.
+TEST(Exchange, AStreamOverSolidsThatTheBedHoldsEndsAtTheSpeedOfDragAlone) {
+    constexpr double dt = 1e-3, weight = 0.98;  // [m/s2]
+    const auto speed = [&](VirtualMassLaw law) {
+        CouplingLaws laws;
+        laws.virtual_mass.law = law;
+        laws.drag.smoothing_velocity = 1;
+        CellPhases cell;
+        cell.solids = cell.confined = cell.free = 1;
+        cell.structured = 1;
+        cell.coupled_mass = 3400;
+        cell.friction = 1400 * 9.81;
+        for (int i = 0; i < 100'000; ++i) {
+            cell.free_push = {weight, 0};
+            cell.free_velocity.x() += dt * weight;
+            cell.free_velocity -= exchange(laws, cell, dt) / 1000;
+        }
+        return cell.free_velocity.x();
+    };
+    const double alone = speed(VirtualMassLaw::none);
+    EXPECT_GT(alone, 0.1);
+    // First order in time: the drag acts on the speed at the end of each step.
+    for (const VirtualMassLaw law : {VirtualMassLaw::pudasaini_2012, VirtualMassLaw::pudasaini_2019})
+        EXPECT_NEAR(speed(law), alone, 2e-3 * alone);
+}
+
+// Friction that holds a part of the impulse only: between the answer of held and of free solids, without a jump.
+TEST(Exchange, TheAnswerOfSolidsIsContinuousInTheFrictionThatHoldsThem) {
+    CouplingLaws laws;
+    CellPhases cell;
+    cell.solids = cell.confined = cell.free = 1;
+    cell.structured = 1;
+    cell.coupled_mass = 3400;
+    cell.free_velocity = {3, 0};
+    cell.free_push = {0.5, 0};
+    double before = exchange(laws, cell, 0.1).x();
+    const double free = before;
+    for (double friction = 50; friction < 20'000; friction += 50) {
+        cell.friction = friction;
+        const double impulse = exchange(laws, cell, 0.1).x();
+        EXPECT_GE(impulse, before * (1 - 1e-12)) << friction;
+        EXPECT_LT(impulse - before, 5 + 0.02 * before) << friction;  // 50 Pa in 0.1 s are 5
+        before = impulse;
+    }
+    EXPECT_GT(before, free);
+}
+
 TEST(Exchange, NothingInADryCell) {
     CellPhases cell;
     cell.solids = 1;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/check_ground.h"
+
+#include "app/text/number_text.h"
+#include "gis/raster/footprint.h"
+
+namespace frana::app {
+namespace {
+
+// Mean slopes [degrees]. Landslides start on some 10 to 50 degrees; those on less are dams, tailings and quick clay.
+constexpr double k_flat_release = 2, k_steep_release = 55;
+// Granular flows and mudflows run out over 5 to 35 degrees. Feet read as metres turn 30 degrees into 62.
+constexpr double k_steep_path = 45;
+
+const char* const k_steep_remedy =
+    ". Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
+    "terrain.vertical-unit, and the DTM for steps and towers";
+
+}  // namespace
+
+std::string ground_text(const GroundStatistics& ground) {
+    return number_text(ground.lowest, 5) + " to " + number_text(ground.highest, 5) + " m, slope " +
+           number_text(ground.mean_slope_deg, 2) + " degrees on average, " + number_text(ground.steepest_slope_deg, 2) +
+           " at most";
+}
+
+std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
+    GroundSum sum(scene.terrain);
+    for (const ReleaseArea& area : scene.release)
+        gis::visit_cells(area.outline, scene.grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) { sum.add(row, column); });
+    return sum.statistics();
+}
+
+void warn_of_release_ground(const GroundStatistics& ground, RunLog& log) {
+    if (ground.mean_slope_deg > k_steep_release) {
+        log.warn("the release is nearly vertical: " + ground_text(ground) + k_steep_remedy);
+    } else if (ground.mean_slope_deg < k_flat_release) {
+        log.warn("the release is nearly flat: " + ground_text(ground) +
+                 ". Check that perimeter and DTM belong to the same place (coordinate reference systems), that the "
+                 "elevations are in metres (terrain.vertical-unit), and that the DTM has its elevations there");
+    }
+}
+
+void warn_of_path_ground(const GroundStatistics& ground, RunLog& log) {
+    if (ground.mean_slope_deg > k_steep_path)
+        log.warn("the path is steeper than those of landslides: " + ground_text(ground) + k_steep_remedy);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Valid files that do not mean what the scene takes them for: a wrong unit, a wrong ground, a wrong outline, another
+// CRS.
+#include <cmath>
+#include <numbers>
+
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/raster_in.h"
+#include "support/files.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+class SuspiciousInput : public TinyScene {
+  protected:
+    static double slope(int column) { return 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); }
+    static void expect_words(const std::string& text, const std::vector<std::string>& words) {
+        for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+    }
+};
+
+// The slope falls by half: atan(0.5) is 26.6 degrees; the release lies from x = 20 to 70 m.
+TEST_F(SuspiciousInput, CheckAndResultTellElevationsAndSlopes) {
+    write_scene(k_numbers_only);
+    const Outcome check = frana({"check", "scene.ini"});
+    ASSERT_EQ(check.exit_code, 0) << check.err;
+    expect_words(check.out, {"release          ", " m, slope 27 degrees on average, 27 at most", "path             "});
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_NEAR(json_number(summary, "ground.release.mean_slope_deg"), 26.565, 1e-3);
+    EXPECT_NEAR(json_number(summary, "ground.release.steepest_slope_deg"), 26.565, 1e-3);
+    // Centres of cells from 22.5 to 67.5 m.
+    EXPECT_NEAR(json_number(summary, "ground.release.highest_m"), 300 - 0.5 * 22.5, 1e-6);
+    EXPECT_NEAR(json_number(summary, "ground.release.lowest_m"), 300 - 0.5 * 67.5, 1e-6);
+    EXPECT_LE(json_number(summary, "ground.path.lowest_m"), json_number(summary, "ground.release.lowest_m"));
+    expect_words(read_text(path("result/report.html")), {"steepest slope", "Path"});
+}
+
+TEST_F(SuspiciousInput, ElevationsInDecimetresAreReportedAndTheUnitIsAKey) {
+    write_scene(k_numbers_only);
+    write_dtm([](int, int column) { return 10 * slope(column); });
+    const Outcome wrong = frana({"check", "scene.ini"});
+    EXPECT_EQ(wrong.exit_code, 0) << wrong.err;
+    expect_words(wrong.err, {"the release is nearly vertical", "slope 79 degrees on average", "decimetres",
+                             "terrain.vertical-unit", "the path is steeper"});
+    const Outcome right = frana({"check", "scene.ini", "--set", "terrain.vertical-unit=decimetre"});
+    EXPECT_EQ(right.exit_code, 0) << right.err;
+    EXPECT_EQ(right.err.find("vertical"), std::string::npos) << right.err;
+    expect_words(right.out, {"slope 27 degrees on average"});
+}
+
+TEST_F(SuspiciousInput, AFlatReleaseIsReported) {
+    write_scene(k_numbers_only);
+    write_dtm([](int, int) { return 300.0; });
+    expect_words(frana({"check", "scene.ini"}).err, {"the release is nearly flat", "coordinate reference systems"});
+}
+
+TEST_F(SuspiciousInput, AFrameOfZerosIsReported) {
+    write_scene(k_numbers_only);
+    write_dtm([](int row, int column) {
+        const bool frame = row < 2 || column < 2 || row >= k_rows - 2 || column >= k_columns - 2;
+        return frame ? 0 : slope(column);
+    });
+    expect_words(frana({"check", "scene.ini"}).err, {"cells are 0 and stand like walls", "terrain.nodata-value = 0"});
+}
+
+TEST_F(SuspiciousInput, ADifferenceNeedsTheGroundThatTheKeySays) {
+    write_dtm({}, true, "before.asc");
+    write_dtm([](int, int column) { return slope(column) - (column < 20 ? 2 : 0); }, true, "after.asc");
+    write_scene(k_numbers_only);
+    const auto check = [&](const std::string& dtm, const std::string& contains) {
+        return frana({"check", "scene.ini", "--set", "release.thickness=difference:before.asc,after.asc", "--set",
+                      "terrain.dtm=" + dtm, "--set", "release.dtm-contains-release=" + contains});
+    };
+    const std::vector<std::string> before = files();
+    EXPECT_EQ(check("before.asc", "on").exit_code, 0);
+    EXPECT_EQ(check("after.asc", "off").exit_code, 0);
+    const Outcome on_top = check("before.asc", "off");
+    EXPECT_EQ(on_top.exit_code, 2);
+    expect_words(on_top.err, {"release.dtm-contains-release", "off", "that of before the failure", "Set it to on"});
+    const Outcome twice = check("after.asc", "on");
+    EXPECT_EQ(twice.exit_code, 2);
+    expect_words(twice.err, {"release.dtm-contains-release", "that of after the failure", "Set it to off"});
+    EXPECT_EQ(files(), before);
+    write_dtm([](int, int column) { return slope(column) + 40; }, true, "other.asc");
+    expect_words(check("other.asc", "on").err, {"the DTM lies at 2100 % of the way"});
+}
+
+TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
+    write_scene(k_numbers_only + "[observed]\nperimeter = perimeter.geojson\n");
+    expect_words(frana({"check", "scene.ini"}).err, {"scene.ini: observed.perimeter is nearly the release (100 %"});
+    write_polygon("covered", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    const Outcome outcome = frana({"check", "scene.ini", "--set", "observed.perimeter=covered.geojson"});
+    EXPECT_EQ(outcome.err.find("nearly the release"), std::string::npos) << outcome.err;
+}
+
+// The second name stays: no warning, and errors use the user's word.
+TEST_F(SuspiciousInput, ScarIsTheSameSectionAsObserved) {
+    write_polygon("covered", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    write_scene(k_numbers_only + "[scar]\nperimeter = covered.geojson\nthreshold = 0.2\n");
+    const Outcome run = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const std::string echoed = read_text(path("result/scene.ini"));
+    expect_words(echoed, {"[observed]\n", "covered.geojson\n", "threshold = 0.2\n"});
+    EXPECT_EQ(echoed.find("[scar]"), std::string::npos);
+    expect_words(frana({"check", "scene.ini", "--set", "scar.perimeter=none.shp"}).err, {"--set scar.perimeter"});
+    expect_words(frana({"check", "scene.ini", "--set", "scar.threshold=-1"}).err, {"--set scar.threshold"});
+    expect_words(frana({"check", "scene.ini", "--set", "observed.perimeter=none.shp"}).err, {"observed.perimeter"});
+    const Outcome compared = frana({"compare", "result", "--observed", "covered.geojson", "--out", "compared"});
+    EXPECT_EQ(compared.exit_code, 0) << compared.err;
+    EXPECT_EQ(json_number(read_text(path("compared/comparison.json")), "threshold_m"), 0.2);
+}
+
+/// Area of a cell of `side` degrees on the ellipsoid WGS 84 [m2].
+double degree_cell_area(double side, double latitude) {
+    constexpr double k_a = 6378137, k_e2 = 0.00669437999014;
+    const double radian = std::numbers::pi / 180, sine = std::sin(latitude * radian),
+                 w = std::sqrt(1 - k_e2 * sine * sine), meridian = k_a * (1 - k_e2) / (w * w * w), normal = k_a / w;
+    return meridian * normal * std::cos(latitude * radian) * std::pow(side * radian, 2);
+}
+
+// Its cells lie askew on the working grid: interpolated there, its edges would be lost.
+TEST_F(SuspiciousInput, AThicknessInAnotherCrsKeepsItsVolume) {
+    write_polygon("around", {{5, 40}, {120, 40}, {120, 120}, {5, 120}});
+    write_scene(k_numbers_only);
+    const std::string utm = gis::crs_from_user("EPSG:32632", "");
+    struct Case {
+        std::string crs;
+        double cell;  ///< in the unit of the CRS
+    };
+    for (const auto& [crs, cell] : {Case{"EPSG:3003", 5}, Case{"EPSG:4326", 5e-5}}) {
+        const gis::CrsTransform to_own(utm, gis::crs_from_user(crs, ""));
+        const Point corner = to_own({k_west + 30, k_south + 100});
+        gis::test::TestRaster raster;
+        raster.columns = 10;
+        raster.rows = 8;
+        raster.west = corner.x;
+        raster.north = corner.y;
+        raster.cell_x = raster.cell_y = cell;
+        raster.crs = crs;
+        raster.values.assign(80, 2);
+        gis::test::make_raster(path("thickness.tif"), raster);
+        const Outcome outcome =
+            frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=0.1", "--set",
+                   "release.perimeter=around.geojson", "--set", "release.thickness=raster:thickness.tif"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        // Areas on the map of UTM are those on the ellipsoid by 0.9996 squared here, 27 km from its central meridian;
+        // Monte Mario's ellipsoid is larger by 4e-5.
+        const double expected = 160 * (crs == "EPSG:4326" ? 0.9996 * 0.9996 * degree_cell_area(cell, corner.y) : 25);
+        const double released = json_number(read_text(path("result/summary.json")), "volume.initial_m3");
+        EXPECT_NEAR(released / expected, 1, 3e-4) << crs;
+        EXPECT_NE(read_text(path("result/log.txt")).find("the thickness raster contains "), std::string::npos) << crs;
+    }
+}
+
+TEST_F(SuspiciousInput, ANumberSignInAFolderIsNoComment) {
+    const std::filesystem::path folder = folder_ / "Flache#1";
+    std::filesystem::create_directories(folder);
+    for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
+        std::filesystem::copy(folder_ / file, folder / file);
+    const std::string scene = folder.string() + "/scene.ini";
+    const Outcome run = frana({"run", scene, "--out", "out#1/result", "--quiet", "--set", "output.animation=off"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    // The echo repeats it, a page is drawn from it, and a comment is still one.
+    EXPECT_EQ(frana({"run", "out#1/result/scene.ini", "--out", "again", "--quiet"}).exit_code, 0);
+    const auto depths = [&](const std::string& result) {
+        std::vector<double> values = gis::read_result_raster(path(result + "/max_depth.tif")).values.dense();
+        for (double& depth : values)
+            if (std::isnan(depth)) depth = 0;
+        return values;
+    };
+    EXPECT_EQ(depths("again"), depths("out#1/result"));
+    EXPECT_EQ(frana({"render", "out#1/result"}).exit_code, 0);
+    write_scene("#[time]\n[output]\ntitle = Slope#2 # and more\nmaps = off\nanimation = off\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "titled", "--quiet"}).exit_code, 0);
+    EXPECT_NE(read_text(path("titled/scene.ini")).find("\ntitle = Slope#2\n"), std::string::npos);
+    const Outcome spaced = frana({"check", "scene.ini", "--set", "terrain.dtm=a #b/dtm.asc"});
+    EXPECT_EQ(spaced.exit_code, 2);
+    expect_words(spaced.err, {"contains '#' after a space"});
+}
+
+}  // namespace
+}  // namespace frana::test
