@@ -115,6 +115,8 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
                   ? ""
                   : "<p>With one event there is no forecast to check: the score is that of a fit.</p>\n") +
              misfits_table(input, runs, result));
+    page.add("<h2 id=\"maps\">Maps</h2>\n");
+    add_pictures(directory.path("maps"), page);
     page.add("<h2 id=\"charts\">Charts</h2>\n");
     add_pictures(directory.path("charts"), page);
     if (runs.last().failed() > 0)

@@ -2,6 +2,7 @@
 #include "app/calibrate/publish_calibration.h"
 
 #include "app/calibrate/calibration_charts.h"
+#include "app/calibrate/calibration_maps.h"
 #include "app/calibrate/calibration_report.h"
 #include "app/calibrate/calibration_tables.h"
 #include "app/ensemble/study_result.h"
@@ -92,7 +93,8 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
             write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
-    outcome.pictures_failed = !draw(input, runs, result, directory, log);
+    const bool mapped = publish_calibration_maps(input, runs, result, directory, log);
+    outcome.pictures_failed = !draw(input, runs, result, directory, log) || !mapped;
     tell(input, result, log);
     const CalibrationFacts facts{since_start.seconds(), threads, log.warnings()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);

@@ -91,6 +91,7 @@ std::vector<ResultFile> make_table() {
     table.by("calibrate");
     table.add(FileKind::table, {k_posterior_table, posterior_of("*"), k_design_table});
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});
+    table.add_rasters();
     table.by("render");
     table.add_page("maps/*").add(FileKind::picture, {"maps/*.tif"});
     table.add_page("charts/*").add_page("plates/*");
