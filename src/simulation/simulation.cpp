@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "simulation/flow.h"
@@ -27,26 +28,6 @@ Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first
 template <class AnyFlow>
 void require_ground(const AnyFlow& flow) {
     flow.nodes().require_ground();
-}
-
-// Runs a flow to the scene's end.
-template <class AnyFlow>
-RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
-                   Stopwatch& engine) {
-    FlowRun<AnyFlow> run(scene, options, release, arrivals, flow, engine);
-    require_ground(flow);
-    if (options.saved != nullptr) {
-        (*options.saved)(run);
-    } else {
-        run.begin();
-    }
-    const SaveState save = [&](StateWriter& writer) { writer(run); };
-    while (run.continues()) {
-        run.step();
-        if (options.after_step) options.after_step(run.progress(), save);
-    }
-    require_ground(flow);  // after the last state was saved
-    return run.finish();
 }
 
 // Number of rasters, as doubles, at the peak of a run: read, stored, in frames waiting for the disk, and about to be
@@ -126,21 +107,124 @@ const char* describe(StopReason reason) {
     return "";
 }
 
-RunResult run(const Scene& scene, const RunOptions& options) {
+class SteppedRun::OfModel {
+  public:
+    virtual ~OfModel() = default;
+    [[nodiscard]] virtual bool continues() const = 0;
+    virtual void step() = 0;
+    [[nodiscard]] virtual Progress progress() const = 0;
+    virtual RunResult finish() = 0;
+};
+
+namespace {
+
+/// What a run starts from.
+struct Start {
     Stopwatch engine;
-    engine.start();
-    Release release = make_release(scene);
-    Arrivals arrivals(scene, std::exchange(release.later, {}));
-    const Ground ground = ground_of(scene, release.bed_at_start, release.particles, origin_of(release, arrivals));
-    if (scene.structured) {
-        StructuredFlow flow(ground, scene.walls, *scene.structured, scene.numerics,
-                            std::exchange(release.particles, ParticleSet()), options.threads);
-        return run_flow(scene, options, release, arrivals, flow, engine);
+    Release release;
+    Arrivals arrivals;
+    Ground ground;
+
+    explicit Start(const Scene& scene)
+        : engine(started()),
+          release(make_release(scene)),
+          arrivals(scene, std::exchange(release.later, {})),
+          ground(ground_of(scene, release.bed_at_start, release.particles, origin_of(release, arrivals))) {}
+
+    static Stopwatch started() {
+        Stopwatch watch;
+        watch.start();
+        return watch;
     }
-    Flow flow(ground, std::exchange(release.particles, ParticleSet()), scene.material, scene.numerics, options.threads,
-              std::nullopt, scene.zones, scene.entrainment);
+};
+
+Flow flow_of(const Scene& scene, int threads, Start& start, const Flow*) {
+    return {start.ground,   std::exchange(start.release.particles, ParticleSet()),
+            scene.material, scene.numerics,
+            threads,        std::nullopt,
+            scene.zones,    scene.entrainment};
+}
+
+void add_walls(const Scene& scene, Flow& flow) {
     if (scene.walls) flow.add_walls(*scene.walls);
-    return run_flow(scene, options, release, arrivals, flow, engine);
+}
+
+StructuredFlow flow_of(const Scene& scene, int threads, Start& start, const StructuredFlow*) {
+    return {start.ground,
+            scene.walls,
+            *scene.structured,
+            scene.numerics,
+            std::exchange(start.release.particles, ParticleSet()),
+            threads};
+}
+
+void add_walls(const Scene&, StructuredFlow&) {}  // it has them from the start
+
+template <class AnyFlow>
+class RunOfFlow final : public SteppedRun::OfModel {
+  public:
+    RunOfFlow(const Scene& scene, const RunOptions& options)
+        : options_(options),
+          start_(scene),
+          flow_(flow_of(scene, options.threads, start_, static_cast<const AnyFlow*>(nullptr))) {
+        add_walls(scene, flow_);
+        run_.emplace(scene, options, start_.release, start_.arrivals, flow_, start_.engine);
+        require_ground(flow_);
+        if (options.saved != nullptr) {
+            (*options.saved)(*run_);
+        } else {
+            run_->begin();
+        }
+    }
+    [[nodiscard]] bool continues() const override { return run_->continues(); }
+    [[nodiscard]] Progress progress() const override { return run_->progress(); }
+    void step() override {
+        run_->step();
+        if (options_.after_step) options_.after_step(run_->progress(), [&](StateWriter& writer) { writer(*run_); });
+    }
+    RunResult finish() override {
+        require_ground(flow_);  // after the last state was saved
+        return run_->finish();
+    }
+
+  private:
+    const RunOptions& options_;
+    Start start_;
+    AnyFlow flow_;
+    std::optional<FlowRun<AnyFlow>> run_;
+};
+
+}  // namespace
+
+SteppedRun::SteppedRun(const Scene& scene, const RunOptions& options) {
+    if (scene.structured)
+        run_ = std::make_unique<RunOfFlow<StructuredFlow>>(scene, options);
+    else
+        run_ = std::make_unique<RunOfFlow<Flow>>(scene, options);
+}
+
+SteppedRun::~SteppedRun() = default;
+
+bool SteppedRun::continues() const {
+    return run_->continues();
+}
+
+void SteppedRun::step() {
+    run_->step();
+}
+
+Progress SteppedRun::progress() const {
+    return run_->progress();
+}
+
+RunResult SteppedRun::finish() {
+    return run_->finish();
+}
+
+RunResult run(const Scene& scene, const RunOptions& options) {
+    SteppedRun run(scene, options);
+    while (run.continues()) run.step();
+    return run.finish();
 }
 
 RunEstimate estimate(const Scene& scene, int threads) {

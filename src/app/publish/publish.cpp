@@ -199,24 +199,21 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     if (run.accuracy != nullptr) log_accuracy(*run.accuracy, log);
 
     const double threshold = prepared.spec.output.trace_threshold;
-    const Raster trace = trace_mask(result.max_depth, threshold);
     SummaryFacts facts;
     facts.spec = prepared.spec;
     facts.computed = prepared.scene.grid;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
     const SeparateFlows flows = separate_flows(result);
-    facts.statistics = {threshold, masked_area(trace), runouts(flows, result.bed, result.release, trace)};
-    note_flows(facts.statistics.run_outs, log);
-    facts.high = peak_statistics(result, trace);
-    facts.release_ground = prepared.release.ground;
-    facts.path_ground = ground_where(prepared.scene.terrain, trace, 0);
-    if (facts.path_ground) warn_of_path_ground(*facts.path_ground, log);
+    facts.trace = trace_figures(result, prepared.scene.terrain, threshold);
+    facts.trace.release_ground = prepared.release.ground;
+    note_flows(facts.trace.statistics.run_outs, log);
+    if (facts.trace.path_ground) warn_of_path_ground(*facts.trace.path_ground, log);
 
     publish_rasters(prepared, result, directory);
-    publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
+    publish_outlines(prepared, result, flows, facts.trace.statistics.run_out(), directory);
     publish_series(prepared, result, directory);
-    publish_profiles(prepared, result, facts.statistics.run_out(), directory);
+    publish_profiles(prepared, result, facts.trace.statistics.run_out(), directory);
     facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory, log);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
@@ -228,7 +225,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 
     const Stopwatch render_watch;
     const PictureOutcome pictures =
-        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics}, log);
+        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.trace.statistics}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;

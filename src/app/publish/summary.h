@@ -5,13 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/ground_statistics.h"
-#include "app/publish/peak_statistics.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/accuracy_record.h"
-#include "app/store/main_statistics.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app {
 
@@ -28,10 +26,8 @@ struct SummaryFacts {
     int threads = 1;
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;
-    MainStatistics statistics;
-    PeakStatistics high;                                          ///< over that trace
-    std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
-    std::vector<HazardArea> hazard;                               ///< empty: no scheme
+    TraceFigures trace;
+    std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;
     std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data
@@ -39,9 +35,6 @@ struct SummaryFacts {
 
 /// Returns summary.json.
 std::string summary_json(const RunResult& result, const SummaryFacts& facts);
-
-/// Returns one word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
-std::string stop_word(StopReason reason);
 
 /// Returns the peak resident memory of this process so far.
 std::int64_t peak_memory_bytes();

@@ -4,10 +4,9 @@
 #include <array>
 
 #include "analysis/high_values.h"
-#include "app/store/layers.h"
-#include "simulation/result.h"
+#include "simulation/find_raster.h"
 
-namespace frana::app {
+namespace frana {
 
 /// A raster of maxima whose high values are reported: in summary.json (keys NAME_UNIT, NAME_p999_UNIT, NAME_p99_UNIT),
 /// in the report, and in studies.
@@ -35,4 +34,4 @@ inline PeakStatistics peak_statistics(const RunResult& result, const Raster& tra
     return high;
 }
 
-}  // namespace frana::app
+}  // namespace frana
