@@ -8,7 +8,7 @@
 #include "facade/guarded.h"
 #include "facade/result_data.h"
 #include "params/keys/result_rasters.h"
-#include "simulation/find_raster.h"
+#include "simulation/raster_of_row.h"
 #include "simulation/run_summary.h"
 
 namespace frana::facade {
@@ -74,19 +74,22 @@ std::shared_ptr<const Result::Data> result_data(RunResult result, const EngineSc
     data->notes = prepared.warnings;
     data->notes.insert(data->notes.end(), result.notes.begin(), result.notes.end());
     data->result = std::move(result);
+    // Read of the caller's memory while that is as it was; of a large map only where the flow came.
+    const CellValues& bed = data->result.bed.values;
+    if (static_cast<std::int64_t>(bed.size()) <= CellValues::k_most_dense) static_cast<void>(bed.dense());
     return data;
 }
 
 std::vector<RasterInfo> Result::rasters() const {
     std::vector<RasterInfo> list;
     for (const ResultRaster& row : result_rasters())
-        if (find_raster(data_->result, row) != nullptr) list.push_back(info_of(row.name));
+        if (raster_of_row(data_->result, row) != nullptr) list.push_back(info_of(row.name));
     return list;
 }
 
 Raster Result::raster(const std::string& name) const {
     const ResultRaster* const row = find_result_raster(name);
-    const frana::Raster* const raster = row == nullptr ? nullptr : find_raster(data_->result, *row);
+    const frana::Raster* const raster = row == nullptr ? nullptr : raster_of_row(data_->result, *row);
     if (raster == nullptr) refuse_name(name, rasters());
     return raster_of(name, *raster, data_->grid, data_);
 }

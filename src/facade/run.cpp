@@ -7,7 +7,7 @@
 #include "facade/guarded.h"
 #include "facade/result_data.h"
 #include "simulation/run_check.h"
-#include "simulation/simulation.h"
+#include "simulation/stepped_run.h"
 
 namespace frana::facade {
 

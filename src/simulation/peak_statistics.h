@@ -4,7 +4,7 @@
 #include <array>
 
 #include "analysis/high_values.h"
-#include "simulation/find_raster.h"
+#include "simulation/raster_of_row.h"
 
 namespace frana {
 
@@ -30,7 +30,7 @@ using PeakStatistics = std::array<PeakValues, k_peak_statistics.size()>;
 inline PeakStatistics peak_statistics(const RunResult& result, const Raster& trace) {
     PeakStatistics high;
     for (std::size_t i = 0; i < high.size(); ++i)
-        high[i] = high_values(*find_raster(result, k_peak_statistics[i].row()), trace);
+        high[i] = high_values(*raster_of_row(result, k_peak_statistics[i].row()), trace);
     return high;
 }
 

@@ -64,8 +64,9 @@ void add_ground(Json& json, const char* where, const std::optional<GroundStatist
 TraceFigures trace_figures(const RunResult& result, const Raster& terrain, double threshold) {
     const Raster trace = trace_mask(result.max_depth, threshold);
     TraceFigures figures;
-    figures.statistics = {threshold, masked_area(trace),
-                          runouts(separate_flows(result), result.bed, result.release, trace)};
+    figures.threshold = threshold;
+    figures.covered_area_m2 = masked_area(trace);
+    figures.run_outs = runouts(separate_flows(result), result.bed, result.release, trace);
     figures.high = peak_statistics(result, trace);
     figures.path_ground = ground_where(terrain, trace, 0);
     return figures;
@@ -148,11 +149,11 @@ void add_trace(Json& json, const TraceFigures& trace) {
     add_ground(json, "release", trace.release_ground);
     add_ground(json, "path", trace.path_ground);
     add_peak_statistics(json, trace.high);
-    json["covered_area_m2"] = trace.statistics.covered_area_m2;
-    json["trace_threshold_m"] = trace.statistics.threshold;
-    json["runout"] = runout_json(trace.statistics.run_out());
+    json["covered_area_m2"] = trace.covered_area_m2;
+    json["trace_threshold_m"] = trace.threshold;
+    json["runout"] = runout_json(trace.run_outs.front());
     Json& flows = json["flows"] = Json::array();
-    for (const Runout& one : trace.statistics.run_outs) {
+    for (const Runout& one : trace.run_outs) {
         flows.push_back(runout_json(one));
         flows.back().update({{"covered_area_m2", one.covered_area_m2},
                              {"top_x", one.top.x},

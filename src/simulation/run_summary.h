@@ -4,11 +4,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/ground_statistics.h"
+#include "analysis/runout.h"
 #include "core/json.h"
 #include "params/keys/scene_spec.h"
-#include "simulation/main_statistics.h"
 #include "simulation/peak_statistics.h"
 #include "simulation/result.h"
 
@@ -16,8 +17,10 @@ namespace frana {
 
 /// Figures of the trace and of the ground under it.
 struct TraceFigures {
-    MainStatistics statistics;
-    PeakStatistics high;                                          ///< over that trace
+    double threshold = 0;          ///< output.trace-threshold: depth that counts as covered [m]
+    double covered_area_m2 = 0;    ///< greatest depth above the threshold
+    std::vector<Runout> run_outs;  ///< of the separate flows, the longest first; at least one
+    PeakStatistics high;
     std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
 };
 

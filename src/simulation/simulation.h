@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-
 #include "simulation/result.h"
 #include "simulation/scene.h"
 
@@ -12,27 +10,6 @@ namespace frana {
 /// Throws Error(input) if the scene cannot be run (nothing released, nodata under the release with its cells named). A
 /// numerical failure does not throw: the result reports it in stop_reason and hard_events.
 RunResult run(const Scene& scene, const RunOptions& options);
-
-/// The same run, step by step. Refers to scene and options.
-class SteppedRun {
-  public:
-    /// Throws as run does.
-    SteppedRun(const Scene& scene, const RunOptions& options);
-    ~SteppedRun();
-
-    /// Whether a step remains to be done.
-    [[nodiscard]] bool continues() const;
-    void step();
-    [[nodiscard]] Progress progress() const;
-    /// Returns the result; call once.
-    RunResult finish();
-
-    /// Of one model: called once a step.
-    class OfModel;
-
-  private:
-    std::unique_ptr<OfModel> run_;
-};
 
 /// Returns particles, memory, first step and terms of a scene; seeds but does not run. Throws as run does.
 RunEstimate estimate(const Scene& scene, int threads);

@@ -205,15 +205,18 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
     const SeparateFlows flows = separate_flows(result);
-    facts.trace = trace_figures(result, prepared.scene.terrain, threshold);
-    facts.trace.release_ground = prepared.release.ground;
-    note_flows(facts.trace.statistics.run_outs, log);
-    if (facts.trace.path_ground) warn_of_path_ground(*facts.trace.path_ground, log);
+    const TraceFigures trace = trace_figures(result, prepared.scene.terrain, threshold);
+    facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs};
+    note_flows(facts.statistics.run_outs, log);
+    facts.high = trace.high;
+    facts.release_ground = prepared.release.ground;
+    facts.path_ground = trace.path_ground;
+    if (facts.path_ground) warn_of_path_ground(*facts.path_ground, log);
 
     publish_rasters(prepared, result, directory);
-    publish_outlines(prepared, result, flows, facts.trace.statistics.run_out(), directory);
+    publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
     publish_series(prepared, result, directory);
-    publish_profiles(prepared, result, facts.trace.statistics.run_out(), directory);
+    publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory, log);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
@@ -225,7 +228,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 
     const Stopwatch render_watch;
     const PictureOutcome pictures =
-        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.trace.statistics}, log);
+        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;

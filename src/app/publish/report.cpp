@@ -55,7 +55,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     if (!input.result.released.empty())
         page.add("<h2 id=\"release\">Release areas</h2>\n" + release_table(input.result));
     if (input.facts.accuracy) page.add("<h2 id=\"accuracy\">Accuracy</h2>\n" + accuracy_tables(*input.facts.accuracy));
-    if (input.facts.trace.release_ground || input.facts.trace.path_ground)
+    if (input.facts.release_ground || input.facts.path_ground)
         page.add("<h2 id=\"ground\">Ground</h2>\n" + ground_table(input.facts));
     page.add("<h2 id=\"budget\">Mass budget</h2>\n" + budget_table(input.result));
     page.add("<h2 id=\"numerics\">Numerical checks</h2>\n" + numerics_table(input));

@@ -154,8 +154,8 @@ std::string ground_table(const SummaryFacts& facts) {
         table.row({where, number_text(ground->lowest, 5), number_text(ground->highest, 5),
                    number_text(ground->mean_slope_deg, 3), number_text(ground->steepest_slope_deg, 3)});
     };
-    row("Release", facts.trace.release_ground);
-    row("Path", facts.trace.path_ground);
+    row("Release", facts.release_ground);
+    row("Path", facts.path_ground);
     return table.html();
 }
 

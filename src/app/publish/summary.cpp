@@ -73,7 +73,9 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     json["terms"] = result.terms;
     add_cost(json, result, facts);
     add_flow(json, result, facts.spec);
-    add_trace(json, facts.trace);
+    const MainStatistics& trace = facts.statistics;
+    add_trace(json, {trace.threshold, trace.covered_area_m2, trace.run_outs, facts.high, facts.release_ground,
+                     facts.path_ground});
     add_hazard(json, facts);
     add_run_problems(json, result);
     if (facts.accuracy) json["accuracy"] = accuracy_json(*facts.accuracy);

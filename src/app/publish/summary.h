@@ -7,6 +7,7 @@
 
 #include "app/publish/publish_hazard.h"
 #include "app/store/accuracy_record.h"
+#include "app/store/main_statistics.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/run_summary.h"
@@ -26,8 +27,10 @@ struct SummaryFacts {
     int threads = 1;
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;
-    TraceFigures trace;
-    std::vector<HazardArea> hazard;  ///< empty: no scheme
+    MainStatistics statistics;
+    PeakStatistics high;                                          ///< over that trace
+    std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
+    std::vector<HazardArea> hazard;                               ///< empty: no scheme
     std::vector<std::string> warnings;
     std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/colour.h"
+#include "simulation/raster_of_row.h"
 
 namespace frana::app {
 
@@ -45,6 +46,10 @@ std::vector<double> progressive_classes(double maximum) {
 }
 
 }  // namespace
+
+const Raster* find_raster(const RunResult& result, const ResultRaster& row) {
+    return raster_of_row(result, row);
+}
 
 std::vector<ResultRaster> main_rasters() {
     std::vector<ResultRaster> rows = result_rasters();

@@ -6,9 +6,12 @@
 #include "core/raster.h"
 #include "params/keys/classes.h"
 #include "params/keys/result_rasters.h"
-#include "simulation/find_raster.h"
+#include "simulation/result.h"
 
 namespace frana::app {
+
+/// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
+const Raster* find_raster(const RunResult& result, const ResultRaster& row);
 
 /// Returns the rasters that every run produces from the flow.
 std::vector<ResultRaster> main_rasters();

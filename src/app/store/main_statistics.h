@@ -5,9 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "simulation/main_statistics.h"
+#include "analysis/runout.h"
 
 namespace frana::app {
+
+/// Values of the trace in summary.json, extent.gpkg, report.html and on every map. A run computes them once; later
+/// commands read them from summary.json.
+struct MainStatistics {
+    double threshold = 0;          ///< output.trace-threshold: depth that counts as covered [m]
+    double covered_area_m2 = 0;    ///< of the trace: greatest depth above the threshold
+    std::vector<Runout> run_outs;  ///< of the separate flows, the longest first; at least one
+
+    [[nodiscard]] const Runout& run_out() const { return run_outs.front(); }
+};
 
 /// Returns the places from which the flows of a result come: by them flows that only flowed in are recognised.
 std::vector<Point> flow_tops(const std::optional<MainStatistics>& statistics);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/find_raster.h"
+#include "simulation/raster_of_row.h"
 
 #include <map>
 #include <string>
 
 namespace frana {
 
-const Raster* find_raster(const RunResult& result, const ResultRaster& row) {
+const Raster* raster_of_row(const RunResult& result, const ResultRaster& row) {
     static const std::map<std::string, Raster RunResult::*> k_members{{"max_depth", &RunResult::max_depth},
                                                                       {"max_velocity", &RunResult::max_velocity},
                                                                       {"final_depth", &RunResult::final_depth},

@@ -7,6 +7,6 @@
 namespace frana {
 
 /// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
-const Raster* find_raster(const RunResult& result, const ResultRaster& row);
+const Raster* raster_of_row(const RunResult& result, const ResultRaster& row);
 
 }  // namespace frana
