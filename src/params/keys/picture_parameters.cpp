@@ -8,6 +8,7 @@ namespace frana {
 namespace {
 
 using declare::choice;
+using declare::holds;
 using declare::number;
 using declare::on_off;
 using declare::Range;
@@ -46,9 +47,10 @@ void add_pictures(std::vector<Parameter>& list) {
         "File formats of each map: picture, geospatial PDF page, SVG drawing, GeoTIFF of the area inside the frame."));
     list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
                           "Colours in classes, or continuous."));
-    list.push_back(text("output.map-background", FRANA_MEMBER(output.map_background), "file",
-                        "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.",
-                        "shaded relief"));
+    list.push_back(
+        holds("raster",
+              text("output.map-background", FRANA_MEMBER(output.map_background), "file",
+                   "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.", "shaded relief")));
     list.push_back(text("output.map-attribution", FRANA_MEMBER(output.map_attribution), "text",
                         "Sources of the data and author, at the foot of every picture.", "the program alone"));
     list.push_back(text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
