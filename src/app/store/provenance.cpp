@@ -10,15 +10,18 @@
 
 namespace frana::app {
 
+SceneSpec seen_from(SceneSpec scene, const std::string& folder) {
+    for (const Parameter& parameter : scene_parameters())
+        if (parameter.reads_files())
+            parameter.map_files(scene, [&](const std::string& path) { return relative_path(path, folder); });
+    return scene;
+}
+
 std::string echoed_scene(const Prepared& prepared) {
     if (prepared.result_folder.empty()) return echoed_scene_here(prepared);
     Prepared moved;
-    moved.spec = prepared.spec;
+    moved.spec = seen_from(prepared.spec, prepared.result_folder);
     moved.resolved = prepared.resolved;
-    for (const Parameter& parameter : scene_parameters())
-        if (parameter.reads_files())
-            parameter.map_files(moved.spec,
-                                [&](const std::string& path) { return relative_path(path, prepared.result_folder); });
     return echoed_scene_here(moved);
 }
 

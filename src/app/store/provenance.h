@@ -17,4 +17,7 @@ std::string echoed_scene(const Prepared& prepared);
 /// The same with absolute paths.
 std::string echoed_scene_here(const Prepared& prepared);
 
+/// Returns a scene whose files are named relative to a folder.
+SceneSpec seen_from(SceneSpec scene, const std::string& folder);
+
 }  // namespace frana::app
