@@ -189,7 +189,7 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
                    "Dice " + number_text(f.dice, 3)};
     if (comparison.outline)
         layer.notes.push_back("Outlines " + number_text(comparison.outline->mean_m, 3) + " m apart");
-    layer.title = "Comparison with the scar";
+    layer.title = "Comparison with the observed outline";
     layer.values = comparison.classes;
     layer.source = raster_file() + ", band 1";
     for (const ClassText& entry : k_classes)

@@ -2,8 +2,10 @@
 // What a result's own scene and outlines say besides their values.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/pictures/result_reader.h"
+#include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "gis/access/table_in.h"
@@ -20,6 +22,11 @@ ClassSpec ResultReader::classes() const {
         if (key.name().starts_with("output.classes"))
             if (const auto text = scene_value(key.name())) key.read(scene, *text);
     return scene.output.classes;
+}
+
+std::string ResultReader::run_date() const {
+    const std::optional<Json> summary = has(k_summary_file) ? read_json_file(path(k_summary_file)) : std::nullopt;
+    return summary ? value_in<std::string>(*summary, "/date").value_or("") : "";
 }
 
 std::vector<std::vector<std::string>> ResultReader::figures_at(const std::vector<double>& times) const {
