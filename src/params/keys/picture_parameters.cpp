@@ -8,6 +8,7 @@ namespace frana {
 namespace {
 
 using declare::choice;
+using declare::holds;
 using declare::number;
 using declare::on_off;
 using declare::Range;
@@ -48,9 +49,10 @@ void add_pictures(std::vector<Parameter>& list) {
         "File formats of each map: picture, geospatial PDF page, SVG drawing, GeoTIFF of the area inside the frame."));
     list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
                           "Colours in classes, or continuous."));
-    list.push_back(text("output.map-background", FRANA_MEMBER(output.map_background), "file",
-                        "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.",
-                        "shaded relief"));
+    list.push_back(
+        holds("raster",
+              text("output.map-background", FRANA_MEMBER(output.map_background), "file",
+                   "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.", "shaded relief")));
     list.push_back(text("output.map-background-licence", FRANA_MEMBER(output.map_background_licence), "text",
                         "Owner and licence of output.map-background, at the foot of maps and views.",
                         "the name of its file"));
@@ -61,8 +63,8 @@ void add_pictures(std::vector<Parameter>& list) {
                         "Author, in the title block of maps.", "none"));
     list.push_back(text("output.map-organisation", FRANA_MEMBER(output.map_organisation), "text",
                         "Organisation, in the title block of maps.", "none"));
-    list.push_back(text("output.map-logo", FRANA_MEMBER(output.map_logo), "file",
-                        "Logo in the title block of maps: a PNG or JPEG file.", "none"));
+    list.push_back(holds("raster", text("output.map-logo", FRANA_MEMBER(output.map_logo), "file",
+                                        "Logo in the title block of maps: a PNG or JPEG file.", "none")));
     list.push_back(text("output.map-date", FRANA_MEMBER(output.map_date), "text",
                         "Date in the title block of maps; none: no date.", "the day of the run"));
     list.push_back(text("output.map-attribution", FRANA_MEMBER(output.map_attribution), "text",
