@@ -54,8 +54,8 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const Map
     const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
                             (spec.dots != nullptr && !spec.dots->dots.empty());
     if (has_values || for_frames) {
-        scale_ = ColourScale(
-            {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
+        scale_ = ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer,
+                              for_frames, spec.words});
     }
     arrange(spec, for_frames, ground);
 }
@@ -115,7 +115,7 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
 
         const MapGround& ground = ground_for(spec, frame_, plan.crowding.density, kept);
         PageText text = own_text(spec, scale_);
-        text.foot[2] = contour_words(ground.contour_interval);
+        text.foot[2] = contour_words(ground.contour_interval, spec.words);
         const std::vector<std::string> foot = plan.foot(spec, text);
         const double bottom = spec.height - plan.style.margin;
         lacking = plan.foot_top - (bottom - foot_height(sheet, plan.style, foot, inner));
@@ -154,7 +154,7 @@ void MapPage::furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle
     if (!scale_.classes().empty() || (spec.layer == nullptr && spec.dots == nullptr)) return;
     TextStyle note = style.heading;
     note.halo_px = std::max(2.0, style.length(4));
-    const std::string words = "nothing to show: the raster has no values";
+    const std::string words = spec.words("nothing to show: the raster has no values");
     sheet.text(words, {frame_.left + frame_.width / 2.0, frame_.top + frame_.height / 2.0},
                shrunk_to_fit(sheet.lettering(), words, note, 0.9 * frame_.width, 0.5), Across::centre, Upright::middle);
 }

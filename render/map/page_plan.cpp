@@ -47,7 +47,7 @@ std::vector<std::string> foot_parts(const MapSpec& spec, const PageText& text, b
     std::vector<std::string> parts;
     if (notes) {
         parts = text.notes;
-        parts.push_back(convergence_words(spec.convergence_deg));
+        parts.push_back(convergence_words(spec.convergence_deg, spec.words));
     }
     parts.insert(parts.end(), text.foot.begin(), text.foot.end());
     if (block) parts.insert(parts.end(), spec.block.lines.begin(), spec.block.lines.end());
@@ -56,8 +56,8 @@ std::vector<std::string> foot_parts(const MapSpec& spec, const PageText& text, b
 
 }  // namespace
 
-std::string contour_words(double interval) {
-    return interval > 0 ? "contour interval " + number(interval) + " m" : "";
+std::string contour_words(double interval, const Words& words) {
+    return interval > 0 ? words("contour interval {1} m", {words.number(number(interval))}) : "";
 }
 
 PageText own_text(const MapSpec& spec, const ColourScale& scale) {
@@ -69,7 +69,7 @@ PageText own_text(const MapSpec& spec, const ColourScale& scale) {
             spec.unit,
             scale,
             spec.side_notes,
-            {spec.source, spec.crs_label, contour_words(interval), spec.attribution}};
+            {spec.source, spec.crs_label, contour_words(interval, spec.words), spec.attribution}};
 }
 
 PageText series_text(const MapSpec& spec) {
@@ -146,11 +146,12 @@ double draw_page_head(Sheet& sheet, const PagePlan& plan, const MapSpec& spec, b
 double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapFrame& frame,
                         const PageBox& column, bool words_at_foot, MapLayout& layout) {
     double y = column.bottom - scale_bar_height(style);
-    const ScaleBar bar = draw_scale_bar(sheet, style, {column.left, y}, column.width(), frame.metres_per_pixel());
+    const ScaleBar bar =
+        draw_scale_bar(sheet, style, {column.left, y}, column.width(), frame.metres_per_pixel(), spec.words);
     layout.scale_bar = bar.box;
     layout.scale_bar_metres = bar.metres;
     y -= style.gap;
-    const std::string words = convergence_words(spec.convergence_deg);
+    const std::string words = convergence_words(spec.convergence_deg, spec.words);
     if (!words.empty() && !words_at_foot) {
         const std::vector<std::string> lines = sheet.wrapped(words, style.small, column.width());
         y -= Sheet::line_height(style.small) * static_cast<double>(lines.size());
@@ -165,13 +166,13 @@ double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spe
         layout.scale = scale_of(frame.metres_per_pixel(), spec.print.dots_per_inch);
         const double left = column.left + 2 * reach + style.gap, width = column.right - left;
         const std::vector<std::string> on =
-            sheet.wrapped(print_words(spec.print, spec.width, spec.height), style.small, width);
+            sheet.wrapped(print_words(spec.print, spec.width, spec.height, spec.words), style.small, width);
         const double height =
             Sheet::line_height(style.heading) + Sheet::line_height(style.small) * static_cast<double>(on.size());
         const double top = y + std::max(0.0, reach - height / 2);
         const TextStyle heading =
-            shrunk_to_fit(sheet.lettering(), scale_words(layout.scale), style.heading, width, 0.6);
-        sheet.text(scale_words(layout.scale), {left, top}, heading, Across::left, Upright::top);
+            shrunk_to_fit(sheet.lettering(), scale_words(layout.scale, spec.words), style.heading, width, 0.6);
+        sheet.text(scale_words(layout.scale, spec.words), {left, top}, heading, Across::left, Upright::top);
         sheet.lines(on, {left, top + Sheet::line_height(style.heading)}, style.small, Across::left);
     }
     return y;

@@ -22,7 +22,7 @@ struct PageText {
     std::vector<std::string> notes, foot;  ///< `foot`: without the notes
 };
 
-std::string contour_words(double interval);
+std::string contour_words(double interval, const Words& words);
 
 /// The texts of this map.
 PageText own_text(const MapSpec& spec, const ColourScale& scale);

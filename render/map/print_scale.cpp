@@ -2,9 +2,7 @@
 #include "render/map/print_scale.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.h"
 #include "render/canvas/ticks.h"
@@ -69,17 +67,16 @@ Bounds window_at_scale(const Print& print, const Bounds& required, const Bounds&
     return centred(free, metres_per_pixel(round, print.dots_per_inch), width, height);
 }
 
-std::string scale_words(double n) {
-    return "1 : " + grouped(std::round(n));
+std::string scale_words(double n, const Words& words) {
+    return "1 : " + words.number(grouped(std::round(n)));
 }
 
-std::string print_words(const Print& print, double page_width, double page_height) {
-    if (!print.sheet.empty()) return "on " + print.sheet;
-    const auto centimetres = [&](double pixels) { return 100 * k_inch * pixels / print.dots_per_inch; };
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "printed %.1f \u00D7 %.1f cm", centimetres(page_width),
-                  centimetres(page_height));
-    return text.data();
+std::string print_words(const Print& print, double page_width, double page_height, const Words& words) {
+    if (!print.sheet.empty()) return words("on {1}", {print.sheet});
+    const auto centimetres = [&](double pixels) {
+        return words.number(number(std::round(1000 * k_inch * pixels / print.dots_per_inch) / 10));
+    };
+    return words("printed {1} \u00D7 {2} cm", {centimetres(page_width), centimetres(page_height)});
 }
 
 }  // namespace frana::render

@@ -25,8 +25,8 @@ Bounds window_at_scale(const Print& print, const Bounds& required, const Bounds&
 double least_scale(const Print& print, const Bounds& required, int width, int height);
 
 /// Returns "1 : 5 000".
-std::string scale_words(double n);
+std::string scale_words(double n, const Words& words = {});
 /// Returns what the scale refers to: "on A4", "printed 27.1 x 20.3 cm".
-std::string print_words(const Print& print, double page_width, double page_height);
+std::string print_words(const Print& print, double page_width, double page_height, const Words& words = {});
 
 }  // namespace frana::render

@@ -148,20 +148,21 @@ DifferenceMap difference_map(const ResultReader& first, const ResultReader& seco
             layer.values.values[cell] = -value;
     });
     layer.name = "difference_" + a.name;
-    layer.title = "Difference: " + a.title;
+    const Words& words = map.source.style.words;
+    layer.title = words.labelled(words("Difference"), a.title);
     layer.unit = a.unit;
     layer.palette = "difference";
     layer.classes = symmetric(a.classes, layer.values);
     layer.time = a.time;
-    layer.source = a.source + ", minus that of the second result";
+    layer.source = words("{1}, minus the same of B", {a.source});
     layer.notes_alone = true;
-    layer.notes = {"A: " + map.source.title, "B: " + other.title, "Shown: A minus B",
-                   both ? "where both came" : "where one did not come it is 0"};
+    layer.notes = {words.labelled("A", map.source.title), words.labelled("B", other.title), words("A minus B"),
+                   both ? words("where both came") : words("0 where one did not come")};
     add_second(map.source, other, all);
-    map.source.scenario = "A: " + map.source.scenario + ".  B: " + other.scenario;
+    map.source.scenario = words.labelled("A", map.source.scenario) + ".  " + words.labelled("B", other.scenario);
     constexpr Rgb k_release_of_second{120, 60, 0};
     if (!other.release.empty() && !same_outline(other.release, map.source.release))
-        map.source.marks.push_back({"Release of B", other.release, k_release_of_second, 2, true});
+        map.source.marks.push_back({words("Release of B"), other.release, k_release_of_second, 2, true});
     return map;
 }
 

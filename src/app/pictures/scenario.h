@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/words/words.h"
+
 namespace frana::app {
 
 /// What a scenario line is made of.
@@ -19,6 +21,6 @@ struct ScenarioFacts {
 /// Returns what fails, how much of it, the model and its values: "Release North, South: 12 300 m3; Voellmy-Bingham,
 /// friction angle 12 degrees, turbulence 500 m/s2, density 2000 kg/m3; 120 s simulated". Of values that differ from
 /// place to place it says so.
-std::string scenario_words(const ScenarioFacts& facts);
+std::string scenario_words(const ScenarioFacts& facts, const Words& words);
 
 }  // namespace frana::app
