@@ -115,7 +115,7 @@ class Field:
                 self.column_name, self.key.title() + ", from a column", None, self.column_of.parameter,
                 QgsProcessingParameterField.Numeric, False, True))
         for parameter in made:
-            parameter.setHelp(f"{self.key.meaning}\n\n{self.key.name}")
+            parameter.setHelp(self.key.help())
             if not self.key.is_first:
                 parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
         return made

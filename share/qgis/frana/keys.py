@@ -13,6 +13,9 @@ FIRST = ("terrain.dtm", "terrain.cell-size", "release.perimeter", "release.thick
          "time.frame-interval", "output.title")
 
 
+_LONGEST_LABEL = 64  # letters; longer ones would widen the dialogue
+
+
 @dataclass(frozen=True)
 class Key:
     name: str  # "release.dtm-contains-release"
@@ -36,15 +39,29 @@ class Key:
         return self.name in FIRST
 
     def label(self) -> str:
-        """"Terrain: cell size [m] (0.01 to 1000; otherwise the DTM's own)"."""
-        unit = f" [{self.unit}]" if self.unit else ""
-        limits = "" if self.type in ("choice", "on | off") or len(self.limits) > 90 else self.limits
+        """"Terrain: cell size [m] (0.01 to 1000; otherwise the DTM's own)", as much as fits into a dialogue."""
+        label = self.title() + (f" [{self.unit}]" if self.unit else "")
+        limits = "" if self.type in ("choice", "on | off") else self.limits
+        for facts in ((limits, self.otherwise()), (self.otherwise(),), (limits,)):
+            text = "; ".join(fact for fact in facts if fact)
+            if text and len(label) + len(text) <= _LONGEST_LABEL:
+                return f"{label} ({text})"
+        return label
+
+    def otherwise(self) -> str:
+        """What counts if the key is not given."""
         if self.default is not None:
-            otherwise = f"otherwise {self.default}"
-        else:
-            otherwise = self.absent if self.absent.startswith("required") else f"otherwise {self.absent}"
-        facts = "; ".join(text for text in (limits, otherwise) if text and text != "otherwise ")
-        return f"{self.title()}{unit}" + (f" ({facts})" if facts else "")
+            return f"otherwise {self.default}"
+        if self.absent == "required":
+            return "needed, unless a scene file is given"
+        if self.absent.startswith("required"):
+            return "needed" + self.absent[len("required"):]
+        return f"otherwise {self.absent}" if self.absent else ""
+
+    def help(self) -> str:
+        """Everything about it."""
+        facts = [f"Allowed: {self.limits}" if self.limits else "", self.otherwise(), f"Key: {self.name}"]
+        return "\n".join([self.meaning, "", *(fact for fact in facts if fact)])
 
     def title(self) -> str:
         """Section and key as words: "Terrain: cell size"."""

@@ -62,14 +62,21 @@ def add_result(folder: str, layer: QgsMapLayer, project: QgsProject) -> None:
     if not source.read(os.path.join(folder, PROJECT_FILE)):
         return
     root = project.layerTreeRoot()
-    group = QgsLayerTreeGroup(source.title() or os.path.basename(folder))
+    alone = root.findLayer(layer.id())
+    group = root.insertGroup(0, source.title() or os.path.basename(folder))
     for child in source.layerTreeRoot().children():
         _copy(child, group, layer, project)
-    alone = root.findLayer(layer.id())
-    root.insertChildNode(0, group)
     if alone is not None and alone.parent() is not None:
         alone.parent().removeChildNode(alone)
+    _show()
     _set_time(source, project)
+
+
+def _show() -> None:
+    """The map canvas, where there is one, does not follow a whole group by itself."""
+    from qgis.utils import iface
+    if iface is not None and iface.layerTreeCanvasBridge() is not None:
+        iface.layerTreeCanvasBridge().setCanvasLayers()
 
 
 def _copy(node, target: QgsLayerTreeGroup, loaded: QgsMapLayer, project: QgsProject) -> None:
