@@ -14,6 +14,7 @@
 #include "app/compare/ranking.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_project.h"
+#include "app/publish/report_comparison.h"
 #include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
@@ -295,6 +296,8 @@ int cmd_compare(const Arguments& arguments) {
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);
+        if (!renew_report(pair.folder, comparison, simulated.source))
+            log.warn("report.html is of an older frana and stays without this comparison; run the scene again");
         if (pair.name.empty()) {
             std::cout << comparison_json(comparison, simulated.input);
             return static_cast<int>(ExitCode::done);
