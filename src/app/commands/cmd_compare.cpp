@@ -18,6 +18,7 @@
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish_project.h"
+#include "app/publish/report_comparison.h"
 #include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
@@ -342,6 +343,8 @@ int cmd_compare(const Arguments& arguments) {
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);
+        if (!renew_report(pair.folder, comparison, simulated.source))
+            log.warn("report.html is of an older frana and stays without this comparison; run the scene again");
         const std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
         written.insert(written.end(), files.begin(), files.end());
         document["comparisons"].push_back({{"folder", pair.folder},
