@@ -30,9 +30,7 @@ void make_folder_of_plugins(const fs::path& profile, const std::string& name) {
                                                     system_remedy(error.value())});
 }
 
-}  // namespace
-
-int cmd_qgis_plugin(const Arguments& arguments) {
+CommandForm qgis_plugin_form() {
     CommandForm form{"frana qgis-plugin --install|--uninstall [--profile NAME]",
                      "Puts the QGIS plugin into a profile of QGIS (3.22 or newer), or removes it. An older one is "
                      "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
@@ -41,7 +39,13 @@ int cmd_qgis_plugin(const Arguments& arguments) {
     form.options.add_options()("install", "put it into the profile; prints its folder")(
         "uninstall", "remove it from the profile")("profile", boost::program_options::value<std::string>(),
                                                    "name of the profile (default: default)");
-    const auto values = parse_arguments(form, arguments);
+    return form;
+}
+
+}  // namespace
+
+int cmd_qgis_plugin(const Arguments& arguments) {
+    const auto values = parse_arguments(qgis_plugin_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     const bool install = values->count("install") > 0, uninstall = values->count("uninstall") > 0;
     if (install == uninstall)
@@ -59,7 +63,7 @@ int cmd_qgis_plugin(const Arguments& arguments) {
     std::error_code error;
     if (!fs::is_regular_file(source / "metadata.txt", error))
         throw Error(ErrorKind::environment, Problem{"the QGIS plugin is missing", source.string(), "", "",
-                                                    "Install it (package frana-qgis), or set FRANA_SHARE"});
+                                                    "Install frana with its QGIS plugin, or set FRANA_SHARE"});
     make_folder_of_plugins(profile, name);
     install_plugin(source.string(), target, working, fs::read_symlink("/proc/self/exe").string());
     std::cout << target << '\n';

@@ -98,5 +98,5 @@ class SceneAlgorithm(FranaAlgorithm):
         done = run_program([self.program.path, "check", *words], QgsProcessingFeedback(False))
         if done.code == 0:
             return []
-        found = problems_of(done.lines, self.fields) or [f"frana check ended with exit code {done.code}"]
+        found = problems_of(done.lines, self.fields, self.NAMES) or [f"frana check ended with exit code {done.code}"]
         return [problem.replace(folder + os.sep, "") for problem in found]
