@@ -22,6 +22,7 @@ const std::vector<Command>& commands() {
          cmd_calibrate},
         {"bench", "tests of frana: exact solutions, hard cases, throughput, changes of a scene's grid", bench_form,
          cmd_bench},
+        {"qgis-plugin", "the plugin into a profile of QGIS", qgis_plugin_form, cmd_qgis_plugin},
         {"completion", "completion of commands, options, keys and values for a shell", completion_form, cmd_completion},
         {"man", "the manual pages", man_form, cmd_man},
     };

@@ -54,6 +54,8 @@ CommandForm new_form();
 int cmd_new(const Arguments& arguments);
 CommandForm params_form();
 int cmd_params(const Arguments& arguments);
+CommandForm qgis_plugin_form();
+int cmd_qgis_plugin(const Arguments& arguments);
 CommandForm materials_form();
 int cmd_materials(const Arguments& arguments);
 CommandForm completion_form();
