@@ -367,7 +367,7 @@ int cmd_compare(const Arguments& arguments) {
         write_text_file(ranking_file, ranking.csv());
         record_files({ranking_file});
         written.push_back(ranking_file);
-        document["files"] = {ranking_file};
+        document["files"] = Json::array({ranking_file});
         document["ranking"] = rows_of(ranking.csv());
         if (!json) print_table(ranking.table(output_width()), written);
     }

@@ -86,7 +86,8 @@ void move_file(SceneReading& reading, const std::string& key, const fs::path& fr
 }  // namespace
 
 std::string recorded_inputs(const Prepared& prepared) {
-    Json json{{"files", Json::array()}};
+    Json json = Json::object();
+    json["files"] = Json::array();
     for (const NamedFile& named : named_files(prepared.spec)) {
         const fs::path file = plain_file(named.path);
         std::error_code error;

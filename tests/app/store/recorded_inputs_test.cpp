@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "support/tiny_scene.h"
@@ -70,7 +71,7 @@ TEST_F(Moved, AMissingInputIsOneClearError) {
     EXPECT_EQ(outcome.exit_code, 2);
     for (const std::string& words :
          {std::string("scene.ini: release.perimeter: an input of this result is missing"), "xxh128 " + sum,
-          "../../data/perimeter.geojson", path("elsewhere/far/moved/data/perimeter.geojson"),
+          std::string("../../data/perimeter.geojson"), path("elsewhere/far/moved/data/perimeter.geojson"),
           path("project/data/perimeter.geojson"), std::string("--set release.perimeter=FILE")})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
