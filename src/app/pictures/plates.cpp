@@ -25,7 +25,7 @@ constexpr const char *k_initial_state = "initial_state", *k_snapshots = "snapsho
 /// Draws a map without the parts that a plate has only once.
 render::Page lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
                       int height) {
-    render::MapSpec spec = map_spec(source, layer);
+    render::MapSpec spec = unprinted(map_spec(source, layer));
     spec.title.clear();
     spec.subtitle = subtitle;
     spec.attribution.clear();
