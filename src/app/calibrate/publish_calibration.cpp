@@ -2,9 +2,11 @@
 #include "app/calibrate/publish_calibration.h"
 
 #include "app/calibrate/calibration_charts.h"
+#include "app/calibrate/calibration_maps.h"
 #include "app/calibrate/calibration_report.h"
 #include "app/calibrate/calibration_tables.h"
 #include "app/ensemble/study_result.h"
+#include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
@@ -50,7 +52,8 @@ void write_best_scenes(const CalibrationInput& input, const CalibrationResult& r
     for (std::size_t e = 0; e < input.events(); ++e) {
         const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
         const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
-        write_text_file(directory.path(name), scene_text(study.member(result.best).scene, {}));
+        write_text_file(directory.path(name),
+                        scene_text(seen_from(study.member(result.best).scene, directory.target()), {}));
     }
 }
 
@@ -92,7 +95,8 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
             write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
-    outcome.pictures_failed = !draw(input, runs, result, directory, log);
+    const bool mapped = publish_calibration_maps(input, runs, result, directory, log);
+    outcome.pictures_failed = !draw(input, runs, result, directory, log) || !mapped;
     tell(input, result, log);
     const CalibrationFacts facts{since_start.seconds(), threads, log.warnings()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "analysis/trace.h"
+#include "app/ensemble/map_writer.h"
 #include "app/ensemble/mapped_events.h"
 #include "app/ensemble/study_charts.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
-#include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
@@ -21,46 +21,11 @@
 #include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
-#include "gis/raster/styles.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/write_scene.h"
 
 namespace frana::app {
 namespace {
-
-/// Writes rasters of the table with their texts and styles.
-class MapWriter {
-  public:
-    MapWriter(const StudyInput& input, const ResultDirectory& directory)
-        : directory_(directory), metadata_(provenance(input.base)), classes_(input.base.spec.output.classes) {}
-
-    void write(const std::string& name, const Raster& raster) const { write(name, {band_of(name, raster)}); }
-    void write_probability(const std::string& name, const Raster& probability, const Raster& error) const {
-        gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
-        gis::RasterBand band = band_of(name, probability);
-        band.zero_elsewhere = true;
-        write(name, {band, {error, text, true}});
-    }
-
-  private:
-    [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const {
-        const ResultRaster& row = *find_result_raster(name);
-        return {raster, {name, text_for(row, row.description, name), row.unit, metadata_}};
-    }
-    void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const {
-        const ResultRaster& row = *find_result_raster(name);
-        const std::string file = directory_.path(name + ".tif");
-        gis::write_geotiff(file, bands);
-        if (!row.is_drawn()) return;
-        const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
-        gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
-                          gis::StyleKind::classed, text_for(row, row.title, name));
-    }
-
-    const ResultDirectory& directory_;
-    std::map<std::string, std::string> metadata_;
-    ClassSpec classes_;
-};
 
 /// Quantiles and moments, of depth and velocity alone.
 void write_distribution(const study::QuantityMaps& maps, const std::string& name, const MapWriter& writer) {
@@ -126,7 +91,7 @@ void publish_study_ground(const StudyInput& input, const ResultDirectory& direct
 }
 
 void publish_union_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
-    const MapWriter writer(input, directory);
+    const MapWriter writer(input.base, directory);
     std::vector<std::size_t> numbers;
     for (const std::size_t place : result.finished_at) numbers.push_back(result.members[place].member);
     const study::UnionMaps maps = study::union_maps(result.finished, numbers, result.grid);
@@ -147,7 +112,7 @@ void publish_union_maps(const StudyInput& input, const StudyResult& result, cons
 study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
                                    const ResultDirectory& directory) {
     const OutputSpec& output = input.base.spec.output;
-    const MapWriter writer(input, directory);
+    const MapWriter writer(input.base, directory);
     std::vector<Raster> errors;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
         study::QuantityMaps maps =

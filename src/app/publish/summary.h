@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/ground_statistics.h"
-#include "app/publish/peak_statistics.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/accuracy_record.h"
 #include "app/store/main_statistics.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app {
 
@@ -25,6 +24,7 @@ struct SummaryFacts {
     SceneSpec spec;
     GridSpec computed;  ///< the scene's; rasters may cover a part of it
     std::string crs_label;
+    std::string date;  ///< the day of the run, "2026-11-24"
     int threads = 1;
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;
@@ -39,9 +39,6 @@ struct SummaryFacts {
 
 /// Returns summary.json.
 std::string summary_json(const RunResult& result, const SummaryFacts& facts);
-
-/// Returns one word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
-std::string stop_word(StopReason reason);
 
 /// Returns the peak resident memory of this process so far.
 std::int64_t peak_memory_bytes();

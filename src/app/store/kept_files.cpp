@@ -10,6 +10,7 @@
 
 #include "app/store/result_files.h"
 #include "gis/raster/picture_out.h"
+#include "params/grammar/absolute_path.h"
 #include "params/grammar/ini_file.h"
 
 namespace frana::app {
@@ -70,7 +71,8 @@ void KeptFiles::add_result(const std::string& folder, const std::vector<std::str
     }
     const fs::path scene = fs::path(folder) / k_scene_file;
     if (!fs::exists(scene, error)) return;
-    for (const IniEntry& entry : read_ini(scene.string())) add(entry.value);
+    for (const IniEntry& entry : read_ini(scene.string()))
+        add(absolute_path(entry.value, fs::absolute(folder).string()));
 }
 
 bool KeptFiles::has(const std::string& path) const {

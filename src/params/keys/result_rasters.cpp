@@ -41,9 +41,8 @@ class Table {
     bool (*is_produced_by_)(const SceneSpec&) = nullptr;
 };
 
-/// What a study of many runs writes.
+/// What studies of many runs write.
 void add_study(Table& table) {
-    table.by("ensemble", "by `frana ensemble`");
     const auto for_values = [&](const char* name, const char* title, const char* description, const char* unit,
                                 const char* palette, bool progressive) -> ResultRaster& {
         ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
@@ -55,6 +54,10 @@ void add_study(Table& table) {
         row.zero_is_blank = true;
         row.bounds = {0, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
     };
+    table.by("calibrate", "by `frana calibrate`, for each event");
+    probability("posterior", "Posterior probability, {}",
+                "Probability under the posterior that the maximum depth exceeds the survey's threshold, event {}");
+    table.by("ensemble", "by `frana ensemble`");
     probability("probability_depth", "Probability of more than {} m",
                 "Probability that the maximum depth exceeds {} m");
     probability("probability_velocity", "Probability of more than {} m/s",

@@ -131,7 +131,9 @@ TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
 // posterior.csv is a table of weighted members: an ensemble of it runs those with a weight, with these weights.
 TEST_F(Calibrate, ItsPosteriorIsTheInputOfAnEnsemble) {
     ASSERT_EQ(run().exit_code, 0);
-    write("ensemble.ini", "[study]\nscene = slope.ini\nsampling = table:out/posterior.csv\n[set]\ntime.end = 12\n");
+    write("ensemble.ini",
+          "[study]\nscene = slope.ini\nsampling = table:out/posterior.csv\n[set]\ntime.end = 12\n"
+          "output.depth-thresholds = 0.1\n");
     const Outcome outcome = frana({"ensemble", "ensemble.ini", "--out", "range", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Rows members = table("range/members.csv");
@@ -149,6 +151,20 @@ TEST_F(Calibrate, ItsPosteriorIsTheInputOfAnEnsemble) {
     EXPECT_GT(compared, 2U);
     const Json summary = parse_json(read_text(path("range/summary.json")));
     EXPECT_NEAR(summary["figures"]["covered_area_m2"]["mean"].get<double>(), area, 1e-9 * area);
+    // The calibration's own map: the same probabilities on the part of the ground that was reached.
+    const Raster whole = gis::read_result_raster(path("range/probability_depth_0.1.tif")),
+                 part = gis::read_result_raster(path("out/posterior_slope.tif"));
+    const auto left = std::llround((part.grid.west - whole.grid.west) / whole.grid.cell_size),
+               top = std::llround((whole.grid.north - part.grid.north) / whole.grid.cell_size);
+    double sum_whole = 0, sum_part = 0;
+    for (std::size_t i = 0; i < whole.values.size(); ++i) sum_whole += whole.values[i];
+    for (std::int64_t row = 0; row < part.grid.rows; ++row)
+        for (std::int64_t column = 0; column < part.grid.columns; ++column) {
+            EXPECT_EQ(part.at(row, column), whole.at(row + top, column + left)) << row << " " << column;
+            sum_part += part.at(row, column);
+        }
+    EXPECT_GT(sum_part, 0);
+    EXPECT_NEAR(sum_part, sum_whole, 1e-9 * sum_whole);  // nothing is left out
 }
 
 TEST_F(Calibrate, SameBitsForAnyNumberOfThreads) {
@@ -324,7 +340,8 @@ TEST_F(Calibrate, ChartsAndReportAreDrawn) {
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const std::string name :
-         {"charts/response.png", "charts/posterior.png", "report.html", "log.txt", "summary.json"})
+         {"maps/posterior_slope.png", "charts/response.png", "charts/posterior.png", "report.html", "log.txt",
+          "summary.json"})
         EXPECT_TRUE(fs::exists(path("out/" + name))) << name;
     const std::string page = read_text(path("out/report.html"));
     EXPECT_NE(page.find("What the surveys say"), std::string::npos);

@@ -4,10 +4,10 @@
 #include <array>
 
 #include "analysis/high_values.h"
-#include "app/store/layers.h"
-#include "simulation/result.h"
+#include "core/words/words.h"
+#include "simulation/raster_of_row.h"
 
-namespace frana::app {
+namespace frana {
 
 /// A raster of maxima whose high values are reported: in summary.json (keys NAME_UNIT, NAME_p999_UNIT, NAME_p99_UNIT),
 /// in the report, and in studies.
@@ -20,9 +20,9 @@ struct PeakStatistic {
 };
 
 inline constexpr std::array<PeakStatistic, 3> k_peak_statistics{{
-    {"max_depth", "m", "depth, vertical"},
-    {"max_velocity", "ms", "speed, along the ground"},
-    {"max_pressure", "kpa", "dynamic pressure"},
+    {"max_depth", "m", worded("depth, vertical")},
+    {"max_velocity", "ms", worded("speed, along the ground")},
+    {"max_pressure", "kpa", worded("dynamic pressure")},
 }};
 
 /// One for each value, over the cells of a trace.
@@ -31,8 +31,8 @@ using PeakStatistics = std::array<PeakValues, k_peak_statistics.size()>;
 inline PeakStatistics peak_statistics(const RunResult& result, const Raster& trace) {
     PeakStatistics high;
     for (std::size_t i = 0; i < high.size(); ++i)
-        high[i] = high_values(*find_raster(result, k_peak_statistics[i].row()), trace);
+        high[i] = high_values(*raster_of_row(result, k_peak_statistics[i].row()), trace);
     return high;
 }
 
-}  // namespace frana::app
+}  // namespace frana

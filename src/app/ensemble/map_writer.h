@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/input/prepare.h"
+#include "app/store/result_directory.h"
+#include "gis/raster/raster_out.h"
+
+namespace frana::app {
+
+/// Writes rasters of the table of result rasters with their texts and styles.
+class MapWriter {
+  public:
+    /// @param base of which the rasters are made
+    MapWriter(const Prepared& base, const ResultDirectory& directory);
+
+    void write(const std::string& name, const Raster& raster) const;
+    /// With its standard error as second band; 0, not nodata, where nothing came.
+    void write_probability(const std::string& name, const Raster& probability, const Raster& error) const;
+
+  private:
+    [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;
+    void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const;
+
+    const ResultDirectory& directory_;
+    std::map<std::string, std::string> metadata_;
+    ClassSpec classes_;
+};
+
+}  // namespace frana::app
