@@ -20,7 +20,7 @@ test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-x
   pybind11-dev python3-dev python3-numpy python3-gdal)
 
 # To make Debian packages.
-package_packages=(dpkg-dev file)
+package_packages=(dpkg-dev file pybind11-dev python3-dev python3-numpy)
 
 say() { printf '== %s\n' "$*"; }
 
@@ -65,7 +65,7 @@ demo() {
 }
 
 package() {
-  tests=OFF configure_and_build frana packages
+  tests=OFF configure_and_build packages
   say "built build/packages/*.deb; install them with apt-get install ./build/packages/*.deb"
 }
 
