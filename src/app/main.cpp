@@ -42,7 +42,8 @@ constexpr const char* k_help =
     "that explain surveyed events, and how uncertain they stay\n  bench "
     "accuracy|stability|speed\n                           tests of frana: errors against exact solutions, hard cases, "
     "throughput\n  bench robustness SCENE.ini\n                           the scene with its grid shifted and rotated, "
-    "noise, other particles and time steps\n\n  frana COMMAND --help     more about a command\n  frana --version       "
+    "noise, other particles and time steps\n  qgis-plugin --install    the plugin into a profile of QGIS\n\n  frana "
+    "COMMAND --help     more about a command\n  frana --version       "
     "   its version and its libraries'\n  frana COMMAND --allow-network ...\n                           inputs may be "
     "URLs, databases and map services\n\nExit codes: 0 done; 2 usage, wrong configuration or input data; 3 numerical "
     "failure; 4 environment (disk,\nrights, graphics); 129, 130, 143 stopped by a signal.\n";
@@ -52,10 +53,17 @@ struct Command {
     int (*run)(const Arguments&);
 };
 
-constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_check},       {"render", cmd_render},
-                                  {"compare", cmd_compare},   {"params", cmd_params},     {"materials", cmd_materials},
-                                  {"converge", cmd_converge}, {"ensemble", cmd_ensemble}, {"calibrate", cmd_calibrate},
-                                  {"bench", cmd_bench}};
+constexpr Command k_commands[] = {{"run", cmd_run},
+                                  {"check", cmd_check},
+                                  {"render", cmd_render},
+                                  {"compare", cmd_compare},
+                                  {"params", cmd_params},
+                                  {"materials", cmd_materials},
+                                  {"converge", cmd_converge},
+                                  {"ensemble", cmd_ensemble},
+                                  {"calibrate", cmd_calibrate},
+                                  {"bench", cmd_bench},
+                                  {"qgis-plugin", cmd_qgis_plugin}};
 
 int dispatch(Arguments words) {
     // Only the user who starts the program can allow it, never a scene.

@@ -94,6 +94,7 @@ void TrialGround::restore(const std::string& name) const {
 
 Ending TrialGround::run(const Launch& launch, const Watch& watch, const Judge& judge) const {
     Launch with_date = launch;
+    with_date.environment.emplace_back("XDG_DATA_HOME=" + at("out/home"));
     with_date.environment.emplace_back("OGR_CURRENT_DATE=2020-01-01T00:00:00.000Z");  // GeoPackages contain the date
     return run_supervised(place(), with_date, watch, judge);
 }
@@ -155,6 +156,7 @@ std::vector<TriedCommand> TrialGround::commands() const {
         more.insert(more.begin(), ensemble.begin(), ensemble.end());
         return more;
     };
+    const std::vector<std::string> plugin{"qgis-plugin", "--install"};
     return {
         {"run", "inputs", run_it, with({"--resume"})},
         {"run --overwrite", "older", with({"--overwrite"}), with({"--overwrite", "--resume"})},
@@ -165,6 +167,7 @@ std::vector<TriedCommand> TrialGround::commands() const {
         {"bench robustness", "inputs", robustness, robustness, false},
         {"ensemble", "inputs", ensemble, ensemble_with({"--resume"})},
         {"ensemble --overwrite", "older", ensemble_with({"--overwrite"}), ensemble_with({"--overwrite", "--resume"})},
+        {"qgis-plugin", "inputs", plugin, plugin},
         {"check", "older", {"check", "in/scene.ini"}, {"check", "in/scene.ini"}},
     };
 }

@@ -22,6 +22,7 @@ int cmd_ensemble(const Arguments& arguments);
 int cmd_calibrate(const Arguments& arguments);
 int cmd_bench(const Arguments& arguments);
 int cmd_params(const Arguments& arguments);
+int cmd_qgis_plugin(const Arguments& arguments);
 int cmd_materials(const Arguments& arguments);
 
 }  // namespace frana::app
