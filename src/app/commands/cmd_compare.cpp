@@ -345,9 +345,12 @@ int cmd_compare(const Arguments& arguments) {
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);
-        if (!renew_report(pair.folder, comparison, simulated.source))
+        std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+        if (!renew_report(pair.folder, comparison, simulated.source)) {
             log.warn("report.html is of an older frana and stays without this comparison; run the scene again");
-        const std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+        } else if (const std::string report = (fs::path(pair.folder) / k_report_file).string(); fs::exists(report)) {
+            files.push_back(report);
+        }
         written.insert(written.end(), files.begin(), files.end());
         document["comparisons"].push_back({{"folder", pair.folder},
                                            {"files", files},
