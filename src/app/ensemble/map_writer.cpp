@@ -13,7 +13,7 @@
 namespace frana::app {
 
 MapWriter::MapWriter(const Prepared& base, const ResultDirectory& directory)
-    
+
     : directory_(directory),
       metadata_(provenance(base)),
       classes_(base.spec.output.classes),

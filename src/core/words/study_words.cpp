@@ -144,6 +144,12 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"member {1}, {2} {3} {4} (median of all {5})", "simulazione {1}, {2} {3} {4} (mediana di tutte {5})",
      "Lauf {1}, {2} {3} {4} (Median aller {5})", "calcul {1}, {2} {3} {4} (médiane de tous {5})",
      "simulación {1}, {2} {3} {4} (mediana de todas {5})"},
+    {"{1} runs weighted by the surveys, effective number {2}",
+     "{1} simulazioni pesate con i rilievi, numero efficace {2}",
+     "{1} Läufe, nach den Kartierungen gewichtet, wirksame Anzahl {2}",
+     "{1} calculs pondérés par les relevés, nombre effectif {2}",
+     "{1} simulaciones ponderadas por los levantamientos, número efectivo {2}"},
+    {"Best run", "Simulazione migliore", "Bester Lauf", "Meilleur calcul", "Mejor simulación"},
 });
 
 }  // namespace
