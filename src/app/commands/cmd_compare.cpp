@@ -18,6 +18,7 @@
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish_project.h"
+#include "app/publish/report_comparison.h"
 #include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
@@ -342,7 +343,12 @@ int cmd_compare(const Arguments& arguments) {
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);
-        const std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+        std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+        if (!renew_report(pair.folder, comparison, simulated.source)) {
+            log.warn("report.html is of an older frana and stays without this comparison; run the scene again");
+        } else if (const std::string report = (fs::path(pair.folder) / k_report_file).string(); fs::exists(report)) {
+            files.push_back(report);
+        }
         written.insert(written.end(), files.begin(), files.end());
         document["comparisons"].push_back({{"folder", pair.folder},
                                            {"files", files},

@@ -199,7 +199,7 @@ int level_count(const boost::program_options::variables_map& values) {
 }
 
 constexpr const char *k_uncertainty = "uncertainty", *k_chart = "convergence.png", *k_table = "convergence.csv",
-                     *k_study = "convergence.json";
+                     *k_study = k_convergence_file;
 
 std::vector<std::string> files_of(const fs::path& folder) {
     std::vector<std::string> files;

@@ -36,7 +36,7 @@ TEST_F(Moved, ResultsNameTheirInputsRelatively) {
     const std::string scene = read_text(path("project/results/one/scene.ini"));
     EXPECT_NE(scene.find("\ndtm = ../../data/dtm.asc\n"), std::string::npos) << scene;
     const Json inputs = parse_json(read_text(path("project/results/one/inputs.json"))).at("files");
-    ASSERT_EQ(inputs.size(), 2U);
+    ASSERT_EQ(inputs.size(), 3U);  // the .prj too
     EXPECT_EQ(inputs.at(0).at("key"), "terrain.dtm");
     EXPECT_EQ(inputs.at(0).at("file"), "../../data/dtm.asc");
     EXPECT_EQ(inputs.at(0).at("place"), path("project/data/dtm.asc"));
@@ -64,7 +64,7 @@ TEST_F(Moved, AMovedResultIsRepeated) {
 
 TEST_F(Moved, AMissingInputIsOneClearError) {
     const std::string sum =
-        json_text(parse_json(read_text(path("project/results/one/inputs.json"))).at("files").at(1).dump(), "xxh128");
+        json_text(parse_json(read_text(path("project/results/one/inputs.json"))).at("files").at(2).dump(), "xxh128");
     move_project();
     fs::remove(folder_ / "elsewhere/far/moved/data/perimeter.geojson");
     const Outcome outcome = frana({"run", "elsewhere/far/moved/results/one/scene.ini", "--out", "again"});
