@@ -77,8 +77,10 @@ std::vector<Try> beside_line(const Polyline& line, const MapFrame& frame, double
     }
     if (inside.size() < 2) return {};
     std::vector<Try> tries{beyond(inside.back(), inside[inside.size() - 2], away), beyond(inside[0], inside[1], away)};
+    const bool level = std::fabs(inside.back().x - inside[0].x) > std::fabs(inside.back().y - inside[0].y);
     for (const Point at : {inside.back(), inside.front(), inside[inside.size() / 2]}) {
-        const std::vector<Try> more = beside_place(at, away);
+        std::vector<Try> more = beside_place(at, away);
+        if (level) std::rotate(more.begin(), more.begin() + 2, more.end());  // above and below first
         tries.insert(tries.end(), more.begin(), more.end());
     }
     return tries;

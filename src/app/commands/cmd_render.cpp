@@ -45,7 +45,7 @@ CommandForm render_form() {
         "fly", "animation, 3d: the camera moves along the flow")("charts",
                                                                  "draw the charts of a result instead of maps")(
         "plates", "draw the plates instead: initial state, snapshots, stresses, profile and comparison")(
-        "difference", one("FOLDER"), "another result: draw the difference of --map, this result minus the other")(
+        "difference", one("RESULT_DIR"), "another result: draw the difference of --map, this result minus the other")(
         "language", one("en|it|de|fr|es"),
         "of the texts: en, it, de, fr, es (default: the result's output.language; for a RASTER the locale's)")(
         "camera", one("ANGLES"), k_cameras)("exaggeration", one("FACTOR"),

@@ -49,11 +49,11 @@ void read_scale(const boost::program_options::variables_map& values, MapStyle& s
 }  // namespace
 
 void add_style_options(CommandForm& form) {
-    form.options.add_options()("size", one("SIZE"), k_sizes)(
-        "scale", one("N"),
-        "maps on paper sizes: 5000 for exactly 1 : 5000 (default: a round scale, if the flow still fills "
-        "the page well)")("format", many("png|pdf|svg|tif"),
-                          "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
+    form.options.add_options()("size", one("SIZE"), k_sizes)("scale", one("N"),
+                                                             "maps on paper sizes: 5000 for exactly 1 : 5000 (default: "
+                                                             "a round scale, if the flow still fills the page well)")(
+        "format", many("png|pdf|svg|tif"),
+        "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
         "legend", one("classed|continuous"), "classed (default) or continuous")(
         "background", one("FILE"), "orthophoto or topographic raster instead of the relief")(
         "background-licence", one("TEXT"), "owner and licence of the background, at the foot")(
@@ -61,7 +61,7 @@ void add_style_options(CommandForm& form) {
         "author", one("TEXT"), "author, in the title block")("organisation", one("TEXT"),
                                                              "organisation, in the title block")(
         "logo", one("FILE"), "PNG or JPEG file, in the title block; none: no logo")(
-        "date", one("DATE"), "date, in the title block (default: the day of the run); none: no date")(
+        "date", one("TEXT"), "date, in the title block (default: the day of the run); none: no date")(
         "title", one("TEXT"), "title of the maps");
 }
 
