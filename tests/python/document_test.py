@@ -42,7 +42,7 @@ for needs, code in blocks:
     printed.append(out.getvalue())
     if needs:
         written = gdal.Open("max_depth.tif").ReadAsArray()
-        assert 1 < written.max() < 6, "the GeoTIFF has depths"
+        assert 1 < written.max() < 10, written.max()
         assert written[0, 0] == -9999
 
 text = "".join(printed)

@@ -6,6 +6,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+os.environ["LC_ALL"] = "C.UTF-8"  # maps and projects in English
 FRANA, SAMPLE, PLUGINS = sys.argv[2:5]
 sys.path[:0] = [PLUGINS, "/usr/share/qgis/python/plugins"]
 
@@ -29,7 +30,8 @@ folder = tempfile.mkdtemp(prefix="frana_qgis_test_")
 DTM, SCAR = os.path.join(SAMPLE, "dtm.tif"), os.path.join(SAMPLE, "scar.shp")
 # In EPSG:32632, on the sample's slope.
 UPPER = "POLYGON((529330 5094500, 529480 5094500, 529480 5094600, 529330 5094600, 529330 5094500))"
-LOWER = "POLYGON((529400 5094250, 529500 5094250, 529500 5094300, 529400 5094300, 529400 5094250))"
+LOWER = ("MULTIPOLYGON(((529400 5094250, 529450 5094250, 529450 5094300, 529400 5094300, 529400 5094250)), "
+         "((529460 5094250, 529510 5094250, 529510 5094300, 529460 5094300, 529460 5094250)))")
 
 
 def polygons(*texts, crs="EPSG:32632"):

@@ -111,14 +111,46 @@ def test_bad_value():
     assert "Release: perimeter: " in refusal("run", scene("bad", release_perimeter=polygons(outside)))
 
 
+def test_refusals_elsewhere():
+    """Studies, folders and comparisons name their fields too."""
+    message = refusal("ensemble", scene("range", VARY=["material.friction-angel", "uniform(1, 2)", "Release: volume", "unif(1)"]))
+    assert message.startswith("Uncertain values: material.friction-angel: unknown key"), message
+    assert "\nUncertain values: release.volume: 'unif' is not a distribution" in message, message
+    assert refusal("ensemble", scene("range")).startswith("Uncertain values: no row is given")
+    first = scene("taken")
+    run("run", first)
+    for name, parameters, said in (
+            ("run", first, "Folder of the result: contains a result already"),
+            ("compare", {"RESULT": folder, "OBSERVED": SCAR}, "Folder of a result: "),
+            ("compare", {"RESULT": first["OUTPUT"], "OBSERVED": polygons("POLYGON((0 0, 9 0, 9 9, 0 0))", crs="")},
+             "Surveyed areas: "),
+            ("render", {"RESULT": first["OUTPUT"], "MAPS": "nothing"}, "Rasters to draw: is not a raster"),
+            ("render", {"RESULT": first["OUTPUT"], "SIZE": "3"}, "Size: is not a picture's size")):
+        try:
+            run(name, parameters)
+        except QgsProcessingException as error:
+            assert said in str(error), (name, str(error))
+        else:
+            raise AssertionError(f"{name} not refused: {said}")
+
+
 def test_not_given():
     """What is not given is not in the scene: the preset keeps its values, defaults remain defaults."""
     parameters = scene("absent", material_density=None, numerics_well_balanced=None, numerics_scheme=None)
     run("run", parameters)
-    with open(parameters["OUTPUT"] + "-inputs/scene.ini", encoding="utf-8") as file:
+    with open(parameters["OUTPUT"] + "-inputs/absent.ini", encoding="utf-8") as file:
         lines = [line.split(" = ")[0] for line in file.read().splitlines() if " = " in line and line[0] != "#"]
     assert sorted(lines) == sorted(["dtm", "cell-size", "perimeter", "thickness", "preset", "end", "frame-interval", "maps",
                                     "animation", "charts", "report"]), lines
+
+
+def test_title():
+    """Maps and groups are called as the result, or as the release layer if the result is temporary."""
+    import json
+    for out, name in ((scene("Valley 2")["OUTPUT"], "Valley 2"), ("TEMPORARY_OUTPUT", "drawn")):
+        found = run("run", scene("x", OUTPUT=out))
+        with open(found["SUMMARY"], encoding="utf-8") as file:
+            assert os.path.basename(json.load(file)["scene"]) == name + ".ini"
 
 
 def test_batch():

@@ -9,13 +9,15 @@ from typing import Iterator, Protocol
 from osgeo import gdal
 from qgis.core import (QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsFeatureRequest, QgsFeatureSink,
                        QgsProcessingException, QgsProcessingFeatureSource, QgsRasterFileWriter,
-                       QgsRasterLayer, QgsRasterPipe, QgsVectorFileWriter)
+                       QgsRasterLayer, QgsRasterPipe, QgsVectorFileWriter, QgsWkbTypes)
 
 VECTOR_DRIVER = "GPKG"
 
 
 class Layer(Protocol):
     """A layer of the project, to be written as a file."""
+
+    name: str
 
     def write(self, folder: str, stem: str) -> str:
         """Returns the file's path: relative to `folder` if it was written there, else absolute."""
@@ -40,7 +42,7 @@ class VectorSource:
     """Features as Processing gives them: the selected ones where the user asked for these."""
 
     def __init__(self, source: QgsProcessingFeatureSource, title: str) -> None:
-        self.source, self.title = source, title
+        self.source, self.title, self.name = source, title, source.sourceName()
         if source.featureCount() == 0:
             raise QgsProcessingException(f"{title}: the layer {source.sourceName()} has no features, or only its selected "
                                          "features are asked for and none is selected. Select features, or untick "
@@ -53,14 +55,21 @@ class VectorSource:
         options.driverName, options.layerName, options.fileEncoding = VECTOR_DRIVER, stem, "UTF-8"
         if self.source.fields().lookupField("fid") >= 0:  # the user's column, not GeoPackage's key
             options.layerOptions = ["FID=frana_fid"]
+        # A layer of polygons may contain areas of several parts.
+        is_area = QgsWkbTypes.geometryType(self.source.wkbType()) == QgsWkbTypes.PolygonGeometry
+        kind = QgsWkbTypes.multiType(self.source.wkbType()) if is_area else self.source.wkbType()
         with _fixed_date():
-            writer = QgsVectorFileWriter.create(aside, self.source.fields(), self.source.wkbType(),
-                                                self.source.sourceCrs(), QgsCoordinateTransformContext(), options)
+            writer = QgsVectorFileWriter.create(aside, self.source.fields(), kind, self.source.sourceCrs(),
+                                                QgsCoordinateTransformContext(), options)
             if writer.hasError() != QgsVectorFileWriter.NoError:
                 raise QgsProcessingException(f"{self.title}: {aside} could not be written: {writer.errorMessage()}")
             # The program judges geometries, and its messages say which.
             for feature in self.source.getFeatures(QgsFeatureRequest(),
                                                    QgsProcessingFeatureSource.FlagSkipGeometryValidityChecks):
+                if is_area and feature.hasGeometry():
+                    area = feature.geometry()
+                    area.convertToMultiType()
+                    feature.setGeometry(area)
                 if not writer.addFeature(feature, QgsFeatureSink.FastInsert):
                     raise QgsProcessingException(f"{self.title}: feature {feature.id()} could not be written: "
                                                  f"{writer.errorMessage()}")

@@ -30,7 +30,6 @@ class Finished:
     output: str
     lines: list[str] = field(default_factory=list)  # of stderr, without progress
     warnings: list[str] = field(default_factory=list)
-    resumable: bool = False
 
     @property
     def was_stopped(self) -> bool:
@@ -125,14 +124,14 @@ def _follow(process: subprocess.Popen, master: int, lines: _Lines, reader: _Read
             process.send_signal(signal.SIGINT)
 
 
-def run_or_refuse(words: list[str], feedback: QgsProcessingFeedback, fields: list[Field],
+def run_or_refuse(words: list[str], feedback: QgsProcessingFeedback, fields: list[Field], names: dict[str, str],
                   resume_hint: str = "") -> Finished:
-    """As run_program; throws with the program's sentences unless it succeeded."""
+    """As run_program; throws with the program's sentences unless it succeeded. `names`: see problems_of."""
     feedback.pushCommandInfo(" ".join(words))
     done = run_program(words, feedback)
     if done.code == 0:
         return done
     if done.was_stopped:
         raise QgsProcessingException("Stopped. " + resume_hint if resume_hint else "Stopped")
-    problems = problems_of(done.lines, fields)
+    problems = problems_of(done.lines, fields, names)
     raise QgsProcessingException("\n".join(problems) or f"frana ended with exit code {done.code}")

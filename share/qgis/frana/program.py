@@ -71,7 +71,7 @@ def _answer(path: str, *words: str) -> str:
 def ask_program() -> Program:
     """Finds the program and asks what it can. Throws ProgramError."""
     path = find_program()
-    commands = set(re.findall(r"^  ([a-z][a-z-]*)(?= )", _answer(path, "--help"), re.MULTILINE))
+    commands = set(re.findall(r"^ {1,8}([a-z][a-z-]*)\b", _answer(path, "--help"), re.MULTILINE))
     version = _answer(path, "--version").split("\n", 1)[0]
     if not version.startswith("frana "):
         raise ProgramError(f"{path} is not frana: it says it is {version!r}")

@@ -6,6 +6,7 @@
 #include "analysis/trace.h"
 #include "app/compare/comparison_input.h"
 #include "app/ensemble/map_writer.h"
+#include "app/input/scene_language.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
@@ -27,8 +28,8 @@ CellWindow window_of(const study::FinishedMembers& members, const GridSpec& grid
     const std::int64_t top = std::clamp<std::int64_t>(reached.row - k_margin, 0, grid.rows),
                        left = std::clamp<std::int64_t>(reached.column - k_margin, 0, grid.columns),
                        bottom = std::clamp<std::int64_t>(reached.row + reached.rows + k_margin, top, grid.rows),
-                       right = std::clamp<std::int64_t>(reached.column + reached.columns + k_margin, left,
-                                                        grid.columns);
+                       right =
+                           std::clamp<std::int64_t>(reached.column + reached.columns + k_margin, left, grid.columns);
     return {top, left, bottom - top, right - left};
 }
 
@@ -45,7 +46,8 @@ struct EventGround {
 EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                       std::size_t e) {
     const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
-    EventGround ground{study, runs.last().events[e], input.spec().events[e], observed_threshold(study.base.spec), {}, {}};
+    EventGround ground{study, runs.last().events[e], input.spec().events[e], observed_threshold(study.base.spec), {},
+                       {}};
     for (std::size_t i = 0; i < result.weights.size(); ++i) {
         if (!(result.weights[i] > 0)) continue;
         ground.members.records.push_back(record_file(ground.runs.records, i));
@@ -59,10 +61,12 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
     const Prepared& base = ground.study.base;
     const OutputSpec& output = base.spec.output;
     MapSource source;
+    source.words = words_of(base.spec);
     source.title = output.title.value_or(ground.event.name);
-    source.subtitle = std::to_string(ground.members.size()) + " runs weighted by the surveys, effective number " +
-                      number_text(result.effective, 3);
-    source.notes = {"Probability of more than", number_text(ground.threshold, 3) + " m of depth"};
+    const auto number = [&](double value) { return source.words.number(number_text(value, 3)); };
+    source.subtitle = source.words("{1} runs weighted by the surveys, effective number {2}",
+                                   {std::to_string(ground.members.size()), number(result.effective)});
+    source.notes = {source.words("Deeper than {1} m counts", {number(ground.threshold)})};
     source.terrain = part_of(base.scene.terrain, ground.window);
     const GridSpec& grid = source.terrain.grid;
     source.crs_label = gis::crs_name(grid.crs_wkt);
@@ -77,7 +81,7 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
     if (const auto best = study::read_record(record_file(ground.runs.records, result.best))) {
         const Raster depth = best->raster(study::Quantity::depth, grid);
         source.marks.push_back(
-            {"Best member", gis::polygonise(trace_mask(depth, ground.threshold)), k_best_colour, 1.8, true});
+            {source.words("Best run"), gis::polygonise(trace_mask(depth, ground.threshold)), k_best_colour, 1.8, true});
     }
     if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
     source.style.formats = output.map_formats;
@@ -95,15 +99,14 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
         if (ground.window.rows == 0 || ground.window.columns == 0) continue;
         const Prepared& base = ground.study.base;
         const std::string name = "posterior_" + ground.event.name;
-        const study::QuantityMaps maps = study::quantity_maps(ground.members, study::Quantity::depth,
-                                                              part_of(base.scene.grid, ground.window),
-                                                              {ground.threshold});
+        const study::QuantityMaps maps = study::quantity_maps(
+            ground.members, study::Quantity::depth, part_of(base.scene.grid, ground.window), {ground.threshold});
         MapWriter(base, directory).write_probability(name, maps.probability.front(), maps.error.front());
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
         try {
             const MapSource source = source_of(ground, result);
-            MapLayer layer = read_map_layer(directory.path(name + ".tif"), base.spec.output.classes);
+            MapLayer layer = read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.words);
             LayerDrawer(source).draw(layer, false, directory.path("maps/" + name));
             log.note("drew maps/" + name);
         } catch (const Error& error) {

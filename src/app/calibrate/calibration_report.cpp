@@ -91,8 +91,9 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
                               const ResultDirectory& directory) {
     HtmlPage page(directory.path(k_report_file), calibration_title(input) + ": calibration",
                   std::string("Computed with ") + k_program + " " + k_version + ", study " + input.spec().study.file);
-    const std::vector<std::string> charts = pictures_in(directory.path("charts"));
-    page.expect_pictures(charts.size());
+    const std::vector<std::string> maps = pictures_in(directory.path("maps")),
+                                   charts = pictures_in(directory.path("charts"));
+    page.expect_pictures(maps.size() + charts.size());
     page.add_warnings(facts.warnings);
     std::string cells;
     for (const EventRuns& event : runs.last().events)
@@ -112,7 +113,7 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
                   : "<p>With one event there is no forecast to check: the score is that of a fit.</p>\n") +
              misfits_table(input, runs, result));
     page.add("<h2 id=\"maps\">Maps</h2>\n");
-    add_pictures(directory.path("maps"), page);
+    page.add_pictures(maps, "Map");
     page.add("<h2 id=\"charts\">Charts</h2>\n");
     page.add_pictures(charts, "Chart");
     if (runs.last().failed() > 0)

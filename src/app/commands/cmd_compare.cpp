@@ -108,10 +108,12 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         usual_threshold =
             result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", usual_threshold));
         input.depth_label = result.path("max_depth.tif");
+        input.words = result.words();
     } else {
         input.depth = foreign_depth(operand);
         simulated.source.title = name_of(operand);
         simulated.source.foreign = true;
+        input.words = simulated.source.style.words = Words(process_language());
         simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
         input.depth_label = operand;
     }
@@ -343,9 +345,12 @@ int cmd_compare(const Arguments& arguments) {
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);
-        if (!renew_report(pair.folder, comparison, simulated.source))
+        std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+        if (!renew_report(pair.folder, comparison, simulated.source)) {
             log.warn("report.html is of an older frana and stays without this comparison; run the scene again");
-        const std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+        } else if (const std::string report = (fs::path(pair.folder) / k_report_file).string(); fs::exists(report)) {
+            files.push_back(report);
+        }
         written.insert(written.end(), files.begin(), files.end());
         document["comparisons"].push_back({{"folder", pair.folder},
                                            {"files", files},
@@ -367,7 +372,7 @@ int cmd_compare(const Arguments& arguments) {
         write_text_file(ranking_file, ranking.csv());
         record_files({ranking_file});
         written.push_back(ranking_file);
-        document["files"] = {ranking_file};
+        document["files"] = Json::array({ranking_file});
         document["ranking"] = rows_of(ranking.csv());
         if (!json) print_table(ranking.table(output_width()), written);
     }

@@ -10,6 +10,18 @@
 #include "core/system_remedy.h"
 
 namespace frana::app {
+
+CommandForm qgis_plugin_form() {
+    CommandForm form{"frana qgis-plugin --install|--uninstall [--profile NAME]",
+                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer), or removes it. An older one is "
+                     "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
+                     "",
+                     {}};
+    form.options.add_options()("install", "put it into the profile; prints its folder")(
+        "uninstall", "remove it from the profile")("profile", one("NAME"), "name of the profile (default: default)");
+    return form;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,18 +44,6 @@ void make_folder_of_plugins(const fs::path& profile, const std::string& name) {
 
 }  // namespace
 
-CommandForm qgis_plugin_form() {
-    CommandForm form{"frana qgis-plugin --install|--uninstall [--profile NAME]",
-                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer), or removes it. An older one is "
-                     "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
-                     "",
-                     {}};
-    form.options.add_options()("install", "put it into the profile; prints its folder")(
-        "uninstall", "remove it from the profile")("profile", one("NAME"),
-                                                   "name of the profile (default: default)");
-    return form;
-}
-
 int cmd_qgis_plugin(const Arguments& arguments) {
     const auto values = parse_arguments(qgis_plugin_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
@@ -63,7 +63,7 @@ int cmd_qgis_plugin(const Arguments& arguments) {
     std::error_code error;
     if (!fs::is_regular_file(source / "metadata.txt", error))
         throw Error(ErrorKind::environment, Problem{"the QGIS plugin is missing", source.string(), "", "",
-                                                    "Install it (package frana-qgis), or set FRANA_SHARE"});
+                                                    "Install frana with its QGIS plugin, or set FRANA_SHARE"});
     make_folder_of_plugins(profile, name);
     install_plugin(source.string(), target, working, fs::read_symlink("/proc/self/exe").string());
     std::cout << target << '\n';

@@ -17,7 +17,7 @@ namespace {
 /// The parts of Problem::where, which is "FILE: KEY", "--set KEY", "--OPTION", "FILE" or a few words.
 void add_place(const std::string& where, Json& json) {
     json["where"] = where;
-    json["file"] = json["key"] = json["option"] = nullptr;
+    for (const char* part : {"file", "key", "option"}) json[part] = nullptr;
     std::string rest = where;
     if (rest.rfind("--", 0) == 0) {
         const auto space = rest.find(' ');

@@ -57,7 +57,10 @@ void ProgressReporter::show(const Progress& progress) {
 
 void ProgressReporter::finish() {
     line_.finish();
-    if (json_) std::cerr << Json{{"phase", "writing"}}.dump() << std::endl;
+    if (!json_) return;
+    Json line = Json::object();
+    line["phase"] = "writing";
+    std::cerr << line.dump() << std::endl;
 }
 
 }  // namespace frana::app

@@ -57,9 +57,9 @@ void add_style_options(CommandForm& form) {
         "legend", one("classed|continuous"), "classed (default) or continuous")(
         "background", one("FILE"), "orthophoto or topographic raster instead of the relief")(
         "background-licence", one("TEXT"), "owner and licence of the background, at the foot")(
-        "attribution", one("TEXT"), "sources of the data, at the foot")("author", one("TEXT"),
-                                                                        "author, in the title block")(
-        "organisation", one("TEXT"), "organisation, in the title block")(
+        "attribution", one("TEXT"), "sources of the data, at the foot")(
+        "author", one("TEXT"), "author, in the title block")("organisation", one("TEXT"),
+                                                             "organisation, in the title block")(
         "logo", one("FILE"), "PNG or JPEG file, in the title block; none: no logo")(
         "date", one("DATE"), "date, in the title block (default: the day of the run); none: no date")(
         "title", one("TEXT"), "title of the maps");

@@ -28,7 +28,7 @@ std::string action(const Completion& completion) {
     return " ";
 }
 
-/// A text inside a specification in single quotes; those characters that it would end at are escaped.
+/// A text in single quotes for `_arguments`; the characters that would end it are escaped.
 std::string escaped(const std::string& text, const std::string& special) {
     std::string safe;
     for (const char letter : text) {
@@ -42,7 +42,7 @@ std::string escaped(const std::string& text, const std::string& special) {
     return safe;
 }
 
-std::string specification(const OptionRow& row) {
+std::string argument_of(const OptionRow& row) {
     const std::string rest = "[" + escaped(row.meaning, "[]\\") + "]" +
                              (row.value.empty() ? ""
                                                 : ":" + escaped(row.value, ":\\") + ":" +
@@ -82,7 +82,7 @@ std::string zsh_completion() {
         list += "        '" + std::string(command.name) + ":" + escaped(command.summary, ":\\") + "'\n";
         const CommandForm form = command.form();
         cases += "        " + std::string(command.name) + ")\n            _arguments -s";
-        for (const OptionRow& row : option_rows(form)) cases += " \\\n                " + specification(row);
+        for (const OptionRow& row : option_rows(form)) cases += " \\\n                " + argument_of(row);
         if (!form.operand.empty())
             cases += " \\\n                '*:" + escaped(form.operand, ":\\") + ":" +
                      escaped(action(completion_of_operand(command.name, form.operand)), "") + "'";

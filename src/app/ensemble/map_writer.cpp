@@ -2,6 +2,8 @@
 #include "app/ensemble/map_writer.h"
 
 #include "analysis/trace.h"
+#include "app/input/scene_language.h"
+#include "app/pictures/class_words.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "gis/raster/styles.h"
@@ -11,7 +13,11 @@
 namespace frana::app {
 
 MapWriter::MapWriter(const Prepared& base, const ResultDirectory& directory)
-    : directory_(directory), metadata_(provenance(base)), classes_(base.spec.output.classes) {}
+
+    : directory_(directory),
+      metadata_(provenance(base)),
+      classes_(base.spec.output.classes),
+      words_(words_of(base.spec)) {}
 
 void MapWriter::write(const std::string& name, const Raster& raster) const {
     write(name, {band_of(name, raster)});
@@ -36,7 +42,7 @@ void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand
     if (!row.is_drawn()) return;
     const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
     gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
-                      gis::StyleKind::classed, text_for(row, row.title, name));
+                      gis::StyleKind::classed, raster_title(row, name, words_));
 }
 
 }  // namespace frana::app

@@ -6,6 +6,7 @@
 
 #include "app/input/prepare.h"
 #include "app/store/result_directory.h"
+#include "core/words/words.h"
 #include "gis/raster/raster_out.h"
 
 namespace frana::app {
@@ -27,6 +28,7 @@ class MapWriter {
     const ResultDirectory& directory_;
     std::map<std::string, std::string> metadata_;
     ClassSpec classes_;
+    Words words_;
 };
 
 }  // namespace frana::app

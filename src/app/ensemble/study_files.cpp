@@ -11,6 +11,8 @@
 #include "app/ensemble/map_writer.h"
 #include "app/ensemble/mapped_events.h"
 #include "app/ensemble/study_charts.h"
+#include "app/input/scene_language.h"
+#include "app/pictures/class_words.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"

@@ -116,9 +116,12 @@ void add_second(MapSource& source, const MapSource& second, const GridSpec& all)
         for_each_value(source.terrain, all, [&](std::size_t cell, double value) { terrain.values[cell] = value; });
     source.terrain = std::move(terrain);
     Raster extent(all);
-    for (const Raster* one : {&source.extent, &second.extent})
-        if (one->grid.columns > 0)
-            for_each_value(*one, all, [&](std::size_t cell, double value) { extent.values[cell] = value; });
+    const auto add = [&](const Raster& one) {
+        if (one.grid.columns == 0) return;
+        for_each_value(one, all, [&](std::size_t cell, double value) { extent.values[cell] = value; });
+    };
+    add(source.extent);
+    add(second.extent);
     source.extent = std::move(extent);
 }
 

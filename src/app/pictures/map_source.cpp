@@ -232,6 +232,13 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     return spec;
 }
 
+render::MapSpec unprinted(render::MapSpec spec) {
+    spec.print = {};
+    spec.block = {};
+    spec.series.reset();
+    return spec;
+}
+
 std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt) {
     if (crs_wkt.empty()) return {};
     const auto transform =

@@ -237,10 +237,12 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.warnings = log.warnings();
     facts.data_identity = data_identity(prepared);
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
-    if (prepared.spec.output.report)
+    if (prepared.spec.output.report) {
+        const Words words(language_of_code(prepared.spec.output.language).value_or(Language::english));
         write_report(
-            {prepared, result, facts, comparison, facts.hazard, error_estimates(facts, directory.target()), {}},
+            {prepared, result, facts, comparison, facts.hazard, error_estimates(facts, directory.target()), words},
             directory);
+    }
     write_text_file(directory.path(k_summary_file), summary_json(result, facts));
     log.note("wrote summary.json");
     write_text_file(directory.path(k_log_file), log.text());

@@ -19,15 +19,14 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t k_largest_read = 1'000'000'000;  // a checksum would take as long as the run's own reading
 
-/// A file, or all files of a shapefile, the named one first.
+/// A file, and those beside it that belong to it: of a shapefile, the CRS and the position of a raster.
 std::vector<fs::path> parts_of(const fs::path& file) {
     std::vector<fs::path> parts{file};
-    if (file.extension() != ".shp") return parts;
-    for (const char* ending : {".shx", ".dbf", ".prj", ".cpg"}) {
+    for (const char* ending : {".shx", ".dbf", ".prj", ".cpg", ".tfw", ".wld"}) {
         fs::path part = file;
         part.replace_extension(ending);
         std::error_code error;
-        if (fs::is_regular_file(part, error)) parts.push_back(part);
+        if (part != file && fs::is_regular_file(part, error)) parts.push_back(part);
     }
     return parts;
 }
@@ -86,7 +85,8 @@ void move_file(SceneReading& reading, const std::string& key, const fs::path& fr
 }  // namespace
 
 std::string recorded_inputs(const Prepared& prepared) {
-    Json json{{"files", Json::array()}};
+    Json json = Json::object();
+    json["files"] = Json::array();
     for (const NamedFile& named : named_files(prepared.spec)) {
         const fs::path file = plain_file(named.path);
         std::error_code error;
@@ -111,14 +111,25 @@ void find_recorded_inputs(SceneReading& reading, RunLog& log) {
     for (const Recorded& recorded : read_recorded(folder)) {
         if (reading.scene.origin_of(recorded.key) == Origin::command_line) continue;
         const fs::path here = (folder / recorded.relative).lexically_normal();
-        const auto files = named_files(reading.scene);
-        const bool named = std::any_of(files.begin(), files.end(), [&](const NamedFile& file) {
-            const auto parts = parts_of(plain_file(file.path));
-            return file.key == recorded.key && std::find(parts.begin(), parts.end(), here) != parts.end();
-        });
+        const auto belongs_to_key = [&](const fs::path& file, bool main_only) {
+            const auto files = named_files(reading.scene);
+            return std::any_of(files.begin(), files.end(), [&](const NamedFile& named) {
+                if (named.key != recorded.key) return false;
+                if (main_only) return file == plain_file(named.path);
+                const auto parts = parts_of(plain_file(named.path));
+                return std::find(parts.begin(), parts.end(), file) != parts.end();
+            });
+        };
+        const auto named = named_files(reading.scene);
+        const auto stem = [](fs::path file) { return file.replace_extension(); };
+        if (std::none_of(named.begin(), named.end(), [&](const NamedFile& file) {
+                const fs::path main = plain_file(file.path);
+                return file.key == recorded.key && (stem(main) == stem(here) || stem(main) == stem(recorded.then));
+            }))
+            continue;  // the scene was changed and names another file
         std::error_code error;
         if (fs::exists(here, error)) {
-            if (named && !has_content(here, recorded)) {
+            if (belongs_to_key(here, false) && !has_content(here, recorded)) {
                 const FileMark mark = mark_at(here);
                 log.warn(reading.where(recorded.key) + ": " + here.string() +
                          " is not as it was when this result was computed (then " + recorded.mark() + "; now " +
@@ -126,7 +137,9 @@ void find_recorded_inputs(SceneReading& reading, RunLog& log) {
                          (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum) +
                          "): the run repeats the scene, not the result");
             }
-        } else if (here != recorded.then && has_content(recorded.then, recorded)) {
+        } else if (here != recorded.then && has_content(recorded.then, recorded) &&
+                   (belongs_to_key(here, true) || belongs_to_key(recorded.then, false))) {
+            if (!belongs_to_key(here, true)) continue;  // beside a file that was found there
             log.info(reading.where(recorded.key) + ": " + recorded.then.string() +
                      " is used, which has the content of the missing " + here.string());
             move_file(reading, recorded.key, here, recorded.then);

@@ -10,7 +10,8 @@
 namespace frana::app {
 
 /// Returns inputs.json of a result: each file that a key of the scene names, with its place relative to the result, its
-/// absolute place at the time, and the checksum of its bytes (of files up to 1 GB). A shapefile is all its files.
+/// absolute place at the time, and the checksum of its bytes (of files up to 1 GB). With the files beside it that
+/// belong to it (shapefile, .prj, world file).
 std::string recorded_inputs(const Prepared& prepared);
 
 /// For the scene.ini of a result, which may have been moved: compares its inputs with inputs.json beside it. A file

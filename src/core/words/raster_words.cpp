@@ -51,6 +51,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Probability of intensity class {1} or higher", "Probabilità della classe di intensità {1} o superiore",
      "Wahrscheinlichkeit der Intensitätsklasse {1} oder höher", "Probabilité de la classe d’intensité {1} ou plus",
      "Probabilidad de la clase de intensidad {1} o superior"},
+    {"Posterior probability, {1}", "Probabilità a posteriori, {1}", "A-posteriori-Wahrscheinlichkeit, {1}",
+     "Probabilité a posteriori, {1}", "Probabilidad a posteriori, {1}"},
     {"Maximum depth, {1} % quantile", "Profondità massima, quantile {1} %", "Maximale Fließtiefe, {1}-%-Quantil",
      "Hauteur d’écoulement maximale, quantile {1}\u202F%", "Profundidad máxima, cuantil {1} %"},
     {"Maximum velocity, {1} % quantile", "Velocità massima, quantile {1} %",

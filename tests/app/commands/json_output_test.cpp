@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -110,7 +111,7 @@ TEST_F(Document, OfCompareAndOfARanking) {
 }
 
 TEST_F(Document, OfConvergeAndBench) {
-    write_scene("[time]\nend = 2\n" + k_numbers_only);
+    write_scene(k_numbers_only);
     const Json study = parse_json(frana({"converge", "scene.ini", "--out", "levels", "--quiet", "--json"}).out);
     EXPECT_EQ(study.at("levels").size(), 3U);
     EXPECT_EQ(study.at("levels").at(2).at("cell_size_m"), k_cell);

@@ -17,7 +17,9 @@ TEST_F(ManPage, EveryPageIsValidRoff) {
         ++pages;
         const std::string page = entry.path().string();
         EXPECT_EQ(read_text(page).rfind(".TH FRANA", 0), 0U);
-        if (mandoc) EXPECT_EQ(std::system(("mandoc -Tlint -Werror '" + page + "'").c_str()), 0);
+        if (mandoc) {
+            EXPECT_EQ(std::system(("mandoc -Tlint -Werror '" + page + "'").c_str()), 0);
+        }
         if (!man) continue;
         EXPECT_EQ(std::system(("MANWIDTH=80 man --warnings -E UTF-8 -l '" + page + "' > '" + path("shown") + "' 2> '" +
                                path("warnings") + "'")

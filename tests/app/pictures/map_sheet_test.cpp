@@ -107,7 +107,9 @@ TEST_F(MapSheet, ScalesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
 }
 
 TEST_F(MapSheet, TitleBlockAndSources) {
-    gis::test::TestRaster raster{40, 20};
+    gis::test::TestRaster raster;
+    raster.columns = 40;
+    raster.rows = 20;
     raster.bytes = true;
     raster.values.assign(800, 90);
     gis::test::make_raster(path("logo.tif"), raster);

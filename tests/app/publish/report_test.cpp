@@ -207,6 +207,28 @@ TEST_F(Report, StaysSmallWithLargeMaps) {
     EXPECT_EQ(count_of(page_of(), "width=\"1600\" height=\"1200\" src=\"data:image/jpeg"), 3U);
 }
 
+TEST_F(Report, SpeaksTheLanguageOfTheScene) {
+    write_scar();
+    for (const auto& [language, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+             {"it", {"Scenario e risposta", "angolo di attrito 15°", "Rispetto al rilievo."}},
+             {"de", {"Szenario und Antwort", "Reibungswinkel 15°", "Gegen die Aufnahme."}},
+             {"fr", {"Scénario et réponse", "angle de frottement 15°", "Par rapport au relevé."}},
+             {"es", {"Escenario y respuesta", "ángulo de fricción 15°", "Frente al levantamiento."}}}) {
+        write_scene(k_numbers_only + "language = " + language + "\n[observed]\nperimeter = scar.geojson\n");
+        ASSERT_EQ(frana({"run", "scene.ini", "--out", language, "--quiet"}).exit_code, 0);
+        const std::string page = page_of(language);
+        expect_well_formed(page);
+        EXPECT_NE(page.find("<html lang=\"" + language + "\">"), std::string::npos);
+        for (const std::string& word : words) EXPECT_NE(page.find(word), std::string::npos) << word;
+        EXPECT_EQ(page.find("What fails."), std::string::npos);
+        EXPECT_EQ(page.find("Keys used"), std::string::npos);
+        // Also what compare puts into it.
+        ASSERT_EQ(frana({"compare", language, "--observed", "scar.geojson"}).exit_code, 0);
+        EXPECT_NE(page_of(language).find(words[2]), std::string::npos);
+        EXPECT_EQ(page_of(language).find("Of the observed area"), std::string::npos);
+    }
+}
+
 TEST(PagePart, IsReplacedWhereItIs) {
     const std::string page = "a" + app::page_part("one", "x") + "b" + app::page_part("two", "y") + "c";
     const auto changed = app::with_part(page, "two", "z");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "support/tiny_scene.h"
@@ -35,7 +36,7 @@ TEST_F(Moved, ResultsNameTheirInputsRelatively) {
     const std::string scene = read_text(path("project/results/one/scene.ini"));
     EXPECT_NE(scene.find("\ndtm = ../../data/dtm.asc\n"), std::string::npos) << scene;
     const Json inputs = parse_json(read_text(path("project/results/one/inputs.json"))).at("files");
-    ASSERT_EQ(inputs.size(), 2U);
+    ASSERT_EQ(inputs.size(), 3U);  // the .prj too
     EXPECT_EQ(inputs.at(0).at("key"), "terrain.dtm");
     EXPECT_EQ(inputs.at(0).at("file"), "../../data/dtm.asc");
     EXPECT_EQ(inputs.at(0).at("place"), path("project/data/dtm.asc"));
@@ -63,14 +64,14 @@ TEST_F(Moved, AMovedResultIsRepeated) {
 
 TEST_F(Moved, AMissingInputIsOneClearError) {
     const std::string sum =
-        json_text(parse_json(read_text(path("project/results/one/inputs.json"))).at("files").at(1).dump(), "xxh128");
+        json_text(parse_json(read_text(path("project/results/one/inputs.json"))).at("files").at(2).dump(), "xxh128");
     move_project();
     fs::remove(folder_ / "elsewhere/far/moved/data/perimeter.geojson");
     const Outcome outcome = frana({"run", "elsewhere/far/moved/results/one/scene.ini", "--out", "again"});
     EXPECT_EQ(outcome.exit_code, 2);
     for (const std::string& words :
          {std::string("scene.ini: release.perimeter: an input of this result is missing"), "xxh128 " + sum,
-          "../../data/perimeter.geojson", path("elsewhere/far/moved/data/perimeter.geojson"),
+          std::string("../../data/perimeter.geojson"), path("elsewhere/far/moved/data/perimeter.geojson"),
           path("project/data/perimeter.geojson"), std::string("--set release.perimeter=FILE")})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

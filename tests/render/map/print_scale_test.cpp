@@ -110,9 +110,10 @@ TEST(PrintScale, ALogoShrinksAndIsOmittedBeforeTheMapSuffers) {
         }
         MapLayout layout;
         const Image page = draw_map(spec, &layout);
-        if (layout.logo.width() > 0)
+        if (layout.logo.width() > 0) {
             EXPECT_EQ(page.colour(static_cast<int>(layout.logo.left) + 2, static_cast<int>(layout.logo.top) + 2),
                       (Rgb{0, 90, 0}));
+        }
         return layout;
     };
     const auto area = [](const MapLayout& one) { return one.map.width() * one.map.height(); };

@@ -26,6 +26,8 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
     GROUP = ""
     HELP = ""
     TAGS: tuple[str, ...] = ()
+    # What the program calls a field of the dialogue in its messages.
+    NAMES = {"--out": "Folder of the result", "--threads": "Threads"}
 
     def __init__(self, program: Program) -> None:
         super().__init__()

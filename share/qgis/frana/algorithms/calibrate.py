@@ -24,6 +24,7 @@ class CalibrateAlgorithm(FranaAlgorithm):
             "scene has an observed outline; “New scene from layers” writes one. Give scenes and uncertain values, or a "
             "study file.")
     TAGS = ("back-calculation", "inverse")
+    NAMES = {**FranaAlgorithm.NAMES, "vary": "Uncertain values", "objective": "Measures", "study": "Study"}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.addParameter(QgsProcessingParameterMultipleLayers("SCENES", "Scenes of the events", QgsProcessing.TypeFile, None,
@@ -67,6 +68,6 @@ class CalibrateAlgorithm(FranaAlgorithm):
         folder = values.text("OUTPUT")
         study = self.study(values, inputs_folder(folder))
         done = run_or_refuse([self.program.path, "calibrate", study, "--out", folder, *self.options(values)], feedback, [],
-                             self.resume_hint(folder))
+                             self.NAMES, self.resume_hint(folder))
         feedback.pushConsoleInfo(done.output)
         return {"OUTPUT": folder, **collect(folder, CALIBRATE)}

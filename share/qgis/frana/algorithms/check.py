@@ -35,8 +35,10 @@ class CheckAlgorithm(SceneAlgorithm):
         values = self.values(parameters, context)
         with tempfile.TemporaryDirectory(prefix="frana_check_") as folder:
             scene = self.scene_words(values, folder, feedback)
-            done = run_or_refuse([self.program.path, "check", *scene, *self.options(values)], feedback, self.fields)
+            done = run_or_refuse([self.program.path, "check", *scene, *self.options(values)], feedback, self.fields, self.NAMES)
             text = done.output.replace(folder + os.sep, "")
+        # A check has no folder of a result.
+        text = "".join(line for line in text.splitlines(True) if not line.startswith("  result "))
         feedback.pushConsoleInfo(text)
         found = {"TEXT": text, "WARNINGS": "\n".join(done.warnings), "WARNING_COUNT": len(done.warnings)}
         page = self.parameterAsFileOutput(parameters, "OUTPUT", context)

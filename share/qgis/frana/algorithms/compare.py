@@ -25,6 +25,9 @@ class CompareAlgorithm(FranaAlgorithm):
     HELP = ("Compares a result, or any raster of depths or of probabilities, with a surveyed outline, front or tip, in any CRS: "
             "hits, false alarms, misses, scores. Without a folder of its own the comparison becomes a part of the result.")
     TAGS = ("survey", "validation", "scar")
+    NAMES = {"RESULT_DIR": "Folder of a result", "raster": "Raster", "observed": "Surveyed areas", "deposit": "Surveyed deposit",
+             "--observed": "Surveyed areas", "--deposit": "Surveyed deposit", "--threshold": "Depth over which ground counts",
+             "--out": "Folder of the comparison"}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.addParameter(QgsProcessingParameterFile("RESULT", "Folder of a result", QgsProcessingParameterFile.Folder,
@@ -75,7 +78,7 @@ class CompareAlgorithm(FranaAlgorithm):
             words += ["--threshold", number_text(values.number("THRESHOLD"))]
         if own or not result:
             words += ["--out", folder]
-        done = run_or_refuse(words, feedback, [])
+        done = run_or_refuse(words, feedback, [], self.NAMES)
         feedback.pushConsoleInfo(done.output)
         found = {"OUTPUT": folder, **collect(folder, COMPARISON)}
         if values.is_on("LOAD") and "COMPARISON" in found:

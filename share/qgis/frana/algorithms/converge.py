@@ -38,7 +38,7 @@ class ConvergeAlgorithm(SceneAlgorithm):
         folder = values.text("OUTPUT")
         scene = self.scene_words(values, inputs_folder(folder), feedback)
         done = run_or_refuse([self.program.path, "converge", *scene, "--out", folder, "--levels",
-                              str(values.whole("LEVELS")), *self.options(values)], feedback, self.fields)
+                              str(values.whole("LEVELS")), *self.options(values)], feedback, self.fields, self.NAMES)
         feedback.pushConsoleInfo(done.output)
         if values.is_on("LOAD"):
             load_layer(os.path.join(folder, "uncertainty.tif"), "Estimated error of the depth", context)

@@ -29,6 +29,7 @@ class EnsembleAlgorithm(SceneAlgorithm):
             "reached: probabilities with their standard error, quantiles of depth and speed, sensitivities.\n\n"
             "Give the scene and at least one uncertain value, or a study file.")
     TAGS = ("probability", "uncertainty", "sensitivity", "monte carlo")
+    NAMES = {**SceneAlgorithm.NAMES, "vary": "Uncertain values", "study": "Study"}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.addParameter(vary_parameter())
@@ -61,15 +62,17 @@ class EnsembleAlgorithm(SceneAlgorithm):
         if values.has("SCENE"):
             scene, changed = os.path.abspath(values.text("SCENE")), settings(folder, self.given)
         else:
-            scene, changed = os.path.basename(write_scene(folder, self.given, f"{self.TITLE}, from QGIS")), []
+            scene, changed = os.path.basename(write_scene(folder, self.given, f"{self.TITLE}, from QGIS",
+                                                          self.scene_name(folder))), []
         pairs = varied(values, self.program.keys)
         if not pairs:
             raise QgsProcessingException("Uncertain values: no row is given. Add a key and its distribution, or a study file")
         entries = [("scene", scene), ("samples", str(values.whole("SAMPLES"))),
-                   ("sampling", values.word("SAMPLING") or _SAMPLINGS[0]), ("seed", str(values.whole("SEED") if values.has("SEED") else 1))]
+                   ("sampling", values.word("SAMPLING") or _SAMPLINGS[0]),
+                   ("seed", str(values.whole("SEED") if values.has("SEED") else 1))]
         entries += [("until", number_text(values.number("UNTIL")))] if values.has("UNTIL") else []
         entries += [("levels", str(values.whole("LEVELS")))] if values.has("LEVELS") else []
-        path = os.path.join(folder, "study.ini")
+        path = os.path.join(folder, os.path.splitext(os.path.basename(scene))[0] + "-study.ini")
         with open(path, "w", encoding="utf-8") as file:
             file.write("\n".join(["# A study from QGIS.", *section("study", entries), *section("set", changed),
                                   *section("vary", pairs)]) + "\n")
@@ -80,7 +83,7 @@ class EnsembleAlgorithm(SceneAlgorithm):
         done = run_program(words, QgsProcessingFeedback(False))
         if done.code == 0:
             return []
-        found = problems_of(done.lines, self.fields) or [f"frana check ended with exit code {done.code}"]
+        found = problems_of(done.lines, self.fields, self.NAMES) or [f"frana check ended with exit code {done.code}"]
         return [problem.replace(folder + os.sep, "") for problem in found]
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
@@ -89,7 +92,7 @@ class EnsembleAlgorithm(SceneAlgorithm):
         folder = values.text("OUTPUT")
         study = self.study(values, inputs_folder(folder))
         run_or_refuse([self.program.path, "ensemble", study, "--out", folder, *self.options(values)], feedback, self.fields,
-                      self.resume_hint(folder))
+                      self.NAMES, self.resume_hint(folder))
         found = {"OUTPUT": folder, **collect(folder, ENSEMBLE)}
         first = least_threshold(folder)
         if first:

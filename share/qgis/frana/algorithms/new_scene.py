@@ -34,5 +34,5 @@ class NewSceneAlgorithm(SceneAlgorithm):
         folder = os.path.dirname(path)
         os.makedirs(folder, exist_ok=True)
         write_scene(folder, self.given, f"{self.TITLE}, from QGIS", stem + ending, inputs_folder(stem))
-        run_or_refuse([self.program.path, "check", path], feedback, self.fields)
+        run_or_refuse([self.program.path, "check", path], feedback, self.fields, self.NAMES)
         return {"OUTPUT": path, "FOLDER": folder}

@@ -29,6 +29,9 @@ class RenderAlgorithm(FranaAlgorithm):
     GROUP = "One run"
     HELP = "Draws the maps, charts, 3-D views or the animation of a result again, in another size, format or style."
     TAGS = ("map", "pdf", "animation", "3d")
+    NAMES = {"RESULT_DIR": "Folder of the result", "map": "Rasters to draw", "--size": "Size", "--camera": "Camera",
+             "background": "Background", "--background": "Background", "--animation": "Animation",
+             "--out": "Folder of the pictures"}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.addParameter(QgsProcessingParameterFile("RESULT", "Folder of the result", QgsProcessingParameterFile.Folder))
@@ -81,7 +84,7 @@ class RenderAlgorithm(FranaAlgorithm):
             words += ["--animation", animation]
         elif folder:
             words += ["--out", folder]
-        files = run_or_refuse(words, feedback, []).output.splitlines()
+        files = run_or_refuse(words, feedback, [], self.NAMES).output.splitlines()
         found = {"OUTPUT": folder or (os.path.dirname(files[0]) if files else result), "FILES": "\n".join(files),
                  "COUNT": len(files)}
         return {**found, "ANIMATION": animation} if animation else found

@@ -41,7 +41,7 @@ class RunAlgorithm(SceneAlgorithm):
         folder = values.text("OUTPUT")
         scene = self.scene_words(values, inputs_folder(folder), feedback)
         run_or_refuse([self.program.path, "run", *scene, "--out", folder, *self.options(values)], feedback, self.fields,
-                      self.resume_hint(folder))
+                      self.NAMES, self.resume_hint(folder))
         found = {"OUTPUT": folder, **collect(folder, RUN)}
         if values.is_on("LOAD"):
             load_result(folder, os.path.join(folder, "max_depth.tif"), context)
