@@ -173,8 +173,11 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     Problems problems;
     const std::vector<NamedChart> charts = result_charts(result, source, problems);
     problems.throw_if_any();
-    render::Plate last{
-        page_title(source, words("profile and comparison with the survey")), source.subtitle, source.crs_label, 2, {}};
+    render::Plate last{page_title(source, words("profile and comparison with the observed outline")),
+                       source.subtitle,
+                       source.crs_label,
+                       2,
+                       {}};
     if (!charts.empty() && charts.front().name.starts_with("profile")) {
         last.parts.push_back([&](int w, int h) {
             render::Chart chart = charts.front().chart;

@@ -8,7 +8,6 @@ namespace {
 
 constexpr auto k_rows = std::to_array<WordRow>({
     {"Outlines", "Perimetri", "Umrisse", "Contours", "Contornos"},
-    {"Maps", "Mappe", "Karten", "Cartes", "Mapas"},
     {"Zones of intensity", "Zone di intensità", "Intensitätszonen", "Zones d’intensité", "Zonas de intensidad"},
     {"{1} over time", "{1} nel tempo", "{1} im Zeitverlauf", "{1} au cours du temps", "{1} a lo largo del tiempo"},
     {"Surveyed outline", "Perimetro rilevato", "Kartierter Umriss", "Contour levé", "Contorno levantado"},
