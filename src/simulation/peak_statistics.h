@@ -4,6 +4,7 @@
 #include <array>
 
 #include "analysis/high_values.h"
+#include "core/words/words.h"
 #include "simulation/raster_of_row.h"
 
 namespace frana {
@@ -19,9 +20,9 @@ struct PeakStatistic {
 };
 
 inline constexpr std::array<PeakStatistic, 3> k_peak_statistics{{
-    {"max_depth", "m", "depth, vertical"},
-    {"max_velocity", "ms", "speed, along the ground"},
-    {"max_pressure", "kpa", "dynamic pressure"},
+    {"max_depth", "m", worded("depth, vertical")},
+    {"max_velocity", "ms", worded("speed, along the ground")},
+    {"max_pressure", "kpa", worded("dynamic pressure")},
 }};
 
 /// One for each value, over the cells of a trace.

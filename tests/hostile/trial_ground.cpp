@@ -151,6 +151,10 @@ std::vector<TriedCommand> TrialGround::commands() const {
     converge_again.emplace_back("--overwrite");
     const std::vector<std::string> robustness{"bench",   "robustness", "in/scene.ini", "--out",  "out/tried",
                                               "--quiet", "--set",      "time.end=1",   "--case", "turned-90"};
+    const std::vector<std::string> new_scene{
+        "new", "in/dtm.asc", "in/perimeter.geojson", "--out", "out/mine.ini", "--thickness", "2"};
+    std::vector<std::string> new_again = new_scene;
+    new_again.emplace_back("--overwrite");
     const std::vector<std::string> ensemble{"ensemble", "in/study.ini", "--out", "out/r", "--quiet"};
     const auto ensemble_with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), ensemble.begin(), ensemble.end());
@@ -167,6 +171,7 @@ std::vector<TriedCommand> TrialGround::commands() const {
         {"bench robustness", "inputs", robustness, robustness, false},
         {"ensemble", "inputs", ensemble, ensemble_with({"--resume"})},
         {"ensemble --overwrite", "older", ensemble_with({"--overwrite"}), ensemble_with({"--overwrite", "--resume"})},
+        {"new", "inputs", new_scene, new_again, false},
         {"qgis-plugin", "inputs", plugin, plugin},
         {"check", "older", {"check", "in/scene.ini"}, {"check", "in/scene.ini"}},
     };

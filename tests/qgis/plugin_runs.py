@@ -138,10 +138,19 @@ def test_not_given():
     """What is not given is not in the scene: the preset keeps its values, defaults remain defaults."""
     parameters = scene("absent", material_density=None, numerics_well_balanced=None, numerics_scheme=None)
     run("run", parameters)
-    with open(parameters["OUTPUT"] + "-inputs/scene.ini", encoding="utf-8") as file:
+    with open(parameters["OUTPUT"] + "-inputs/absent.ini", encoding="utf-8") as file:
         lines = [line.split(" = ")[0] for line in file.read().splitlines() if " = " in line and line[0] != "#"]
     assert sorted(lines) == sorted(["dtm", "cell-size", "perimeter", "thickness", "preset", "end", "frame-interval", "maps",
                                     "animation", "charts", "report"]), lines
+
+
+def test_title():
+    """Maps and groups are called as the result, or as the release layer if the result is temporary."""
+    import json
+    for out, name in ((scene("Valley 2")["OUTPUT"], "Valley 2"), ("TEMPORARY_OUTPUT", "drawn")):
+        found = run("run", scene("x", OUTPUT=out))
+        with open(found["SUMMARY"], encoding="utf-8") as file:
+            assert os.path.basename(json.load(file)["scene"]) == name + ".ini"
 
 
 def test_batch():

@@ -8,7 +8,7 @@ import textwrap
 from .fields import Field, Values
 from .layers import Layer
 
-SCENE_FILE = "scene.ini"
+_ENDING = "-inputs"
 
 
 class Given:
@@ -22,6 +22,10 @@ class Given:
             if value is not None:
                 self.given.append((field, value))
 
+    def name_of(self, key: str) -> str:
+        """The name of the layer that a key has; empty without one."""
+        return next((value[1].name for field, value in self.given if field.key.name == key and not isinstance(value, str)), "")
+
     def texts(self, folder: str, layers: str) -> list[tuple[Field, str]]:
         """Writes the layers into the folder `layers` inside `folder`; returns each key's text, with paths from `folder`."""
         texts = []
@@ -33,7 +37,7 @@ class Given:
         return texts
 
 
-def write_scene(folder: str, given: Given, title: str, name: str = SCENE_FILE, layers: str = "") -> str:
+def write_scene(folder: str, given: Given, title: str, name: str, layers: str = "") -> str:
     """Writes the layers into the folder `layers` inside `folder`, and the scene; returns the scene's path."""
     os.makedirs(folder, exist_ok=True)
     sections: dict[str, list[str]] = {}
@@ -58,4 +62,10 @@ def settings(folder: str, given: Given) -> list[tuple[str, str]]:
 
 def inputs_folder(result: str) -> str:
     """The folder beside a result with what went into it, from which the run can be repeated and resumed."""
-    return result.rstrip("/\\") + "-inputs"
+    return result.rstrip("/\\") + _ENDING
+
+
+def result_of(inputs: str) -> str:
+    """The name of the result whose inputs these are; empty for a temporary folder."""
+    name = os.path.basename(inputs)
+    return name[:-len(_ENDING)] if name.endswith(_ENDING) else ""

@@ -17,6 +17,8 @@ VECTOR_DRIVER = "GPKG"
 class Layer(Protocol):
     """A layer of the project, to be written as a file."""
 
+    name: str
+
     def write(self, folder: str, stem: str) -> str:
         """Returns the file's path: relative to `folder` if it was written there, else absolute."""
 
@@ -40,7 +42,7 @@ class VectorSource:
     """Features as Processing gives them: the selected ones where the user asked for these."""
 
     def __init__(self, source: QgsProcessingFeatureSource, title: str) -> None:
-        self.source, self.title = source, title
+        self.source, self.title, self.name = source, title, source.sourceName()
         if source.featureCount() == 0:
             raise QgsProcessingException(f"{title}: the layer {source.sourceName()} has no features, or only its selected "
                                          "features are asked for and none is selected. Select features, or untick "

@@ -10,6 +10,18 @@
 #include "core/system_remedy.h"
 
 namespace frana::app {
+
+CommandForm qgis_plugin_form() {
+    CommandForm form{"frana qgis-plugin --install|--uninstall [--profile NAME]",
+                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer), or removes it. An older one is "
+                     "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
+                     "",
+                     {}};
+    form.options.add_options()("install", "put it into the profile; prints its folder")(
+        "uninstall", "remove it from the profile")("profile", one("NAME"), "name of the profile (default: default)");
+    return form;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,18 +40,6 @@ void make_folder_of_plugins(const fs::path& profile, const std::string& name) {
     if (error)
         throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), plugins.string(), "", "",
                                                     system_remedy(error.value())});
-}
-
-CommandForm qgis_plugin_form() {
-    CommandForm form{"frana qgis-plugin --install|--uninstall [--profile NAME]",
-                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer), or removes it. An older one is "
-                     "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
-                     "",
-                     {}};
-    form.options.add_options()("install", "put it into the profile; prints its folder")(
-        "uninstall", "remove it from the profile")("profile", boost::program_options::value<std::string>(),
-                                                   "name of the profile (default: default)");
-    return form;
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
 #include <iostream>
 
@@ -24,14 +23,8 @@
 #include "params/keys/picture_parameters.h"
 
 namespace frana::app {
-namespace {
-
-namespace fs = std::filesystem;
 
 CommandForm render_form() {
-    namespace options = boost::program_options;
-    const auto text = [] { return options::value<std::string>(); };
-    const auto texts = [] { return options::value<std::vector<std::string>>(); };
     CommandForm form{
         "frana render RESULT_DIR|RASTER [options]",
         "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as "
@@ -40,31 +33,38 @@ CommandForm render_form() {
         "RESULT_DIR|RASTER",
         {}};
     form.options.add_options()(
-        "map", texts(),
+        "map", many("MAP"),
         "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
         "12.5 s, particles@12.5 its particles, particle_cohesion@12.5 the same coloured by cohesion left; "
-        "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
-        "animation", text(),
+        "repeatable (default: all)")("view", one("2d|3d"), "2d (default) or 3d")(
+        "animation", one("FILE"),
         "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
         "velocity shows speeds, --map particles the particles")(
-        "beside", text(), "animation: another result to show beside, with the same colours")(
+        "beside", one("FOLDER"), "animation: another result to show beside, with the same colours")(
         "fly", "animation, 3d: the camera moves along the flow")("charts",
                                                                  "draw the charts of a result instead of maps")(
         "plates", "draw the plates instead: initial state, snapshots, stresses, profile and comparison")(
-        "size", text(), k_sizes)("format", texts(),
-                                 "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
-        "legend", text(), "classed (default) or continuous")("background", text(),
-                                                             "orthophoto or topographic raster instead of the relief")(
-        "attribution", text(), "sources of the data and author, at the foot")("title", text(), "title of the maps")(
-        "language", text(),
+        "size", one("SIZE"), k_sizes)(
+        "format", many("png|pdf|svg|tif"),
+        "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
+        "legend", one("classed|continuous"), "classed (default) or continuous")(
+        "background", one("FILE"), "orthophoto or topographic raster instead of the relief")(
+        "attribution", one("TEXT"), "sources of the data and author, at the foot")("title", one("TEXT"),
+                                                                                   "title of the maps")(
+        "language", one("en|it|de|fr|es"),
         "of the texts: en, it, de, fr, es (default: the result's output.language; for a RASTER the locale's)")(
-        "camera", text(), k_cameras)("exaggeration", text(), "vertical exaggeration of views (default: 1)")(
-        "plain", "views: white background")("dtm", text(), "terrain under a RASTER")(
-        "unit", text(), "unit of the values of a RASTER, if the file does not state it")(
-        "above", text(), "draw only the values of a RASTER above this one")(
-        "out", text(), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
+        "camera", one("ANGLES"), k_cameras)("exaggeration", one("FACTOR"),
+                                            "vertical exaggeration of views (default: 1)")(
+        "plain", "views: white background")("dtm", one("FILE"), "terrain under a RASTER")(
+        "unit", one("UNIT"), "unit of the values of a RASTER, if the file does not state it")(
+        "above", one("VALUE"), "draw only the values of a RASTER above this one")(
+        "out", one("FOLDER"), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
     return form;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 using Values = boost::program_options::variables_map;
 

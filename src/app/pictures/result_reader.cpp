@@ -24,10 +24,12 @@
 #include "gis/raster/raster_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
+#include "params/grammar/absolute_path.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/former_names.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/scene_parameters.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -133,7 +135,16 @@ Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) co
 std::optional<std::string> ResultReader::scene_value(const std::string& key) const {
     if (!has(k_scene_file)) return std::nullopt;
     for (const IniEntry& entry : read_ini(path(k_scene_file)))
-        if (present_name(entry.name) == key) return entry.value;
+        if (present_name(entry.name) == key) {
+            static const std::vector<Parameter> k_keys = scene_parameters();
+            const Parameter* const parameter = find_parameter(k_keys, key);
+            if (parameter == nullptr || !parameter->reads_files()) return entry.value;
+            SceneSpec scene;
+            if (parameter->read(scene, entry.value)) return entry.value;
+            const std::string folder = fs::absolute(directory_).string();
+            parameter->map_files(scene, [&](const std::string& file) { return absolute_path(file, folder); });
+            return parameter->write(scene);
+        }
     return std::nullopt;
 }
 

@@ -62,7 +62,8 @@ class EnsembleAlgorithm(SceneAlgorithm):
         if values.has("SCENE"):
             scene, changed = os.path.abspath(values.text("SCENE")), settings(folder, self.given)
         else:
-            scene, changed = os.path.basename(write_scene(folder, self.given, f"{self.TITLE}, from QGIS")), []
+            scene, changed = os.path.basename(write_scene(folder, self.given, f"{self.TITLE}, from QGIS",
+                                                          self.scene_name(folder))), []
         pairs = varied(values, self.program.keys)
         if not pairs:
             raise QgsProcessingException("Uncertain values: no row is given. Add a key and its distribution, or a study file")
@@ -71,7 +72,7 @@ class EnsembleAlgorithm(SceneAlgorithm):
                    ("seed", str(values.whole("SEED") if values.has("SEED") else 1))]
         entries += [("until", number_text(values.number("UNTIL")))] if values.has("UNTIL") else []
         entries += [("levels", str(values.whole("LEVELS")))] if values.has("LEVELS") else []
-        path = os.path.join(folder, "study.ini")
+        path = os.path.join(folder, os.path.splitext(os.path.basename(scene))[0] + "-study.ini")
         with open(path, "w", encoding="utf-8") as file:
             file.write("\n".join(["# A study from QGIS.", *section("study", entries), *section("set", changed),
                                   *section("vary", pairs)]) + "\n")

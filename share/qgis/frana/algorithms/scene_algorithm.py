@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import configparser
 import os
+import re
 import tempfile
 from typing import Any
 
 from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback, QgsProcessingParameterFile)
 
 from ..fields import Field, Values, fields_of
-from ..inputs import Given, settings, write_scene
+from ..inputs import Given, result_of, settings, write_scene
 from ..messages import problems_of
 from ..process import run_program
 from .base import FranaAlgorithm
@@ -52,7 +53,7 @@ class SceneAlgorithm(FranaAlgorithm):
     def scene_words(self, values: Values, folder: str, feedback: QgsProcessingFeedback | None = None) -> list[str]:
         """Writes the inputs into the folder; returns the scene's path and the --set words."""
         if not self.TAKES_SCENE_FILE or not values.has("SCENE"):
-            return [write_scene(folder, self.given, f"{self.TITLE}, from QGIS")]
+            return [write_scene(folder, self.given, f"{self.TITLE}, from QGIS", self.scene_name(folder))]
         words = [os.path.abspath(values.text("SCENE"))]
         changed = settings(folder, self.given)
         for name, text in changed:
@@ -60,6 +61,13 @@ class SceneAlgorithm(FranaAlgorithm):
         if feedback is not None:
             self._tell_switches(words[0], {name for name, _ in changed}, feedback)
         return words
+
+    def scene_name(self, folder: str) -> str:
+        """The name of the scene, which its maps show: the result's, or the release layer's if the result is temporary."""
+        result = result_of(folder)
+        if result in ("", "OUTPUT"):
+            result = self.given.name_of("release.perimeter") if self.given else ""
+        return (re.sub(r"[^\w. -]", "_", result).strip(" .") or "scene") + ".ini"
 
     def _tell_switches(self, scene: str, changed: set[str], feedback: QgsProcessingFeedback) -> None:
         """Boxes show defaults; the file may say otherwise, and then it counts."""
