@@ -38,7 +38,8 @@ constexpr const char* k_help =
     "outline\n  "
     "params                   every key of a scene file: type, unit, default, range, meaning\n  materials              "
     "  the material presets\n  converge SCENE.ini       the scene at several resolutions: estimated error\n  ensemble "
-    "STUDY.ini       many runs with uncertain values: probabilities, sensitivities\n  calibrate STUDY.ini      values "
+    "STUDY.ini       many runs with uncertain values: probabilities, sensitivities\n  batch REGION.ini         each "
+    "polygon of a layer as a slope of its own: union, scenarios, hazard\n  calibrate STUDY.ini      values "
     "that explain surveyed events, and how uncertain they stay\n  bench "
     "accuracy|stability|speed\n                           tests of frana: errors against exact solutions, hard cases, "
     "throughput\n  bench robustness SCENE.ini\n                           the scene with its grid shifted and rotated, "
@@ -52,10 +53,10 @@ struct Command {
     int (*run)(const Arguments&);
 };
 
-constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_check},       {"render", cmd_render},
-                                  {"compare", cmd_compare},   {"params", cmd_params},     {"materials", cmd_materials},
-                                  {"converge", cmd_converge}, {"ensemble", cmd_ensemble}, {"calibrate", cmd_calibrate},
-                                  {"bench", cmd_bench}};
+constexpr Command k_commands[] = {
+    {"run", cmd_run},       {"check", cmd_check},         {"render", cmd_render},     {"compare", cmd_compare},
+    {"params", cmd_params}, {"materials", cmd_materials}, {"converge", cmd_converge}, {"ensemble", cmd_ensemble},
+    {"batch", cmd_batch},   {"calibrate", cmd_calibrate}, {"bench", cmd_bench}};
 
 int dispatch(Arguments words) {
     // Only the user who starts the program can allow it, never a scene.

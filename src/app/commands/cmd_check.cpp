@@ -28,17 +28,19 @@
 #include "params/keys/zone_keys.h"
 #include "simulation/simulation.h"
 #include "study/read_calibration.h"
+#include "study/read_region.h"
 
 namespace frana::app {
 namespace {
 
 CommandForm check_form() {
     namespace options = boost::program_options;
-    CommandForm form{"frana check SCENE.ini|STUDY.ini [options]",
-                     "Validates a scene, or a study of many runs, and all its files, prints what would run, and writes "
-                     "nothing.",
-                     "SCENE.ini",
-                     {}};
+    CommandForm form{
+        "frana check SCENE.ini|STUDY.ini|REGION.ini [options]",
+        "Validates a scene, a study or a region of many runs, and all its files, prints what would run, and writes "
+        "nothing.",
+        "SCENE.ini",
+        {}};
     form.options.add_options()("out", options::value<std::string>(),
                                "result directory of the run (overrides output.directory)")(
         "set", options::value<std::vector<std::string>>(), "section.key=value, overrides the scene; repeatable")(
@@ -152,7 +154,7 @@ int cmd_check(const Arguments& arguments) {
     RunLog log(false);
     apply_memory_limit(*values, log);
     if (const std::string file = (*values)["operand"].as<std::string>();
-        study::is_study(file) || study::is_calibration(file)) {
+        study::is_study(file) || study::is_region(file) || study::is_calibration(file)) {
         if (!text_options(*values, "set").empty())
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});

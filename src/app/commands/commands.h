@@ -19,6 +19,7 @@ int cmd_render(const Arguments& arguments);
 int cmd_compare(const Arguments& arguments);
 int cmd_converge(const Arguments& arguments);
 int cmd_ensemble(const Arguments& arguments);
+int cmd_batch(const Arguments& arguments);
 int cmd_calibrate(const Arguments& arguments);
 int cmd_bench(const Arguments& arguments);
 int cmd_params(const Arguments& arguments);

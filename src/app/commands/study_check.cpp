@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/commands/region_check.h"
 #include "app/input/memory_bound.h"
 #include "app/process/machine_memory.h"
 #include "app/store/result_place.h"
@@ -53,8 +54,8 @@ double StudyForecast::member_seconds() const noexcept {
     return trial ? trial->engine_seconds : member.wall_seconds;
 }
 
-std::string study_directory(const SceneSpec& scene) {
-    return output_directory(scene) + "-ensemble";
+std::string study_directory(const study::StudySpec& study, const SceneSpec& scene) {
+    return output_directory(scene) + (study.region ? "-region" : "-ensemble");
 }
 
 StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial) {
@@ -94,12 +95,16 @@ void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& fo
 
 void check_study(const std::string& path, const std::optional<std::string>& out, int threads, RunLog& log) {
     StudyTexts texts = read_study_texts(path);
-    const std::string directory = out.value_or(study_directory(texts.central.scene));
+    const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
     const std::optional<Problem> place =
         check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.central.problems);
     const StudyInput input = prepare_study(std::move(texts), place, log);
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
+    if (input.reading.study.region) {
+        print_region(input, forecast, threads, result_path(directory));
+        return;
+    }
     const study::StudySpec& study = input.reading.study;
     std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
     for (const study::Variation& one : study.vary) line(one.key, one.distribution.text);

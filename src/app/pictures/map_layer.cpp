@@ -9,6 +9,7 @@
 
 #include "analysis/trace.h"
 #include "app/store/layers.h"
+#include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
@@ -18,6 +19,8 @@
 
 namespace frana::app {
 namespace {
+
+constexpr const char* k_degree_map = "hazard_degree";
 
 void hide_zeros(Raster& raster) {
     raster.values.change_each_stored([](std::size_t, double& value) {
@@ -50,12 +53,18 @@ std::string bare_description(std::string text) {
 }
 
 /// Names the scheme in the titles, and its source and meaning on the map itself: maps are passed on without the log.
-void add_scheme(const std::map<std::string, std::string>& metadata, MapLayer& layer) {
+void add_scheme(const std::string& kind, const std::map<std::string, std::string>& metadata, MapLayer& layer) {
     std::vector<std::string> notes{"Intensity of one scenario,", "not a hazard level"};
+    if (kind == k_degree_map) notes = {"Degree of hazard: intensity", "and return period of the scenarios"};
+    for (int i = 1;; ++i) {
+        const auto limit = metadata.find(k_limit_item + std::to_string(i));
+        if (limit == metadata.end()) break;
+        notes.push_back("Intensity " + limit->second);
+    }
     if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
         layer.title += ", scheme " + scheme->second;
     if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
-        notes.push_back("Thresholds: " + source->second);
+        notes.push_back((kind == k_degree_map ? "Matrix: " : "Thresholds: ") + source->second);
     layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());
 }
 
@@ -101,7 +110,8 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool 
         for (const gis::NamedClass& one : text.classes)
             layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
         layer.notes = class_areas(layer);
-        if (kind == "hazard") add_scheme(text.metadata, layer);
+        if (kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_"))
+            add_scheme(kind, text.metadata, layer);
     }
     return layer;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/publish_hazard.h"
 
+#include <filesystem>
+
+#include "analysis/hazard_degree.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "gis/raster/raster_out.h"
@@ -22,28 +25,33 @@ Raster mask_of(const Raster& classes, int value) {
     return mask;
 }
 
-void write_raster(const Raster& classes, const HazardScheme& scheme, const std::string& path,
-                  std::map<std::string, std::string> metadata) {
-    std::vector<gis::ClassEntry> entries;
+std::vector<gis::ColourStop> stops_of(const ClassMap& map) {
     std::vector<gis::ColourStop> stops;
-    for (const HazardClass& kind : scheme.classes) {
-        entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label(), kind.colour});
-        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label()});
-    }
-    metadata["HAZARD_SCHEME"] = scheme.name;
-    metadata["HAZARD_SOURCE"] = scheme.source;
-    gis::write_class_geotiff(path, classes, entries,
-                             {k_hazard, "Intensity after " + scheme.name, "", std::move(metadata)});
-    gis::write_styles(path, stops, "", gis::StyleKind::exact, "Intensity, scheme " + scheme.name);
+    for (const HazardClass& kind : map.classes)
+        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label(), false, kind.hatched});
+    return stops;
 }
 
-std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme, const std::string& path,
-                                    const std::string& crs_wkt) {
-    gis::OutlineLayer zones{"hazard_zones", {}};
-    std::vector<gis::ColourStop> stops;
+std::string titled(const ClassMap& map) {
+    return map.title + ", scheme " + map.scheme;
+}
+
+void write_raster(const Raster& classes, const ClassMap& map, const std::string& path,
+                  std::map<std::string, std::string> metadata) {
+    std::vector<gis::ClassEntry> entries;
+    for (const HazardClass& kind : map.classes)
+        entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label(), kind.colour});
+    metadata["HAZARD_SCHEME"] = map.scheme;
+    metadata["HAZARD_SOURCE"] = map.source;
+    for (std::size_t i = 0; i < map.limits.size(); ++i) metadata[k_limit_item + std::to_string(i + 1)] = map.limits[i];
+    gis::write_class_geotiff(path, classes, entries, {map.name, map.title + " after " + map.scheme, "", metadata});
+    gis::write_styles(path, stops_of(map), "", gis::StyleKind::exact, titled(map));
+}
+
+std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, const std::string& path) {
+    gis::OutlineLayer zones{std::filesystem::path(path).stem().string(), {}};
     std::vector<HazardArea> areas;
-    for (const HazardClass& kind : scheme.classes) {
-        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label()});
+    for (const HazardClass& kind : map.classes) {
         PolygonFeature feature;
         feature.parts = gis::polygonise(mask_of(classes, kind.value));
         areas.push_back({kind, area(feature.parts)});
@@ -52,12 +60,12 @@ std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& s
         feature.texts = {{"label", kind.label()},
                          {"name", kind.name},
                          {"thresholds", kind.thresholds},
-                         {"scheme", scheme.name},
-                         {"source", scheme.source}};
+                         {"scheme", map.scheme},
+                         {"source", map.source}};
         zones.features.push_back(std::move(feature));
     }
-    zones.style = gis::polygon_style(zones.name, "Intensity, scheme " + scheme.name, "class", stops);
-    gis::write_outlines(path, crs_wkt, {zones});
+    zones.style = gis::polygon_style(zones.name, titled(map), "class", stops_of(map));
+    gis::write_outlines(path, classes.grid.crs_wkt, {zones});
     gis::write_style(path, zones.style);
     return areas;
 }
@@ -70,14 +78,27 @@ std::optional<HazardScheme> hazard_scheme_of(const HazardSpec& spec) {
                          {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
 }
 
+std::vector<std::string> intensity_limits(const HazardScheme& scheme) {
+    std::vector<std::string> lines;
+    for (const HazardClass& kind : scheme.classes) lines.push_back(intensity_name(kind.value) + ": " + kind.thresholds);
+    return lines;
+}
+
+std::vector<HazardArea> publish_classes(const Raster& classes, const ClassMap& map,
+                                        const std::map<std::string, std::string>& metadata,
+                                        const ResultDirectory& directory) {
+    write_raster(classes, map, directory.path(map.name + ".tif"), metadata);
+    if (map.zones_file.empty()) return {};
+    return write_zones(classes, map, directory.path(map.zones_file));
+}
+
 std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
                                        const ResultDirectory& directory) {
     const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec.hazard);
     if (!scheme) return {};
-    const std::map<std::string, std::string> origin = provenance(prepared);
     const Raster classes = intensity_classes(result, *scheme);
-    write_raster(classes, *scheme, directory.path(std::string(k_hazard) + ".tif"), origin);
-    return write_zones(classes, *scheme, directory.path(k_hazard_zones_file), prepared.scene.grid.crs_wkt);
+    const ClassMap map{k_hazard, "Intensity", scheme->classes, scheme->name, scheme->source, k_hazard_zones_file};
+    return publish_classes(classes, map, provenance(prepared), directory);
 }
 
 }  // namespace frana::app

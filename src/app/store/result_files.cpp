@@ -64,9 +64,10 @@ std::vector<ResultFile> make_table() {
         table.add(FileKind::working, {folder + "/frames.csv", folder + "/particles.pvd"});
     }
     table.add_rasters();
-    table.add(FileKind::vector, {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file});
+    table.add(FileKind::vector,
+              {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file, k_exposure_file});
     table.add_styles(k_hazard_zones_file);
-    table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table});
+    table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table, k_exposure_table});
     table.add(FileKind::page, {k_report_file});
     table.add(FileKind::style, {k_project_file});
     table.add(FileKind::table, {k_frame_list, k_particle_list});
@@ -88,6 +89,9 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::table, {k_member_table, k_sensitivity_table});
     table.add(FileKind::vector, {k_member_outlines});
     table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});
+    table.by("batch");
+    table.add(FileKind::text, {k_region_file}).add(FileKind::vector, {k_degree_zones_file});
+    table.add_styles(k_degree_zones_file).add_rasters();
     table.by("calibrate");
     table.add(FileKind::table, {k_posterior_table, posterior_of("*"), k_design_table});
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});

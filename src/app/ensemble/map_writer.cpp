@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ensemble/map_writer.h"
+
+#include "analysis/trace.h"
+#include "app/store/layers.h"
+#include "app/store/provenance.h"
+#include "core/colour.h"
+#include "gis/raster/styles.h"
+#include "params/keys/result_rasters.h"
+
+namespace frana::app {
+
+MapWriter::MapWriter(const StudyInput& input, const ResultDirectory& directory)
+    : directory_(directory), metadata_(provenance(input.base)), classes_(input.base.spec.output.classes) {}
+
+void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& error) const {
+    gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
+    gis::RasterBand band = band_of(name, probability);
+    band.zero_elsewhere = true;
+    write(name, {band, {error, text, true}});
+}
+
+gis::RasterBand MapWriter::band_of(const std::string& name, const Raster& raster) const {
+    const ResultRaster& row = *find_result_raster(name);
+    return {raster, {name, text_for(row, row.description, name), row.unit, metadata_}};
+}
+
+void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand>& bands) const {
+    const ResultRaster& row = *find_result_raster(name);
+    const std::string file = directory_.path(name + ".tif");
+    gis::write_geotiff(file, bands);
+    if (!row.is_drawn()) return;
+    const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
+    gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
+                      gis::StyleKind::classed, text_for(row, row.title, name));
+}
+
+}  // namespace frana::app
