@@ -13,8 +13,8 @@
 namespace frana::render {
 namespace {
 
-std::string length_words(double metres) {
-    return metres >= 1000 ? number(metres / 1000) + " km" : number(metres) + " m";
+std::string length_words(double metres, const Words& words) {
+    return metres >= 1000 ? words.number(number(metres / 1000)) + " km" : words.number(number(metres)) + " m";
 }
 
 std::string foot_text(const std::vector<std::string>& parts) {
@@ -35,12 +35,13 @@ double scale_bar_height(const PageStyle& style) {
     return bar_thickness(style) + style.label.size_px * 1.5;
 }
 
-ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel) {
+ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel,
+                        const Words& words) {
     const Lettering& lettering = sheet.lettering();
     // The labels are centred below the bar's ends and must fit the width as well.
     double metres = nice_step_below(width * metres_per_pixel);
     const auto overhang = [&](double length) {
-        return (lettering.width("0", style.label) + lettering.width(length_words(length), style.label)) / 2;
+        return (lettering.width("0", style.label) + lettering.width(length_words(length, words), style.label)) / 2;
     };
     while (metres / metres_per_pixel + overhang(metres) > width) metres = nice_step_below(0.9 * metres);
     const double pixels = metres / metres_per_pixel;
@@ -54,7 +55,7 @@ ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, doub
     sheet.frame(bar, {style.line(1.2), k_ink});
     const double text_y = bar.bottom + 0.45 * style.label.size_px;
     sheet.text("0", {bar.left, text_y}, style.label, Across::centre, Upright::top);
-    sheet.text(length_words(metres), {bar.right, text_y}, style.label, Across::centre, Upright::top);
+    sheet.text(length_words(metres, words), {bar.right, text_y}, style.label, Across::centre, Upright::top);
     return {bar, metres};
 }
 
@@ -81,12 +82,13 @@ PageBox draw_north_arrow(Sheet& sheet, const PageStyle& style, Point centre, dou
     return {centre.x - reach, centre.y - reach, centre.x + reach, centre.y + reach};
 }
 
-std::string convergence_words(double convergence_deg) {
+std::string convergence_words(double convergence_deg, const Words& words) {
     if (std::fabs(convergence_deg) < 0.05) return {};
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "true north %.1f\u00B0 %s of grid north", std::fabs(convergence_deg),
-                  convergence_deg > 0 ? "east" : "west");
-    return text.data();
+    std::array<char, 64> degrees{};
+    std::snprintf(degrees.data(), degrees.size(), "%.1f", std::fabs(convergence_deg));
+    return words(
+        convergence_deg > 0 ? "true north {1}\u00B0 east of grid north" : "true north {1}\u00B0 west of grid north",
+        {words.number(degrees.data())});
 }
 
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,

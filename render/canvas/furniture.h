@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/words/words.h"
 #include "render/canvas/page_style.h"
 #include "render/canvas/sheet.h"
 
@@ -18,7 +19,8 @@ struct ScaleBar {
 /// Height of the scale bar with its labels [px].
 double scale_bar_height(const PageStyle& style);
 /// Draws a bar of a round length, as long as fits into `width` pixels with its labels; `corner` is its upper left one.
-ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel);
+ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel,
+                        const Words& words);
 
 /// Height of the north arrow [px] at any angle.
 double north_arrow_height(const PageStyle& style);
@@ -26,7 +28,7 @@ double north_arrow_height(const PageStyle& style);
 /// returned.
 PageBox draw_north_arrow(Sheet& sheet, const PageStyle& style, Point centre, double angle_deg);
 /// Returns the text for the angle between true north and grid north; empty if it is negligible.
-std::string convergence_words(double convergence_deg);
+std::string convergence_words(double convergence_deg, const Words& words);
 
 /// Title and subtitle, shrunk or broken into lines to fit `width`; returns the y below them. With `subtitle_later` the
 /// subtitle's place is left free and returned in `subtitle_at`.

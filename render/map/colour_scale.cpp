@@ -59,7 +59,7 @@ ValueRange value_range(const Raster& raster) {
     return range;
 }
 
-ColourScale::ColourScale(const ScaleRequest& request) {
+ColourScale::ColourScale(const ScaleRequest& request) : words_(request.words) {
     Problems problems;
     if (!request.categories.empty() && (!request.classes.empty() || request.maximum)) {
         problems.add(
@@ -103,20 +103,24 @@ void ColourScale::set_categories(const std::vector<ClassLabel>& categories) {
     }
 }
 
+std::string ColourScale::number_of(double bound) const {
+    return words_.number(number(bound));
+}
+
 void ColourScale::set_bounds(bool open_below, bool open_above, const Palette& palette) {
     const double first = bounds_.front(), end = bounds_.back();
-    if (open_below) classes_.push_back({-k_infinity, first, "< " + number(first), {}});
+    if (open_below) classes_.push_back({-k_infinity, first, "< " + number_of(first), {}});
     for (std::size_t i = 0; i + 1 < bounds_.size(); ++i) {
         const double lower = bounds_[i], upper = bounds_[i + 1];
         if (slices_ == 1) {
-            classes_.push_back({lower, upper, number(lower) + " \u2013 " + number(upper), {}});
+            classes_.push_back({lower, upper, number_of(lower) + " \u2013 " + number_of(upper), {}});
             continue;
         }
         const double thick = (upper - lower) / slices_;
         for (int k = 0; k < slices_; ++k)
             classes_.push_back({lower + k * thick, k + 1 == slices_ ? upper : lower + (k + 1) * thick, "", {}});
     }
-    if (open_above) classes_.push_back({end, k_infinity, "> " + number(end), {}});
+    if (open_above) classes_.push_back({end, k_infinity, "> " + number_of(end), {}});
     const auto last = static_cast<double>(std::max<std::size_t>(classes_.size() - 1, 1));
     for (std::size_t i = 0; i < classes_.size(); ++i) {
         classes_[i].colour = colour_at(palette, static_cast<double>(i) / last);

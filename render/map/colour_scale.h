@@ -8,6 +8,7 @@
 
 #include "core/colour.h"
 #include "core/raster.h"
+#include "core/words/words.h"
 #include "render/map/map2d.h"
 
 namespace frana::render {
@@ -37,6 +38,7 @@ struct ScaleRequest {
     std::vector<ClassLabel> categories;
     const Raster* layer = nullptr;
     bool for_unseen_values = false;  ///< others follow, none over `layer`'s greatest value, if it has any
+    Words words{};                   ///< of the classes' numbers
 };
 
 /// Maps values to colours: one of a few classes, the same on the map and in the legend.
@@ -51,6 +53,8 @@ class ColourScale {
     [[nodiscard]] const ColourClass* find(double value) const noexcept;
     [[nodiscard]] const std::vector<ColourClass>& classes() const noexcept { return classes_; }
     [[nodiscard]] bool categorical() const noexcept { return categorical_; }
+    /// A bound as the legend writes it.
+    [[nodiscard]] std::string number_of(double bound) const;
     /// The bounds numbered in a legend; none for categories.
     [[nodiscard]] const std::vector<double>& bounds() const noexcept { return bounds_; }
     /// For a continuous scale: number of classes, too fine to be distinguished, between two bounds; else 1.
@@ -64,6 +68,7 @@ class ColourScale {
     bool categorical_ = false;
     std::vector<double> bounds_;
     int slices_ = 1;
+    Words words_;
 };
 
 }  // namespace frana::render

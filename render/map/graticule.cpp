@@ -81,7 +81,7 @@ std::vector<RoundPlace> round_places(const std::function<double(double)>& at, do
 }
 
 void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
-                    const std::function<Point(Point)>& longitude_latitude) {
+                    const std::function<Point(Point)>& longitude_latitude, const Words& words) {
     const PageBox box = frame.box();
     const Bounds& window = frame.window;
     const auto longitude = [&](double t) {
@@ -110,10 +110,10 @@ void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
     for (const RoundPlace& one : round_places(longitude, step_x)) {
         const double x = box.left + one.place * box.width();
         sheet.line(std::array<Point, 2>{{{x, box.top - tick}, {x, box.top}}}, line);
-        const std::string words = degree_words(one.value, step_x, "EW");
-        const double half = lettering.width(words, style.small) / 2;
+        const std::string label = words.number(degree_words(one.value, step_x, words("EW")));
+        const double half = lettering.width(label, style.small) / 2;
         if (x - half < box.left || x + half > box.right) continue;
-        sheet.text(words, {x, box.top - text_gap}, style.small, Across::centre, Upright::baseline);
+        sheet.text(label, {x, box.top - text_gap}, style.small, Across::centre, Upright::baseline);
     }
     const double step_y = step_for(north - south, box.height());
     TextStyle upright = style.small;
@@ -121,10 +121,10 @@ void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
     for (const RoundPlace& one : round_places(latitude, step_y)) {
         const double y = box.bottom - one.place * box.height();
         sheet.line(std::array<Point, 2>{{{box.right, y}, {box.right + tick, y}}}, line);
-        const std::string words = degree_words(one.value, step_y, "NS");
-        const double half = lettering.width(words, style.small) / 2;
+        const std::string label = words.number(degree_words(one.value, step_y, "NS"));
+        const double half = lettering.width(label, style.small) / 2;
         if (y - half < box.top || y + half > box.bottom) continue;
-        sheet.text(words, {box.right + text_gap, y}, upright, Across::centre, Upright::top);
+        sheet.text(label, {box.right + text_gap, y}, upright, Across::centre, Upright::top);
     }
 }
 

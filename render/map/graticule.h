@@ -28,6 +28,6 @@ std::vector<RoundPlace> round_places(const std::function<double(double)>& at, do
 /// Draws longitudes along the upper and latitudes along the right side of the frame: ticks and labels at round degrees,
 /// minutes or seconds, placed by the projection. Nothing if the window has no longitude.
 void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
-                    const std::function<Point(Point)>& longitude_latitude);
+                    const std::function<Point(Point)>& longitude_latitude, const Words& words);
 
 }  // namespace frana::render

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "render/canvas/ticks.h"
 #include "render/map/map_lines.h"
 
 namespace frana::render {
@@ -38,7 +37,7 @@ double draw_ramp(const ColourScale& scale, const PageStyle& style, Point corner,
         const double y = box.bottom;
         const std::array<Point, 2> tick{{{box.right, y}, {box.right + style.length(6), y}}};
         sheet.line(tick, {style.line(1), k_ink});
-        sheet.text(sign + number(value), {corner.x + text_offset(style), y}, style.label, Across::left,
+        sheet.text(sign + scale.number_of(value), {corner.x + text_offset(style), y}, style.label, Across::left,
                    Upright::middle);
     };
     int bounded = 0;
@@ -71,7 +70,8 @@ double legend_width(const LegendContent& content, const PageStyle& style, const 
     const Lettering& lettering = sheet.lettering();
     double width = 0;
     for (const double bound : content.scale->bounds())
-        width = std::max(width, text_offset(style) + lettering.width("> " + number(bound), style.label));
+        width =
+            std::max(width, text_offset(style) + lettering.width("> " + content.scale->number_of(bound), style.label));
     for (const ColourClass& one : content.scale->classes()) {
         if (content.scale->slices() > 1) break;
         width = std::max(width, text_offset(style) + lettering.width(one.label, style.label));

@@ -10,6 +10,7 @@
 #include "core/colour.h"
 #include "core/geometry.h"
 #include "core/raster.h"
+#include "core/words/words.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
 #include "render/canvas/osmesa_window.h"
@@ -90,6 +91,7 @@ struct MapSpec {
     Background background;  ///< replaces the relief; may be absent
     /// Longitude and latitude in degrees of a map point, for the labels on the upper and right side; may be absent.
     std::function<Point(Point)> longitude_latitude;
+    Words words{};  ///< of the furniture; the texts above are in its language already
 };
 
 /// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing), outlines, frame

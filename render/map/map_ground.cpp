@@ -66,11 +66,12 @@ void draw_lines(const MapSpec& spec, const PageStyle& style, MapGround& ground) 
     const MapFrame& frame = ground.frame;
     draw_place_names(sheet, style, frame, spec.outlines);
     if (spec.terrain != nullptr && spec.contours)
-        ground.contour_interval = draw_contours(sheet, style, frame, *spec.terrain, ground.kept_clear, spec.outlines);
+        ground.contour_interval =
+            draw_contours(sheet, style, frame, *spec.terrain, ground.kept_clear, spec.outlines, spec.words);
     draw_outlines(sheet, style, frame, spec.outlines);
     cover_outside(sheet, {0, 0, static_cast<double>(ground.width), static_cast<double>(ground.height)}, frame.box());
-    draw_coordinates(sheet, style, frame, !map_grid(spec).crs_wkt.empty());
-    if (spec.longitude_latitude) draw_graticule(sheet, style, frame, spec.longitude_latitude);
+    draw_coordinates(sheet, style, frame, !map_grid(spec).crs_wkt.empty(), spec.words);
+    if (spec.longitude_latitude) draw_graticule(sheet, style, frame, spec.longitude_latitude, spec.words);
     sheet.frame(frame.box(), {style.line(2), k_ink, 1, {}});
     ground.texts = sheet.texts();
     ground.above = sheet.take();
@@ -94,12 +95,23 @@ const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double d
     const auto fits = [&](const MapGround& one) {
         return one.width == spec.width && one.height == spec.height && one.density == density &&
                same(one.frame, frame) && one.terrain == spec.terrain && one.kept_clear == clear &&
+               one.language == spec.words.language() &&
                std::equal(one.outlines.begin(), one.outlines.end(), spec.outlines.begin(), spec.outlines.end(),
                           [](const Outline& a, const Outline& b) { return same(a, b); });
     };
     if (kept && fits(*kept)) return *kept;
-    auto ground = std::make_shared<MapGround>(
-        MapGround{spec.width, spec.height, density, frame, spec.terrain, clear, spec.outlines, {}, {}, {}, 0});
+    auto ground = std::make_shared<MapGround>(MapGround{spec.width,
+                                                        spec.height,
+                                                        density,
+                                                        frame,
+                                                        spec.terrain,
+                                                        clear,
+                                                        spec.outlines,
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        0,
+                                                        spec.words.language()});
     draw_lines(spec, PageStyle(spec.width, spec.height, density), *ground);
     draw_face(spec, *ground);
     kept = std::move(ground);

@@ -26,6 +26,7 @@ struct MapGround {
     Overlay above;  ///< lines and texts, white outside the frame
     std::vector<TextBox> texts;
     double contour_interval = 0;  ///< [m]; 0: no contours
+    Language language = Language::english;
 };
 
 /// Returns `kept` if it was drawn for the same frame, terrain and outlines, else a new one, which is then kept.

@@ -137,7 +137,7 @@ class LabelPlaces {
 }  // namespace
 
 double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Raster& terrain,
-                     const Raster* layer, const std::vector<Outline>& outlines) {
+                     const Raster* layer, const std::vector<Outline>& outlines, const Words& words) {
     // Two pixels per cell: finer crossings cannot be distinguished on the page.
     const Raster part = raster_window(terrain, frame.window, std::max(frame.width, frame.height) / 2);
     if (part.grid.columns < 2 || part.grid.rows < 2) return 0;
@@ -160,7 +160,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
     label.halo = {232, 231, 228};
     LabelPlaces places(style, frame, layer, outlines, sheet);
     for (const Contour& contour : contours) {
-        if (is_index(contour)) places.put(contour.points, number(contour.level), label, sheet);
+        if (is_index(contour)) places.put(contour.points, words.number(number(contour.level)), label, sheet);
     }
     return interval;
 }
@@ -236,11 +236,11 @@ void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& fram
     }
 }
 
-void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected) {
+void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected, const Words& words) {
     const Lettering& lettering = sheet.lettering();
     const PageBox box = frame.box();
-    const double widest = std::max(lettering.width(grouped(frame.window.east) + " E", style.small),
-                                   lettering.width(grouped(frame.window.north) + " N", style.small));
+    const double widest = std::max(lettering.width(words.number(grouped(frame.window.east)) + " E", style.small),
+                                   lettering.width(words.number(grouped(frame.window.north)) + " N", style.small));
     const double metre = frame.metres_per_pixel();
     // Coordinates are labelled in full metres, so the step is at least one.
     const double step = std::max(1.0, nice_step_above(1.7 * widest * metre));
@@ -253,10 +253,10 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
         const double x = frame.page({easting, 0}).x;
         const std::array<Point, 2> mark{{{x, box.bottom}, {x, box.bottom + tick}}};
         sheet.line(mark, line);
-        const std::string words = grouped(easting) + (projected ? " E" : "");
-        const double half = lettering.width(words, style.small) / 2;
+        const std::string label = words.number(grouped(easting)) + (projected ? " E" : "");
+        const double half = lettering.width(label, style.small) / 2;
         if (x - half < box.left || x + half > box.right) continue;
-        sheet.text(words, {x, box.bottom + text_gap}, style.small, Across::centre, Upright::top);
+        sheet.text(label, {x, box.bottom + text_gap}, style.small, Across::centre, Upright::top);
     }
     TextStyle upright = style.small;
     upright.angle_deg = 90;
@@ -264,10 +264,10 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
         const double y = frame.page({0, northing}).y;
         const std::array<Point, 2> mark{{{box.left - tick, y}, {box.left, y}}};
         sheet.line(mark, line);
-        const std::string words = grouped(northing) + (projected ? " N" : "");
-        const double half = lettering.width(words, style.small) / 2;
+        const std::string label = words.number(grouped(northing)) + (projected ? " N" : "");
+        const double half = lettering.width(label, style.small) / 2;
         if (y - half < box.top || y + half > box.bottom) continue;
-        sheet.text(words, {box.left - text_gap, y}, upright, Across::centre, Upright::baseline);
+        sheet.text(label, {box.left - text_gap, y}, upright, Across::centre, Upright::baseline);
     }
     const double arm = style.length(7);
     const LineStyle cross{style.line(1.1), {20, 20, 20}, 0.55, {}};

@@ -53,11 +53,12 @@ struct Column {
 double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapFrame& frame,
                         const Column& column, bool words_at_foot, MapLayout& layout) {
     double y = column.bottom - scale_bar_height(style);
-    const ScaleBar bar = draw_scale_bar(sheet, style, {column.left, y}, column.width, frame.metres_per_pixel());
+    const ScaleBar bar =
+        draw_scale_bar(sheet, style, {column.left, y}, column.width, frame.metres_per_pixel(), spec.words);
     layout.scale_bar = bar.box;
     layout.scale_bar_metres = bar.metres;
     y -= style.gap;
-    const std::string words = convergence_words(spec.convergence_deg);
+    const std::string words = convergence_words(spec.convergence_deg, spec.words);
     if (!words.empty() && !words_at_foot) {
         const std::vector<std::string> lines = sheet.wrapped(words, style.small, column.width);
         y -= Sheet::line_height(style.small) * static_cast<double>(lines.size());
@@ -78,8 +79,8 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const Map
     const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
                             (spec.dots != nullptr && !spec.dots->dots.empty());
     if (has_values || for_frames) {
-        scale_ = ColourScale(
-            {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
+        scale_ = ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer,
+                              for_frames, spec.words});
     }
     arrange(spec, for_frames, ground);
 }
@@ -113,9 +114,10 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         const double band = tick_band(style), graticule_band = spec.longitude_latitude ? band : 0;
         // The contours' interval is determined later; every interval needs about the same room.
         const auto foot_parts = [&](double interval) {
-            const std::string remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
+            const std::string remark =
+                interval > 0 ? spec.words("contour interval {1} m", {spec.words.number(number(interval))}) : "";
             std::vector<std::string> parts = notes_at_foot ? spec.side_notes : nothing;
-            if (notes_at_foot) parts.push_back(convergence_words(spec.convergence_deg));
+            if (notes_at_foot) parts.push_back(convergence_words(spec.convergence_deg, spec.words));
             parts.insert(parts.end(), {spec.source, spec.crs_label, remark, spec.attribution});
             return parts;
         };
@@ -167,11 +169,10 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         if (scale_.classes().empty() && (spec.layer != nullptr || spec.dots != nullptr)) {
             TextStyle note = style.heading;
             note.halo_px = std::max(2.0, style.length(4));
-            sheet.text("nothing to show: the raster has no values",
-                       {frame_.left + frame_.width / 2.0, frame_.top + frame_.height / 2.0},
-                       shrunk_to_fit(sheet.lettering(), "nothing to show: the raster has no values", note,
-                                     0.9 * frame_.width, 0.5),
-                       Across::centre, Upright::middle);
+            const std::string nothing_shown = spec.words("nothing to show: the raster has no values");
+            sheet.text(nothing_shown, {frame_.left + frame_.width / 2.0, frame_.top + frame_.height / 2.0},
+                       shrunk_to_fit(sheet.lettering(), nothing_shown, note, 0.9 * frame_.width, 0.5), Across::centre,
+                       Upright::middle);
         }
         layout_.texts = sheet.texts();
         layout_.texts.insert(layout_.texts.end(), ground.texts.begin(), ground.texts.end());

@@ -51,6 +51,7 @@ struct ViewSpec {
     int height = 1200;
     bool sky = true;               ///< behind the terrain; else white
     std::optional<Camera> camera;  ///< default: from the front of the flow, obliquely uphill
+    Words words{};
 };
 
 /// Places of the parts of a view.

@@ -42,16 +42,19 @@ const ViewSpec& checked(const ViewSpec& spec) {
     return spec;
 }
 
-std::string direction_words(double azimuth_deg) {
-    constexpr std::array<const char*, 16> k_winds{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
-                                                  "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+std::string direction_words(double azimuth_deg, const Words& words) {
+    constexpr std::array<const char*, 16> k_winds{worded("N"), worded("NNE"), worded("NE"), worded("ENE"),
+                                                  worded("E"), worded("ESE"), worded("SE"), worded("SSE"),
+                                                  worded("S"), worded("SSW"), worded("SW"), worded("WSW"),
+                                                  worded("W"), worded("WNW"), worded("NW"), worded("NNW")};
     const double turn = azimuth_deg - 360 * std::floor(azimuth_deg / 360);
     const auto wind = static_cast<std::size_t>(std::lround(turn / 22.5)) % k_winds.size();
-    return std::string("view to the ") + k_winds[wind];
+    return words("view to the {1}", {words(k_winds[wind])});
 }
 
-std::string scale_words(double exaggeration) {
-    return exaggeration == 1 ? "heights true to scale" : "heights exaggerated " + number(exaggeration) + " times";
+std::string scale_words(double exaggeration, const Words& words) {
+    return exaggeration == 1 ? words("heights true to scale")
+                             : words("heights exaggerated {1} times", {words.number(number(exaggeration))});
 }
 
 const Raster* extent_of(const ViewSpec& spec) {
@@ -78,8 +81,8 @@ class ViewSession::Scene {
         const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
                                 (spec.dots != nullptr && !spec.dots->dots.empty());
         if (has_values || for_frames) {
-            scale_ = ColourScale(
-                {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
+            scale_ = ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories,
+                                  spec.layer, for_frames, spec.words});
         }
         constexpr std::int64_t k_sample = 4000;
         flow_ = ground_.sample(extent_of(spec), k_sample);
@@ -181,12 +184,13 @@ class ViewSession::Scene {
             const double legend_bottom =
                 draw_legend(content, style, {left, picture.top}, column, sheet, layout_.legend);
 
-            const std::vector<std::string> words = sheet.wrapped(
-                direction_words(layout_.camera.azimuth_deg) + ", " + scale_words(spec.vertical_exaggeration),
-                style.small, column);
-            double y = picture.bottom - Sheet::line_height(style.small) * static_cast<double>(words.size()) +
+            const std::vector<std::string> lines =
+                sheet.wrapped(direction_words(layout_.camera.azimuth_deg, spec.words) + ", " +
+                                  scale_words(spec.vertical_exaggeration, spec.words),
+                              style.small, column);
+            double y = picture.bottom - Sheet::line_height(style.small) * static_cast<double>(lines.size()) +
                        0.3 * style.small.size_px;
-            sheet.lines(words, {left, y}, style.small, Across::left);
+            sheet.lines(lines, {left, y}, style.small, Across::left);
             const double reach = north_arrow_height(style) / 2;
             y -= style.gap / 2 + 2 * reach;
             draw_north_arrow(sheet, style, {left + reach, y + reach}, north);
@@ -194,7 +198,7 @@ class ViewSession::Scene {
             if (nothing_to_show) {
                 TextStyle note = style.heading;
                 note.halo_px = std::max(2.0, style.length(4));
-                sheet.text("nothing to show: the raster has no values",
+                sheet.text(spec.words("nothing to show: the raster has no values"),
                            {(picture.left + picture.right) / 2, (picture.top + picture.bottom) / 2}, note,
                            Across::centre, Upright::middle);
             }

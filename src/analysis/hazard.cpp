@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 
 namespace frana {
 namespace {
@@ -23,7 +24,7 @@ constexpr double k_debris_depth = 1, k_debris_speed = 1, k_flood_low = 0.5, k_fl
                  k_torrent_deposit = 0.7;
 
 const std::string k_metres = " m", k_metres_per_second = " m/s", k_flux_unit = " m\u00B2/s", k_pressure_unit = " kPa";
-const std::string k_depth = "depth", k_speed = "speed", k_flux = "depth \u00D7 speed";
+const std::string k_depth = worded("depth"), k_speed = worded("speed"), k_flux = worded("depth \u00D7 speed");
 
 std::string over(const std::string& what, double limit, const std::string& unit, const char* sign = " > ") {
     return what + sign + shortest_text(limit) + unit;
@@ -61,7 +62,7 @@ std::vector<HazardClass> custom_classes(const HazardLimits& limits) {
     std::vector<LimitedQuantity> quantities{{k_depth, k_metres, limits.depth},
                                             {k_speed, k_metres_per_second, limits.velocity},
                                             {k_flux, k_flux_unit, limits.flux},
-                                            {"pressure", k_pressure_unit, limits.pressure}};
+                                            {worded("pressure"), k_pressure_unit, limits.pressure}};
     std::vector<LimitedQuantity> given;
     std::size_t most = 0;
     for (const LimitedQuantity& one : quantities) {
@@ -115,38 +116,38 @@ HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) 
         return {
             name,
             k_swiss,
-            {{2, "Medium intensity",
+            {{2, worded("Medium intensity"),
               up_to(k_depth, k_debris_depth, k_metres) + " or " + up_to(k_speed, k_debris_speed, k_metres_per_second),
               k_middle},
-             {3, "High intensity",
+             {3, worded("High intensity"),
               over(k_depth, k_debris_depth, k_metres) + " and " + over(k_speed, k_debris_speed, k_metres_per_second),
               k_dark}},
             {}};
     if (name == "swiss-flood")
         return {name,
                 k_swiss,
-                {{1, "Low intensity",
+                {{1, worded("Low intensity"),
                   up_to(k_depth, k_flood_low, k_metres) + " and " + up_to(k_flux, k_flood_low, k_flux_unit), k_light},
-                 {2, "Medium intensity",
+                 {2, worded("Medium intensity"),
                   over(k_depth, k_flood_low, k_metres) + " or " + over(k_flux, k_flood_low, k_flux_unit), k_middle},
-                 {3, "High intensity",
+                 {3, worded("High intensity"),
                   over(k_depth, k_flood_high, k_metres) + " or " + over(k_flux, k_flood_high, k_flux_unit), k_dark}},
                 {}};
     if (name == "austrian-torrent")
         return {name,
                 "BMLFUW (2011): Richtlinie fuer die Gefahrenzonenplanung, Vienna (torrents, design event)",
                 {{1,
-                  "Yellow zone",
-                  over("energy head", k_torrent_head, k_metres, " < ") + " and " +
-                      over("deposit", k_torrent_deposit, k_metres, " < "),
+                  worded("Yellow zone"),
+                  over(worded("energy head"), k_torrent_head, k_metres, " < ") + " and " +
+                      over(worded("deposit"), k_torrent_deposit, k_metres, " < "),
                   {255, 221, 51}},
                  {2,
-                  "Red zone",
-                  over("energy head", k_torrent_head, k_metres, " \u2265 ") + " or " +
-                      over("deposit", k_torrent_deposit, k_metres, " \u2265 "),
+                  worded("Red zone"),
+                  over(worded("energy head"), k_torrent_head, k_metres, " \u2265 ") + " or " +
+                      over(worded("deposit"), k_torrent_deposit, k_metres, " \u2265 "),
                   {215, 25, 28}}},
                 {}};
-    if (name == "custom") return {name, "limits of the scene", custom_classes(limits), limits};
+    if (name == "custom") return {name, worded("limits of the scene"), custom_classes(limits), limits};
     throw Error(ErrorKind::input, Problem{"is not a hazard scheme", "hazard.scheme", name,
                                           "swiss-debris-flow, swiss-flood, austrian-torrent, custom", ""});
 }

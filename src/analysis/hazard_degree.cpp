@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 
 namespace frana {
 namespace {
@@ -15,10 +16,13 @@ struct NamedDegree {
 };
 /// Colours as on Swiss hazard maps.
 constexpr NamedDegree k_degrees[] = {
-    {HazardDegree::residual, "yellow-white", "Yellow-white: residual hazard", {255, 250, 190}},
-    {HazardDegree::yellow, "yellow", "Yellow: low hazard", {255, 225, 60}},
-    {HazardDegree::blue, "blue", "Blue: medium hazard", {60, 120, 215}},
-    {HazardDegree::red, "red", "Red: high hazard", {215, 30, 30}}};
+    {HazardDegree::residual, "yellow-white", worded("Yellow-white, residual hazard"), {255, 250, 190}},
+    {HazardDegree::yellow, "yellow", worded("Yellow, low hazard"), {255, 225, 60}},
+    {HazardDegree::blue, "blue", worded("Blue, medium hazard"), {60, 120, 215}},
+    {HazardDegree::red, "red", worded("Red, high hazard"), {215, 30, 30}}};
+
+// As the thresholds of intensities are written, so that they can be put into a language.
+const std::string k_years = " a", k_up_to = " \u2264 ", k_range = " \u2013 ", k_over = " > ";
 
 }  // namespace
 
@@ -33,7 +37,7 @@ std::optional<HazardDegree> degree_from(const std::string& name) {
 }
 
 std::string intensity_name(int intensity) {
-    return intensity == 1 ? "weak" : intensity == 2 ? "medium" : "strong";
+    return intensity == 1 ? worded("weak") : intensity == 2 ? worded("medium") : worded("strong");
 }
 
 HazardDegree DegreeMatrix::of(int intensity, double return_period) const {
@@ -51,13 +55,12 @@ std::string DegreeMatrix::conditions_of(HazardDegree degree) const {
             if (row[first] != degree) continue;
             std::size_t last = first;
             while (last + 1 < k_probabilities && row[last + 1] == degree) ++last;
-            const std::string end = shortest_text(periods[last]) + " years";
-            add(intensity_name(intensity) +
-                (first == 0 ? " up to " + end : " over " + shortest_text(periods[first - 1]) + " to " + end));
+            add(intensity_name(intensity) + (first == 0 ? k_up_to : " " + shortest_text(periods[first - 1]) + k_range) +
+                shortest_text(periods[last]) + k_years);
             first = last;
         }
     }
-    if (degree == HazardDegree::residual) add("any over " + shortest_text(periods.back()) + " years");
+    if (degree == HazardDegree::residual) add(worded("any") + (k_over + shortest_text(periods.back()) + k_years));
     return text;
 }
 
@@ -65,9 +68,9 @@ std::vector<HazardClass> degree_classes(const DegreeMatrix& matrix) {
     std::vector<HazardClass> classes;
     for (const NamedDegree& one : k_degrees) {
         const std::string conditions = matrix.conditions_of(one.degree);
-        classes.push_back({static_cast<int>(one.degree), one.words,
-                           conditions.empty() ? "not in this matrix" : conditions, one.colour,
-                           one.degree == HazardDegree::residual});
+        if (conditions.empty()) continue;
+        classes.push_back(
+            {static_cast<int>(one.degree), one.words, conditions, one.colour, one.degree == HazardDegree::residual});
     }
     return classes;
 }

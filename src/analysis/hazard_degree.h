@@ -37,14 +37,15 @@ struct DegreeMatrix {
     /// @param intensity 1 to 3
     /// @param return_period [years], greater than 0
     [[nodiscard]] HazardDegree of(int intensity, double return_period) const;
-    /// Returns what leads to a degree: "strong up to 300 years; medium up to 30 years". Empty: nothing does.
+    /// Returns what leads to a degree: "strong <= 300 a; medium <= 30 a", a: years. Empty: nothing does.
     [[nodiscard]] std::string conditions_of(HazardDegree degree) const;
 };
 
 /// Returns "weak", "medium", "strong".
 std::string intensity_name(int intensity);
 
-/// A degree as a class of a map, with its colour and its conditions in words; the lowest first.
+/// A degree as a class of a map, with its colour and its conditions in words; the lowest first. Without those to which
+/// nothing leads.
 std::vector<HazardClass> degree_classes(const DegreeMatrix& matrix);
 
 /// Whether the classes of a scheme are the three intensities of the matrix, or the upper two.

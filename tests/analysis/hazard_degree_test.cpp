@@ -33,10 +33,10 @@ TEST(HazardDegree, LimitsAreThoseGiven) {
 
 TEST(HazardDegree, LegendNamesWhatLeadsToEachDegree) {
     const DegreeMatrix matrix;
-    EXPECT_EQ(matrix.conditions_of(k_red), "strong up to 300 years; medium up to 30 years");
-    EXPECT_EQ(matrix.conditions_of(k_blue), "medium over 30 years to 300 years; weak up to 30 years");
-    EXPECT_EQ(matrix.conditions_of(k_yellow), "weak over 30 years to 300 years");
-    EXPECT_EQ(matrix.conditions_of(k_residual), "any over 300 years");
+    EXPECT_EQ(matrix.conditions_of(k_red), "strong \u2264 300 a; medium \u2264 30 a");
+    EXPECT_EQ(matrix.conditions_of(k_blue), "medium 30 \u2013 300 a; weak \u2264 30 a");
+    EXPECT_EQ(matrix.conditions_of(k_yellow), "weak 30 \u2013 300 a");
+    EXPECT_EQ(matrix.conditions_of(k_residual), "any > 300 a");
     for (const HazardClass& one : degree_classes(matrix))
         EXPECT_EQ(one.thresholds, matrix.conditions_of(static_cast<HazardDegree>(one.value)));
 }

@@ -56,6 +56,8 @@ CommandForm render_form() {
         "legend", text(), "classed (default) or continuous")("background", text(),
                                                              "orthophoto or topographic raster instead of the relief")(
         "attribution", text(), "sources of the data and author, at the foot")("title", text(), "title of the maps")(
+        "language", text(),
+        "of the texts: en, it, de, fr, es (default: the result's output.language; for a RASTER the locale's)")(
         "camera", text(), k_cameras)("exaggeration", text(), "vertical exaggeration of views (default: 1)")(
         "plain", "views: white background")("dtm", text(), "terrain under a RASTER")(
         "unit", text(), "unit of the values of a RASTER, if the file does not state it")(
@@ -111,6 +113,7 @@ void read_style(const Values& values, MapStyle& style, Problems& problems) {
 
 /// The requested outputs, as far as they do not depend on the files.
 struct Request {
+    std::optional<Language> language;  ///< none: the result's own
     bool view_3d = false, fly = false, charts = false, plates = false;
     std::optional<std::string> animation, beside, out;
     std::vector<std::string> maps;
@@ -127,6 +130,10 @@ Request read_request(const Values& values, Problems& problems) {
     request.plates = values.count("plates") > 0;
     request.animation = text_option(values, "animation");
     request.beside = text_option(values, "beside");
+    if (const auto language = text_option(values, "language")) {
+        request.language = language_of_code(*language);
+        if (!request.language) problems.add(not_one_of("language", *language, language_codes()));
+    }
     request.out = text_option(values, "out");
     request.maps = text_options(values, "map");
     const bool pages = request.charts || request.plates;
@@ -211,7 +218,7 @@ void render_animation(const ResultReader& result, const MapSource& source, const
     AnimationRequest animation{
         animation_source(result, source, request.animation_of), {}, request.view_3d, request.fly, size};
     if (request.beside) {
-        const ResultReader other(*request.beside);
+        const ResultReader other(*request.beside, source.style.words.language());
         MapSource second = other.map_source();
         second.style = source.style;
         if (second.crs_label != source.crs_label) {
@@ -276,7 +283,7 @@ void check_request_under_way(const ResultReader& result, const Request& request,
 }
 
 void render_result(const Values& values, const Request& request, Problems& problems) {
-    const ResultReader result((values)["operand"].as<std::string>());
+    const ResultReader result((values)["operand"].as<std::string>(), request.language);
     for (const char* option : {"dtm", "unit", "above"}) {
         if (values.count(option) > 0)
             problems.add({"is for a RASTER, not for a result", std::string("--") + option, "", "", ""});
@@ -336,12 +343,14 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     if (request.view_3d && values.count("dtm") == 0)
         problems.add({"needs a terrain", "--view", "3d", "", "Name it: --dtm RASTER"});
     MapStyle style;
+    style.words = Words(request.language.value_or(process_language()));
     read_style(values, style, problems);
     const auto limit = text_option(values, "above");
     const auto above = limit ? number_from_text(*limit) : std::nullopt;
     if (limit && !above) problems.add({"is not a number", "--above", *limit, "", ""});
     problems.throw_if_any();
-    ForeignMap map = read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"), above);
+    ForeignMap map =
+        read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"), above, style.words);
     refuse_too_large(values, request, style.size, {}, map.layer.values.values.stored_cells());
     map.source.style = style;
     map.source.title = text_option(values, "title").value_or(map.source.title);

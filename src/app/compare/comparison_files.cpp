@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/compare/comparison.h"
+#include "app/pictures/class_words.h"
 #include "app/pictures/map_source.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
@@ -40,15 +41,18 @@ void make_folder(const fs::path& folder) {
 
 struct ClassText {
     Agreement kind;
-    const char* label;
+    const char *name, *meaning;
     Rgb colour;
+
+    [[nodiscard]] std::string label() const { return std::string(name) + ": " + meaning; }
 };
 
 // Bluish green, orange and a dark blue: distinguishable for the colour-blind, and by lightness if printed without
 // colours.
-constexpr ClassText k_classes[] = {{Agreement::hit, "Hit: simulated and observed", {0, 158, 115}},
-                                   {Agreement::false_alarm, "False alarm: simulated only", {240, 180, 50}},
-                                   {Agreement::miss, "Miss: observed only", {40, 50, 140}}};
+constexpr ClassText k_classes[] = {
+    {Agreement::hit, worded("Hit"), worded("simulated and observed"), {0, 158, 115}},
+    {Agreement::false_alarm, worded("False alarm"), worded("simulated only"), {240, 180, 50}},
+    {Agreement::miss, worded("Miss"), worded("observed only"), {40, 50, 140}}};
 
 /// Names and values of a comparison, in the order of the file.
 std::vector<std::pair<const char*, double>> named(const ComparisonStatistics& f) {
@@ -153,8 +157,8 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
     std::vector<gis::ClassEntry> classes;
     std::vector<gis::ColourStop> stops;
     for (const ClassText& entry : k_classes) {
-        classes.push_back({static_cast<std::uint8_t>(entry.kind), entry.label, entry.colour});
-        stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label});
+        classes.push_back({static_cast<std::uint8_t>(entry.kind), entry.label(), entry.colour});
+        stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label()});
     }
     const std::string raster = (place / raster_file()).string();
     gis::write_class_geotiff(raster, comparison.classes, classes,
@@ -178,22 +182,24 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
     const ComparisonStatistics& f = *comparison.statistics;
     MapLayer layer;
     layer.notes_alone = true;
-    layer.notes = {"Deeper than " + number_text(f.threshold_m) + " m counts",
-                   "Observed " + grouped(f.observed_area_m2) + " m²",
-                   "Simulated " + grouped(f.simulated_area_m2) + " m²",
-                   "Area difference " + number_text(f.area_difference_percent, 3) + " %",
-                   "Hit " + grouped(f.hit_m2) + " m²",
-                   "False alarm " + grouped(f.false_alarm_m2) + " m²",
-                   "Miss " + grouped(f.miss_m2) + " m²",
-                   "Jaccard " + number_text(f.jaccard, 3),
-                   "Dice " + number_text(f.dice, 3)};
-    if (comparison.outline)
-        layer.notes.push_back("Outlines " + number_text(comparison.outline->mean_m, 3) + " m apart");
-    layer.title = "Comparison with the scar";
+    const Words& words = drawer.style().words;
+    const auto area = [&](double value) { return words.number(grouped(value)); };
+    const auto score = [&](double value) { return words.number(number_text(value, 3)); };
+    layer.notes = {words("Deeper than {1} m counts", {words.number(number_text(f.threshold_m))}),
+                   words("Observed {1} m²", {area(f.observed_area_m2)}),
+                   words("Simulated {1} m²", {area(f.simulated_area_m2)}),
+                   words("Area difference {1} %", {score(f.area_difference_percent)}),
+                   words("Hit {1} m²", {area(f.hit_m2)}),
+                   words("False alarm {1} m²", {area(f.false_alarm_m2)}),
+                   words("Miss {1} m²", {area(f.miss_m2)}),
+                   words("Jaccard {1}", {score(f.jaccard)}),
+                   words("Dice {1}", {score(f.dice)})};
+    if (comparison.outline) layer.notes.push_back(words("Outlines {1} m apart", {score(comparison.outline->mean_m)}));
+    layer.title = words("Comparison with the survey");
     layer.values = comparison.classes;
-    layer.source = raster_file() + ", band 1";
+    layer.source = words("{1}, band {2}", {raster_file(), "1"});
     for (const ClassText& entry : k_classes)
-        layer.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
+        layer.categories.push_back({static_cast<double>(entry.kind), class_label(entry.label(), words), entry.colour});
     for (const std::string& file : comparison_pictures(drawer.style(), folder))
         make_folder(fs::path(file).parent_path());
     drawer.draw(layer, false, comparison_stem(folder), tif_stem(folder));

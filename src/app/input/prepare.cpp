@@ -18,6 +18,7 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "core/words/language.h"
 #include "gis/crs/crs.h"
 #include "params/keys/laws.h"
 #include "simulation/arrivals.h"
@@ -146,6 +147,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
 
     Prepared prepared;
     prepared.spec = reading.scene;
+    if (prepared.spec.output.language == k_language_of_locale)
+        prepared.spec.output.language = language_code(process_language());
     prepared.scene.grid = ground->terrain.grid;
     prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
     prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;

@@ -24,14 +24,16 @@ Raster terrain_for(const Raster& layer, const std::string& dtm) {
 }  // namespace
 
 ForeignMap read_foreign_map(const std::string& file, const std::optional<std::string>& dtm,
-                            const std::optional<std::string>& unit, const std::optional<double>& above) {
+                            const std::optional<std::string>& unit, const std::optional<double>& above,
+                            const Words& words) {
     ForeignMap map;
-    map.layer = read_map_layer(file, {}, true);
+    map.source.style.words = words;
+    map.layer = read_map_layer(file, {}, words, true);
     if (map.layer.unit.empty()) map.layer.unit = unit.value_or("");
     if (above) {
         for (double& value : map.layer.values.values)
             if (!(value > *above)) value = k_no_data;
-        map.layer.notes.push_back("Only above " + number_text(*above) + " " + map.layer.unit);
+        map.layer.notes.push_back(words("Only above {1}", {words.number(number_text(*above)) + " " + map.layer.unit}));
     }
     const GridSpec& grid = map.layer.values.grid;
     MapSource& source = map.source;

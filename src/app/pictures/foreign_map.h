@@ -18,6 +18,7 @@ struct ForeignMap {
 /// may have other cells and another CRS. `unit` is used if the file names none; values that are not `above` a limit are
 /// omitted, with a note on the map (some programs leave tiny depths everywhere). Throws Error(input).
 ForeignMap read_foreign_map(const std::string& file, const std::optional<std::string>& dtm,
-                            const std::optional<std::string>& unit, const std::optional<double>& above);
+                            const std::optional<std::string>& unit, const std::optional<double>& above,
+                            const Words& words);
 
 }  // namespace frana::app

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "analysis/trace.h"
+#include "app/pictures/class_words.h"
 #include "app/store/layers.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
@@ -29,10 +30,10 @@ void hide_zeros(Raster& raster) {
 }
 
 /// Sets title and colours of a raster of the table; returns false for others.
-bool set_from_table(const std::string& name, const ClassSpec& classes, MapLayer& layer) {
+bool set_from_table(const std::string& name, const ClassSpec& classes, const Words& words, MapLayer& layer) {
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
-    layer.title = text_for(*row, row->title, name);
+    layer.title = raster_title(*row, name, words);
     layer.palette = row->palette;
     layer.classes = class_bounds(*row, classes, maximum(layer.values));
     if (row->zero_is_blank) hide_zeros(layer.values);
@@ -53,18 +54,25 @@ std::string bare_description(std::string text) {
 }
 
 /// Names the scheme in the titles, and its source and meaning on the map itself: maps are passed on without the log.
-void add_scheme(const std::string& kind, const std::map<std::string, std::string>& metadata, MapLayer& layer) {
-    std::vector<std::string> notes{"Intensity of one scenario,", "not a hazard level"};
-    if (kind == k_degree_map) notes = {"Degree of hazard: intensity", "and return period of the scenarios"};
-    for (int i = 1;; ++i) {
-        const auto limit = metadata.find(k_limit_item + std::to_string(i));
-        if (limit == metadata.end()) break;
-        notes.push_back("Intensity " + limit->second);
+void add_scheme(const std::string& kind, const std::map<std::string, std::string>& metadata, const Words& words,
+                MapLayer& layer) {
+    const bool is_degree = kind == k_degree_map;
+    std::vector<std::string> notes;
+    if (is_degree) {
+        notes = {words("Degree of hazard from intensity and return period"), words("Return periods in years (a)"),
+                 words("Limits of intensity")};
+        for (int i = 1;; ++i) {
+            const auto limit = metadata.find(k_limit_item + std::to_string(i));
+            if (limit == metadata.end()) break;
+            notes.push_back(class_label(limit->second, words));
+        }
+    } else {
+        notes.push_back(words("Intensity of one scenario, not a hazard level"));
     }
     if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
-        layer.title += ", scheme " + scheme->second;
+        layer.title = words("{1}, scheme {2}", {layer.title, scheme->second});
     if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
-        notes.push_back((kind == k_degree_map ? "Matrix: " : "Thresholds: ") + source->second);
+        notes.push_back(words.labelled(is_degree ? words("Matrix") : words("Thresholds"), words(source->second)));
     layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());
 }
 
@@ -82,7 +90,7 @@ std::optional<std::string> probability_name(const std::string& path) {
     return probability_of(gis::read_raster_text(path));
 }
 
-MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool foreign) {
+MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign) {
     const gis::RasterText text = gis::read_raster_text(path);
     MapLayer layer;
     layer.values = gis::read_result_raster(path);
@@ -90,7 +98,7 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool 
     const std::filesystem::path file(path);
     layer.name = file.stem().string();
     layer.unit = text.unit;
-    layer.source = file.filename().string() + ", band 1";
+    layer.source = words("{1}, band {2}", {file.filename().string(), "1"});
     if (const auto time = text.metadata.find("TIME_S"); time != text.metadata.end())
         layer.time = number_from_text(time->second);
     // A frame's name is that of its raster and its number: depth_0012.
@@ -98,8 +106,8 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool 
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
     const auto probability = probability_of(text);
-    const bool is_known =
-        probability ? set_from_table(*probability, classes, layer) : !foreign && set_from_table(kind, classes, layer);
+    const bool is_known = probability ? set_from_table(*probability, classes, words, layer)
+                                      : !foreign && set_from_table(kind, classes, words, layer);
     if (!is_known) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;
@@ -108,16 +116,16 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool 
     if (!text.classes.empty()) {
         layer.classes.clear();
         for (const gis::NamedClass& one : text.classes)
-            layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
-        layer.notes = class_areas(layer);
+            layer.categories.push_back({static_cast<double>(one.value), class_label(one.label, words), one.colour});
+        layer.notes = class_areas(layer, words);
         if (kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_"))
-            add_scheme(kind, text.metadata, layer);
+            add_scheme(kind, text.metadata, words, layer);
     }
     return layer;
 }
 
-MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes) {
-    MapLayer layer = read_map_layer(paths.front(), classes);
+MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes, const Words& words) {
+    MapLayer layer = read_map_layer(paths.front(), classes, words);
     for (std::size_t i = 1; i < paths.size(); ++i) {
         const Raster more = gis::read_result_raster(paths[i]);
         if (!more.grid.same_cells(layer.values.grid))
@@ -127,7 +135,7 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassS
             greatest = std::fmax(greatest, value);  // a number takes precedence over nodata
         });
     }
-    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), classes, layer);
+    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), classes, words, layer);
     layer.time.reset();
     return layer;
 }
@@ -137,13 +145,14 @@ void open_above(MapLayer& layer) {
         layer.classes.push_back(std::numeric_limits<double>::infinity());
 }
 
-std::vector<std::string> class_areas(const MapLayer& layer) {
+std::vector<std::string> class_areas(const MapLayer& layer, const Words& words) {
     std::vector<std::string> lines;
     for (const render::ClassLabel& one : layer.categories) {
         std::int64_t cells = 0;
         layer.values.values.for_each_stored([&](std::size_t, double value) { cells += value == one.value; });
-        const std::string name = one.label.substr(0, one.label.find(':'));
-        lines.push_back(name + ": " + grouped(static_cast<double>(cells) * layer.values.grid.cell_area()) + " m²");
+        const std::string name = class_name(one.label);
+        lines.push_back(words.labelled(
+            name, words.number(grouped(static_cast<double>(cells) * layer.values.grid.cell_area())) + " m²"));
     }
     return lines;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/raster.h"
+#include "core/words/words.h"
 #include "params/keys/classes.h"
 #include "render/map/map2d.h"
 
@@ -31,19 +32,19 @@ struct MapLayer {
 /// Reads the first band of a raster. How it is drawn depends on the known names of frana's own files and on the file's
 /// texts (description, unit, classes with colours, TIME_S); `classes`: as the scene chose them. `foreign`: a file of
 /// another program, in which a value of 0 means no flow. Throws Error(input).
-MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, bool foreign = false);
+MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign = false);
 
 /// Returns the name of the map of probability that a file contains, whatever the file's own name; none for others.
 /// Throws Error(input) if it cannot be read.
 std::optional<std::string> probability_name(const std::string& path);
 
 /// Returns the greatest values of frames of one quantity, coloured as its maximum over time. Throws Error(input).
-MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes);
+MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes, const Words& words);
 
 /// Gives the last class no upper end: particles are faster than the nodes whose values define the classes.
 void open_above(MapLayer& layer);
 
 /// Returns the areas of a comparison or hazard map, one line per class: "Hit: 12 300 m²".
-std::vector<std::string> class_areas(const MapLayer& layer);
+std::vector<std::string> class_areas(const MapLayer& layer, const Words& words);
 
 }  // namespace frana::app

@@ -16,6 +16,7 @@
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/picture_in.h"
 #include "gis/raster/picture_out.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {
@@ -26,11 +27,10 @@ constexpr Rgb k_scar_on_classes{120, 0, 80};
 /// "Release: North, South" if its areas have names, and few.
 std::string release_words(const MapSource& source) {
     constexpr std::size_t k_most = 4, k_longest = 60;  // names; letters
-    if (source.release_names.empty() || source.release_names.size() > k_most) return "Release";
-    std::string words = "Release: ";
-    for (std::size_t i = 0; i < source.release_names.size(); ++i)
-        words += (i > 0 ? ", " : "") + source.release_names[i];
-    return elided(valid_utf8(words), k_longest);
+    const Words& words = source.style.words;
+    const std::string release = words("Release");
+    if (source.release_names.empty() || source.release_names.size() > k_most) return release;
+    return elided(valid_utf8(words.labelled(release, joined(source.release_names, ", "))), k_longest);
 }
 
 std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) {
@@ -38,34 +38,36 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
     if (!source.release.empty())
         outlines.push_back({release_words(source), source.release, k_release_colour, 2.5, true});
     if (!source.scar.empty()) {
-        outlines.push_back({"Surveyed scar", source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
+        outlines.push_back(
+            {source.style.words("Surveyed scar"), source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
     }
     return outlines;
 }
 
 std::string attribution(const MapSource& source) {
-    const std::string own =
-        std::string(source.foreign ? "Drawn with " : "Simulated with ") + k_program + " " + k_version;
+    const std::string own = source.style.words(source.foreign ? "Drawn with {1}" : "Simulated with {1}",
+                                               {std::string(k_program) + " " + k_version});
     const std::string by = page_attribution(source);
     return by.empty() ? own : own + "; " + by;
 }
 
-std::string time_words(double seconds) {
-    return "t = " + number_text(seconds, 6) + " s";
+std::string time_words(double seconds, const Words& words) {
+    return words("t = {1} s", {words.number(number_text(seconds, 6))});
 }
 
 /// Map and view have the same legend and texts.
 template <class Spec>
 Spec furnished(const MapSource& source, const MapLayer& layer) {
     Spec spec;
+    spec.words = source.style.words;
     spec.title = page_title(source, layer.title);
-    spec.subtitle = layer.time ? time_words(*layer.time) : source.subtitle;
+    spec.subtitle = layer.time ? time_words(*layer.time, spec.words) : source.subtitle;
     if (layer.time && !source.subtitle.empty()) spec.subtitle += ", " + source.subtitle;
     spec.legend_title = layer.title;
     spec.unit = layer.unit;
     spec.attribution = attribution(source);
     spec.source = layer.source;
-    if (layer.time) spec.source += ", " + time_words(*layer.time);
+    if (layer.time) spec.source += ", " + time_words(*layer.time, spec.words);
     spec.palette = layer.palette;
     spec.classes = layer.classes;
     spec.categories = layer.categories;
@@ -145,7 +147,7 @@ render::Image face_of(const render::Image& page, const render::PageBox& map) {
 
 std::string page_title(const MapSource& source, const std::string& shown) {
     constexpr std::size_t k_longest = 120;  // letters: two lines on a small page
-    return elided(valid_utf8(source.title), k_longest) + ": " + shown;
+    return source.style.words.labelled(elided(valid_utf8(source.title), k_longest), shown);
 }
 
 std::string page_attribution(const MapSource& source) {
@@ -153,28 +155,30 @@ std::string page_attribution(const MapSource& source) {
     return elided(valid_utf8(source.style.attribution), k_longest);
 }
 
-std::string map_subtitle(const MapFacts& facts) {
-    const std::string model = facts.model.empty()           ? "Model unknown"
-                              : facts.model == "structured" ? "Structured model"
-                                                            : "Voellmy-Bingham, scheme " + facts.scheme;
-    return model + ", " + number_text(facts.simulated_seconds, 3) + " s simulated";
+std::string map_subtitle(const MapFacts& facts, const Words& words) {
+    const std::string model = facts.model.empty()           ? words("Model unknown")
+                              : facts.model == "structured" ? words("Structured model")
+                                                            : words("Voellmy-Bingham, scheme {1}", {facts.scheme});
+    return words("{1}, {2} s simulated", {model, words.number(number_text(facts.simulated_seconds, 3))});
 }
 
-std::vector<std::string> map_notes(const MapFacts& facts) {
-    std::vector<std::string> notes{"Volume " + grouped(facts.volume) + " m³"};
+std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
+    const auto whole = [&](double value) { return words.number(grouped(value)); };
+    std::vector<std::string> notes{words("Volume {1} m³", {whole(facts.volume)})};
     if (const auto& statistics = facts.statistics) {
         const Runout& run_out = statistics->run_out();
         const std::size_t flows = statistics->run_outs.size();
-        notes.insert(notes.end(),
-                     {"Covered " + grouped(statistics->covered_area_m2) + " m²",
-                      "(deeper than " + number_text(statistics->threshold, 3) + " m)",
-                      "Run-out " + grouped(run_out.horizontal_m) + " m", "Drop " + grouped(run_out.drop_m) + " m",
-                      "Angle of reach " + number_text(run_out.reach_angle_deg, 3) + "°"});
-        if (flows > 1) notes.push_back("(longest of " + std::to_string(flows) + " flows)");
+        notes.insert(
+            notes.end(),
+            {words("Covered {1} m²", {whole(statistics->covered_area_m2)}),
+             words("(deeper than {1} m)", {words.number(number_text(statistics->threshold, 3))}),
+             words("Run-out {1} m", {whole(run_out.horizontal_m)}), words("Drop {1} m", {whole(run_out.drop_m)}),
+             words("Angle of reach {1}°", {words.number(number_text(run_out.reach_angle_deg, 3))})});
+        if (flows > 1) notes.push_back(words("(longest of {1} flows)", {std::to_string(flows)}));
     }
     // Warnings on the map itself, since maps are passed on without the log.
-    if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
-    if (facts.volume_left > 0) notes.push_back(grouped(facts.volume_left) + " m³ left the map");
+    if (facts.last_speed > k_moving_speed) notes.push_back(words("Still moving at the end"));
+    if (facts.volume_left > 0) notes.push_back(words("{1} m³ left the map", {whole(facts.volume_left)}));
     return notes;
 }
 

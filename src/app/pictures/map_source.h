@@ -27,8 +27,8 @@ struct MapFacts {
     std::optional<MainStatistics> statistics;
 };
 
-std::string map_subtitle(const MapFacts& facts);
-std::vector<std::string> map_notes(const MapFacts& facts);
+std::string map_subtitle(const MapFacts& facts, const Words& words);
+std::vector<std::string> map_notes(const MapFacts& facts, const Words& words);
 
 /// Greatest speed at the end from which a flow is reported as still moving [m/s].
 inline constexpr double k_moving_speed = 0.1;
@@ -43,9 +43,10 @@ struct MapStyle {
     double exaggeration = 1;                  ///< of heights in views
     bool sky = true;                          ///< in views; else white
     std::optional<render::Camera> camera;     ///< of views; none: derived from the flow's path
+    Words words{};                            ///< the language of all texts
 };
 
-/// Common data of all maps of one result. Made from a result directory alone.
+/// Common data of all maps of one result, its texts in the language of its style. Made from a result directory alone.
 struct MapSource {
     std::string title;               ///< the scene's name
     std::string subtitle;            ///< model, scheme, simulated time

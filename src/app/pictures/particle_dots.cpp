@@ -12,8 +12,8 @@ namespace frana::app {
 
 const ParticleQuantity* find_particle_quantity(const std::string& name) {
     static constexpr ParticleQuantity k_all[] = {
-        {"particles", "speed_ms", "velocity", "Speed of particles"},
-        {"particle_cohesion", "cohesion_ratio", "cohesion_ratio", "Cohesion left of particles"}};
+        {"particles", "speed_ms", "velocity", worded("Speed of particles")},
+        {"particle_cohesion", "cohesion_ratio", "cohesion_ratio", worded("Cohesion left of particles")}};
     const auto* const found =
         std::find_if(std::begin(k_all), std::end(k_all), [&](const ParticleQuantity& q) { return name == q.name; });
     return found == std::end(k_all) ? nullptr : found;

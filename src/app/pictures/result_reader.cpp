@@ -35,20 +35,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* k_hit_count = "hit_count";  // every study has it
-
 /// Adds the scores of a comparison's map, from the file that frana wrote. Throws Error(input) if it is truncated.
-void add_statistics(const std::string& path, std::vector<std::string>& notes) {
+void add_statistics(const std::string& path, const Words& words, std::vector<std::string>& notes) {
     const std::optional<Json> json = read_json_file(path);
     if (!json) throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Compare again: frana compare"});
-    const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
+    const auto add = [&](const std::string& key, const std::string& text) {
         if (const auto value = value_in<double>(*json, "/" + key))
-            notes.push_back(before + " " + number_text(*value, 3) + after);
+            notes.push_back(words(text, {words.number(number_text(*value, 3))}));
     };
-    add("threshold_m", "Threshold", " m");
-    add("area_difference_percent", "Area difference", " %");
-    add("jaccard", "Jaccard", "");
-    add("dice", "Dice", "");
+    add("threshold_m", worded("Threshold {1} m"));
+    add("area_difference_percent", worded("Area difference {1} %"));
+    add("jaccard", worded("Jaccard {1}"));
+    add("dice", worded("Dice {1}"));
 }
 
 Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
@@ -81,7 +79,7 @@ void add_files_of(const ResultRaster& row, const std::string& folder, std::vecto
 
 }  // namespace
 
-ResultReader::ResultReader(std::string directory) : directory_(std::move(directory)) {
+ResultReader::ResultReader(std::string directory, std::optional<Language> language) : directory_(std::move(directory)) {
     while (directory_.size() > 1 && directory_.back() == '/') directory_.pop_back();
     if (!fs::exists(directory_)) {
         if (const auto unfinished = unfinished_results(directory_); !unfinished.empty())
@@ -94,6 +92,8 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (const auto format = integer_from_text(scene_value("scene.format").value_or("1"));
         format && *format > k_scene_format)
         throw newer(path(k_scene_file), *format, k_scene_format);
+    if (!language) language = language_of_code(scene_value("output.language").value_or(""));
+    words_ = Words(language.value_or(Language::english));
     if (under_way() || is_of_study()) return;
     for (const ResultRaster& row : main_rasters())
         if (has(row.name + ".tif")) return;
@@ -112,7 +112,7 @@ bool ResultReader::has(const std::string& name) const {
 }
 
 bool ResultReader::is_of_study() const {
-    return has(std::string(k_hit_count) + ".tif");
+    return has(raster_file(k_hit_count));
 }
 
 void ResultReader::require(const std::string& name) const {
@@ -188,7 +188,7 @@ const MapLayer& ResultReader::greatest(const std::string& quantity) const {
     }
     std::vector<std::string> files;
     for (const StoredFrame& frame : frames()) files.push_back(frame.raster_file(quantity));
-    return greatest_.emplace(quantity, read_greatest_layer(files, classes())).first->second;
+    return greatest_.emplace(quantity, read_greatest_layer(files, classes(), words_)).first->second;
 }
 
 void ResultReader::show_figures_of(double time, MapLayer& layer) const {
@@ -201,12 +201,13 @@ MapLayer ResultReader::particle_layer(const StoredFrame& frame, const ParticleQu
     MapLayer layer = greatest(quantity.colours);  // maps of different times are comparable
     layer.dots = read_particle_dots(frame.particle_file, quantity);
     layer.name = quantity.name + ("_t" + number_text(frame.time, 6));
-    layer.title = quantity.title;
+    layer.title = words_(quantity.title);
     layer.time = frame.time;
     layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", " + quantity.attribute;
     open_above(layer);
     show_figures_of(frame.time, layer);
-    layer.notes.push_back(grouped(static_cast<double>(layer.dots->dots.size())) + " particles");
+    layer.notes.push_back(
+        words_("{1} particles", {words_.number(grouped(static_cast<double>(layer.dots->dots.size())))}));
     return layer;
 }
 
@@ -230,7 +231,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         });
         if (of_particles != nullptr) return particle_layer(*nearest, *of_particles);
         const std::string file = nearest->raster_file(kind);
-        MapLayer layer = read_map_layer(file, classes());
+        MapLayer layer = read_map_layer(file, classes(), words_);
         require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + number_text(nearest->time, 6);
@@ -241,15 +242,16 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         return layer;
     }
     if (has(name + ".tif")) {
-        MapLayer layer = read_map_layer(path(name + ".tif"), classes());
+        MapLayer layer = read_map_layer(path(name + ".tif"), classes(), words_);
         // Other rasters of the user beside those of a run may have any grid.
         if (const ResultRaster* row = find_result_raster(name); row != nullptr && row->in_result())
             require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
-        if (name == "comparison" && has(k_comparison_file)) add_statistics(path(k_comparison_file), layer.notes);
+        if (name == "comparison" && has(k_comparison_file))
+            add_statistics(path(k_comparison_file), words_, layer.notes);
         return layer;
     }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
-    if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study, classes());
+    if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study, classes(), words_);
     std::string known = joined(drawable(), ", ");
     if (has(k_frame_list)) {
         known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
@@ -272,6 +274,7 @@ std::vector<std::string> ResultReader::drawable() const {
 
 MapStyle ResultReader::style() const {
     MapStyle style;
+    style.words = words_;
     if (const auto size = size_from_text(scene_value("output.map-size").value_or(""))) style.size = *size;
     if (const auto formats = scene_value("output.map-formats")) style.formats = words_of(*formats);
     style.continuous = scene_value("output.map-legend") == "continuous";
@@ -299,14 +302,14 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
         const auto file = scene_value(key);
         if (!file) return;
         attempt([&] {
-            render::Outline outline{label, {}, colour, 1.8, is_dashed};
+            render::Outline outline{words_(label), {}, colour, 1.8, is_dashed};
             for (const PolygonFeature& one : gis::read_polygons(*file, crs_wkt, key).features)
                 outline.polygons.insert(outline.polygons.end(), one.parts.begin(), one.parts.end());
             all.push_back(std::move(outline));
         });
     };
     const auto lines = [&](const std::string& file, const std::string& label, Rgb colour, bool is_dashed) {
-        render::Outline outline{label, {}, colour, 2, is_dashed};
+        render::Outline outline{words_(label), {}, colour, 2, is_dashed};
         for (const gis::NamedLine& line : gis::read_marks(file, crs_wkt, label).lines)
             if (line.name != "flow path") outline.lines.push_back(line.line);
         if (!outline.lines.empty()) all.push_back(std::move(outline));
@@ -315,51 +318,23 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     const auto written = [&](const std::string& file, const std::string& layer) {
         return has(file) && gis::has_layer(path(file), layer, "RESULT_DIR");
     };
-    areas("terrain.friction-zones", "Friction zones", k_zones, true);
-    areas("terrain.obstacles", "Obstacles", k_obstacles, false);
-    if (const auto walls = scene_value("terrain.walls")) attempt([&] { lines(*walls, "Walls", k_obstacles, false); });
-    areas("terrain.walls", "Walls", k_obstacles, false);  // of any kind
-    if (written(k_profile_lines, "lines")) lines(path(k_profile_lines) + "|layer=lines", "Profiles", k_lines, true);
+    areas("terrain.friction-zones", worded("Friction zones"), k_zones, true);
+    areas("terrain.obstacles", worded("Obstacles"), k_obstacles, false);
+    if (const auto walls = scene_value("terrain.walls"))
+        attempt([&] { lines(*walls, worded("Walls"), k_obstacles, false); });
+    areas("terrain.walls", worded("Walls"), k_obstacles, false);  // of any kind
+    if (written(k_profile_lines, "lines"))
+        lines(path(k_profile_lines) + "|layer=lines", worded("Profiles"), k_lines, true);
     if (written(k_gauge_places, "sections"))
-        lines(path(k_gauge_places) + "|layer=sections", "Cross-sections", k_lines, false);
+        lines(path(k_gauge_places) + "|layer=sections", worded("Cross-sections"), k_lines, false);
     if (written(k_gauge_places, "gauges")) {
-        render::Outline outline{"Gauges", {}, k_gauges, 2, false};
+        render::Outline outline{words_("Gauges"), {}, k_gauges, 2, false};
         for (const gis::NamedPoint& one :
              gis::read_marks(path(k_gauge_places) + "|layer=gauges", crs_wkt, "gauges").points)
             outline.places.push_back({one.name, one.place});
         all.push_back(std::move(outline));
     }
     return all;
-}
-
-/// What maps of a study show besides their values: how many runs they are made of, and outlines of probability.
-void ResultReader::add_study(MapSource& source) const {
-    source.extent = raster_on(source.terrain.grid.columns > 0 ? source.terrain.grid : grid(), k_hit_count);
-    const std::optional<Json> summary = has(k_summary_file) ? read_json_file(path(k_summary_file)) : std::nullopt;
-    if (summary) {
-        const auto finished = value_in<std::int64_t>(*summary, "/finished"),
-                   failed = value_in<std::int64_t>(*summary, "/failed");
-        const auto error = value_in<double>(*summary, "/largest_standard_error");
-        const bool per_polygon = value_in<std::string>(*summary, "/sampling") == "per-polygon";
-        if (finished)
-            source.subtitle =
-                std::to_string(*finished) +
-                (per_polygon ? " sources, each failing alone" : " runs with values drawn from their distributions");
-        if (failed && *failed > 0) source.notes.push_back(std::to_string(*failed) + " more runs failed");
-        if (error)
-            source.notes.insert(source.notes.end(),
-                                {"Standard error of", "probabilities at most", number_text(100 * *error, 2) + " %"});
-    }
-    const std::string& crs = source.extent.grid.crs_wkt;
-    for (const StudyQuantile& quantile : k_study_quantiles) {
-        MultiPolygon area = outline(probability_layer(quantile.name), crs);
-        if (area.empty()) continue;
-        const Rgb colour = quantile.fraction < 0.5   ? k_unlikely_colour
-                           : quantile.fraction > 0.5 ? k_likely_colour
-                                                     : k_even_chance_colour;
-        source.marks.push_back({"Reached by " + number_text(100 * quantile.fraction) + " %", std::move(area), colour,
-                                1.6, quantile.fraction < 0.5});
-    }
 }
 
 MapSource ResultReader::map_source(const std::optional<MainStatistics>& statistics) const {
@@ -378,7 +353,8 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     source.style = style();
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
     if (under_way()) {
-        source.subtitle = "run under way, " + number_text(frames().back().time, 3) + " s simulated so far";
+        source.subtitle =
+            words_("run under way, {1} s simulated so far", {words_.number(number_text(frames().back().time, 3))});
         source.extent = greatest("depth").values;
     }
     if (is_of_study()) add_study(source);
@@ -387,8 +363,8 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     Raster max_depth = raster_on(grid, "max_depth");
     if (has(k_series_file)) {
         const MapFacts known = facts(statistics);
-        source.subtitle = map_subtitle(known);
-        source.notes = map_notes(known);
+        source.subtitle = map_subtitle(known, words_);
+        source.notes = map_notes(known, words_);
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);

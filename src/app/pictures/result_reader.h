@@ -20,7 +20,8 @@ class ResultReader {
   public:
     /// If the directory does not exist, but one in which it is being built does, reads that. Throws Error(input) if
     /// there is neither, or nothing of a result in it.
-    explicit ResultReader(std::string directory);
+    /// @param language of all texts; none: that of its scene, English in results older than the key
+    explicit ResultReader(std::string directory, std::optional<Language> language = std::nullopt);
 
     [[nodiscard]] const std::string& directory() const noexcept { return directory_; }
     [[nodiscard]] std::string path(const std::string& name) const;
@@ -34,6 +35,7 @@ class ResultReader {
     /// The same as a number, or a default.
     [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
 
+    [[nodiscard]] const Words& words() const noexcept { return words_; }
     /// The classes of colours that its scene chose; the default ones in older results.
     [[nodiscard]] ClassSpec classes() const;
 
@@ -75,6 +77,7 @@ class ResultReader {
     [[nodiscard]] std::vector<std::string> release_names(const std::string& crs_wkt) const;
     [[nodiscard]] MapFacts facts(const std::optional<MainStatistics>& statistics) const;
 
+    static constexpr const char* k_hit_count = "hit_count";  ///< a raster that every study has
     void add_study(MapSource& source) const;
 
     /// Throws Error(input) if a file is missing.
@@ -83,6 +86,7 @@ class ResultReader {
     [[nodiscard]] std::string grid_raster() const;
 
     std::string directory_;
+    Words words_;
     mutable std::optional<GridSpec> grid_;              ///< read once
     mutable std::vector<StoredFrame> frames_;           ///< likewise
     mutable std::map<std::string, MapLayer> greatest_;  ///< likewise

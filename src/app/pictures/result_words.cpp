@@ -2,16 +2,50 @@
 // What a result's own scene and outlines say besides their values.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/pictures/result_reader.h"
+#include "app/store/json_file.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "gis/access/table_in.h"
 #include "gis/vector/vector_in.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
+
+/// What maps of a study show besides their values: how many runs they are made of, and outlines of probability.
+void ResultReader::add_study(MapSource& source) const {
+    source.extent = raster_on(source.terrain.grid.columns > 0 ? source.terrain.grid : grid(), k_hit_count);
+    const std::optional<Json> summary = has(k_summary_file) ? read_json_file(path(k_summary_file)) : std::nullopt;
+    if (summary) {
+        const auto finished = value_in<std::int64_t>(*summary, "/finished"),
+                   failed = value_in<std::int64_t>(*summary, "/failed");
+        const auto error = value_in<double>(*summary, "/largest_standard_error");
+        const bool per_polygon = value_in<std::string>(*summary, "/sampling") == "per-polygon";
+        if (finished)
+            source.subtitle = words_(
+                per_polygon ? "{1} sources, each failing alone" : "{1} runs with values drawn from their distributions",
+                {std::to_string(*finished)});
+        if (failed && *failed > 0) source.notes.push_back(words_("{1} more runs failed", {std::to_string(*failed)}));
+        if (error)
+            source.notes.push_back(words_("Standard error of the probabilities at most {1} %",
+                                          {words_.number(number_text(100 * *error, 2))}));
+    }
+    const std::string& crs = source.extent.grid.crs_wkt;
+    for (const StudyQuantile& quantile : k_study_quantiles) {
+        MultiPolygon area = outline(probability_layer(quantile.name), crs);
+        if (area.empty()) continue;
+        const Rgb colour = quantile.fraction < 0.5   ? k_unlikely_colour
+                           : quantile.fraction > 0.5 ? k_likely_colour
+                                                     : k_even_chance_colour;
+        source.marks.push_back({words_("Reached by {1} %", {words_.number(number_text(100 * quantile.fraction))}),
+                                std::move(area), colour, 1.6, quantile.fraction < 0.5});
+    }
+}
 
 ClassSpec ResultReader::classes() const {
     static const std::vector<Parameter> k_keys = scene_parameters();
@@ -43,13 +77,14 @@ std::vector<std::vector<std::string>> ResultReader::figures_at(const std::vector
         });
         if (nearest == time.end()) continue;
         const auto row = static_cast<std::size_t>(nearest - time.begin());
-        const auto add = [&](const char* name, double value, const std::string& words) {
-            if (std::isfinite(value)) figures[i].push_back(name + (" " + words));
-        };
-        add("Volume", volume[row], grouped(volume[row]) + " m\u00B3");
-        add("Covers", area[row], grouped(area[row]) + " m\u00B2");
-        add("Front at", front[row], grouped(front[row]) + " m");
-        add("Greatest speed", speed[row], number_text(speed[row], 2) + " m/s");
+        if (std::isfinite(volume[row]))
+            figures[i].push_back(words_("Volume {1} m³", {words_.number(grouped(volume[row]))}));
+        if (std::isfinite(area[row]))
+            figures[i].push_back(words_("Covers {1} m²", {words_.number(grouped(area[row]))}));
+        if (std::isfinite(front[row]))
+            figures[i].push_back(words_("Front at {1} m", {words_.number(grouped(front[row]))}));
+        if (std::isfinite(speed[row]))
+            figures[i].push_back(words_("Greatest speed {1} m/s", {words_.number(number_text(speed[row], 2))}));
     }
     return figures;
 }

@@ -15,7 +15,8 @@
 namespace frana::app {
 namespace {
 
-// Returns the "section.key = value" lines of a scene's text.
+// Returns the "section.key = value" lines of a scene's text. Not the language, which may be that of the locale: a run
+// goes on in the language that it began with.
 std::string keys(const std::string& text) {
     std::istringstream lines(text);
     std::string section, all;
@@ -23,7 +24,8 @@ std::string keys(const std::string& text) {
         if (line.empty() || line.front() == '#') continue;
         if (line.front() == '[') {
             section = line.substr(1, line.size() - 2);
-        } else if (section != "output" || line.rfind("checkpoint-interval ", 0) != 0) {
+        } else if (section != "output" ||
+                   (!line.starts_with("checkpoint-interval ") && !line.starts_with("language "))) {
             all += section + "." + line + "\n";
         }
     }

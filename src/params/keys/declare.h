@@ -162,6 +162,12 @@ inline Parameter on_map(Parameter file) {
     return file;
 }
 
+/// A file that contains a `content` of Parameter, by which other programs choose what they offer for it.
+inline Parameter holds(const std::string& content, Parameter file) {
+    file.content = content;
+    return file;
+}
+
 template <class Member>
 Parameter text(const std::string& name, Member member, const std::string& type, const std::string& meaning,
                const std::string& absent = {}) {

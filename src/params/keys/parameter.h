@@ -29,6 +29,8 @@ struct Parameter {
     std::string limits;   ///< allowed values, for messages
     std::string absent;   ///< the effect if the key is not given and has no fixed default
     std::string meaning;  ///< one sentence
+    std::string content;  ///< of a file: "raster", "polygons", "lines", "points", "lines or points", "raster or
+                          ///< polygons", "table"
     std::function<std::optional<ValueProblem>(SceneSpec&, const std::string&)> read;
     std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
     std::function<void(SceneSpec&)> reset;                              ///< restores the default

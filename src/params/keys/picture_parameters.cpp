@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/picture_parameters.h"
 
+#include "core/words/language.h"
 #include "params/grammar/picture_text.h"
 #include "params/keys/declare.h"
 
@@ -8,6 +9,7 @@ namespace frana {
 namespace {
 
 using declare::choice;
+using declare::holds;
 using declare::number;
 using declare::on_off;
 using declare::Range;
@@ -46,11 +48,17 @@ void add_pictures(std::vector<Parameter>& list) {
         "File formats of each map: picture, geospatial PDF page, SVG drawing, GeoTIFF of the area inside the frame."));
     list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
                           "Colours in classes, or continuous."));
-    list.push_back(text("output.map-background", FRANA_MEMBER(output.map_background), "file",
-                        "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.",
-                        "shaded relief"));
+    list.push_back(
+        holds("raster",
+              text("output.map-background", FRANA_MEMBER(output.map_background), "file",
+                   "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.", "shaded relief")));
     list.push_back(text("output.map-attribution", FRANA_MEMBER(output.map_attribution), "text",
                         "Sources of the data and author, at the foot of every picture.", "the program alone"));
+    std::vector<std::string> languages{k_language_of_locale};
+    for (const LanguageCode& one : k_languages) languages.emplace_back(one.code);
+    list.push_back(choice("output.language", FRANA_MEMBER(output.language), languages,
+                          "Language of maps, charts, legends and the report; auto: that of the locale (LC_ALL, "
+                          "LC_MESSAGES, LANG), English if it is none of these."));
     list.push_back(text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
     list.push_back(number("output.view-exaggeration", FRANA_MEMBER(output.view_exaggeration), "", Range{0.1, 20},
                           "Vertical exaggeration of 3-D views."));

@@ -154,9 +154,9 @@ void add_rest(std::vector<Parameter>& list) {
     add_extra_output(list);
     add_hazard(list);
 
-    list.push_back(
-        declare::on_map(text("observed.perimeter", FRANA_MEMBER(observed.perimeter), "file",
-                             "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison")));
+    list.push_back(declare::on_map(declare::holds(
+        "polygons", text("observed.perimeter", FRANA_MEMBER(observed.perimeter), "file",
+                         "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison"))));
     add_survey(list);
     list.push_back(number("observed.threshold", FRANA_MEMBER(observed.threshold), "m", Range{1e-6, 100},
                           "Depth above which ground counts as covered in the comparison.", "output.trace-threshold"));

@@ -135,6 +135,9 @@ struct TimeSpec : TimeValues {
     std::optional<double> frame_interval;
 };
 
+/// output.language: that of the locale of the process that prepares the scene.
+inline constexpr const char* k_language_of_locale = "auto";
+
 /// [output]
 struct OutputSpec {
     std::optional<std::string> directory;
@@ -155,6 +158,7 @@ struct OutputSpec {
     std::optional<std::string> view_camera;
     bool charts = true;
     std::optional<std::string> title;
+    std::string language = k_language_of_locale;
     std::string names = "frana";
     std::string extent = "auto";
     bool report = true;

@@ -7,6 +7,7 @@ namespace frana {
 namespace {
 
 using declare::choice;
+using declare::holds;
 using declare::number;
 using declare::on_map;
 using declare::on_off;
@@ -110,9 +111,10 @@ Parameter error_parameter() {
 }  // namespace
 
 void add_terrain(std::vector<Parameter>& list) {
-    list.push_back(text("terrain.dtm", FRANA_MEMBER(terrain.dtm), "file",
-                        "Digital terrain model: any raster that GDAL reads, with elevations in its first band.",
-                        "required"));
+    list.push_back(holds(
+        "raster",
+        text("terrain.dtm", FRANA_MEMBER(terrain.dtm), "file",
+             "Digital terrain model: any raster that GDAL reads, with elevations in its first band.", "required")));
     list.push_back(text("terrain.crs", FRANA_MEMBER(terrain.crs), "text",
                         "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is "
                         "projected in metres, otherwise the local UTM zone; local: plain metres without a CRS."));
@@ -131,26 +133,28 @@ void add_terrain(std::vector<Parameter>& list) {
                           {"automatic", "nearest", "bilinear", "cubic", "average"},
                           "Resampling of the DTM to the working grid; automatic: copied if the cells coincide, "
                           "averaged to coarser cells, bilinear to finer ones."));
-    list.push_back(
-        on_map(text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
-                    "Polygons with different material values, in their own CRS; [zones] names the columns.", "none")));
-    list.push_back(
-        on_map(text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
-                    "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none")));
+    list.push_back(on_map(
+        holds("polygons",
+              text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
+                   "Polygons with different material values, in their own CRS; [zones] names the columns.", "none"))));
+    list.push_back(on_map(holds(
+        "polygons", text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
+                         "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none"))));
     list.push_back(source("terrain.obstacle-height", FRANA_MEMBER(terrain.obstacle_height), "m", Range{0, 1000, true},
                           {Kind::number, Kind::attribute}, "Height of the obstacles above the DTM.",
                           "required with terrain.obstacles"));
-    list.push_back(
-        on_map(text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
-                    "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none")));
+    list.push_back(on_map(holds(
+        "polygons", text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
+                         "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none"))));
     list.push_back(error_parameter());
 }
 
 void add_release(std::vector<Parameter>& list) {
-    list.push_back(text("release.perimeter", FRANA_MEMBER(release.perimeter), "file",
-                        "Outline of the release area: any polygon layer that OGR reads, in its own CRS; "
-                        "FILE|layer=NAME selects a layer.",
-                        "required, unless thickness comes from rasters: then where it is positive"));
+    list.push_back(
+        holds("polygons", text("release.perimeter", FRANA_MEMBER(release.perimeter), "file",
+                               "Outline of the release area: any polygon layer that OGR reads, in its own CRS; "
+                               "FILE|layer=NAME selects a layer.",
+                               "required, unless thickness comes from rasters: then where it is positive")));
     list.push_back(thickness_parameter());
     list.push_back(choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction),
                           {"vertical", "normal"},
@@ -180,12 +184,13 @@ void add_release(std::vector<Parameter>& list) {
 }
 
 void add_inflow(std::vector<Parameter>& list) {
-    list.push_back(text("inflow.line", FRANA_MEMBER(inflow.line), "file",
-                        "Lines of inflow: any layer that OGR reads, in its own CRS.", "none"));
-    list.push_back(text("inflow.hydrograph", FRANA_MEMBER(inflow.hydrograph), "file",
-                        "CSV with the columns time, discharge or volume, and velocity; attribute:NAME: a column of the "
-                        "lines with a file for each.",
-                        "required with inflow.line"));
+    list.push_back(holds("lines", text("inflow.line", FRANA_MEMBER(inflow.line), "file",
+                                       "Lines of inflow: any layer that OGR reads, in its own CRS.", "none")));
+    list.push_back(holds(
+        "table", text("inflow.hydrograph", FRANA_MEMBER(inflow.hydrograph), "file",
+                      "CSV with the columns time, discharge or volume, and velocity; attribute:NAME: a column of the "
+                      "lines with a file for each.",
+                      "required with inflow.line")));
     list.push_back(number("inflow.direction", FRANA_MEMBER(inflow.direction), "degrees", Range{0, 360},
                           "Azimuth of the inflow, clockwise from grid north.",
                           "normal to the line, towards its lower side"));

@@ -8,6 +8,7 @@ namespace frana {
 namespace {
 
 using declare::choice;
+using declare::holds;
 using declare::number;
 using declare::option;
 using declare::Range;
@@ -50,8 +51,9 @@ void add_solids(std::vector<Parameter>& list) {
         list.push_back(by_place(
             key.name, [member = key.source](auto& scene) -> auto& { return scene.structured.*member; }, key.unit,
             key.range, key.meaning, key.absent));
-    list.push_back(text("structured.zones", FRANA_MEMBER(structured.zones), "file",
-                        "Polygons, in their own CRS, for attribute:NAME in this section.", "the release's perimeter"));
+    list.push_back(holds("polygons", text("structured.zones", FRANA_MEMBER(structured.zones), "file",
+                                          "Polygons, in their own CRS, for attribute:NAME in this section.",
+                                          "the release's perimeter")));
     list.push_back(option("structured.placement", FRANA_MEMBER(structured.spread_evenly),
                           Flag{{"lattice", false}, {"r2", true}},
                           "Particle positions at the start: on a square lattice, or along the R2 sequence with as many "

@@ -52,6 +52,7 @@ std::string reference_json() {
                                            {"key", parameter.key},
                                            {"type", parameter.type},
                                            {"unit", parameter.unit}});
+        if (!parameter.content.empty()) key["content"] = parameter.content;
         const std::string fixed = parameter.default_text();
         key["default"] = fixed.empty() ? Json() : Json(fixed);
         if (fixed.empty()) key["when_absent"] = parameter.absent;

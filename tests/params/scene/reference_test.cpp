@@ -56,6 +56,19 @@ TEST(Reference, NamesEveryKeyInEveryForm) {
     }
 }
 
+TEST(Reference, TheJsonFormTellsWhatEachFileContains) {
+    const std::set<std::string> contents{"raster",          "polygons",           "lines", "points",
+                                         "lines or points", "raster or polygons", "table"};
+    int files = 0;
+    for (const Json& key : Json::parse(reference_json())) {
+        ASSERT_EQ(key["type"] == "file", key.contains("content")) << key["name"];
+        if (!key.contains("content")) continue;
+        ++files;
+        EXPECT_TRUE(contents.contains(key["content"].get<std::string>())) << key["name"];
+    }
+    EXPECT_GT(files, 10);
+}
+
 TEST(Reference, TheDocumentInShareIsWhatTheProgramPrints) {
     std::ifstream file(FRANA_SOURCE_SHARE "/doc/parameters.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};

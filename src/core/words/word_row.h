@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace frana {
+
+/// A text in each language. {1}, {2}, ... are the places of values, the same in all languages.
+struct WordRow {
+    const char* english;
+    const char* italian;
+    const char* german;
+    const char* french;
+    const char* spanish;
+};
+
+// The tables, one for each area. An English text is in one of them only.
+std::span<const WordRow> map_words();     ///< maps and views: furniture, notes, marks
+std::span<const WordRow> raster_words();  ///< titles of rasters
+std::span<const WordRow> class_words();   ///< classes of hazard schemes and comparisons
+std::span<const WordRow> region_words();  ///< maps and degrees of hazard of regions
+
+/// Returns all tables.
+std::vector<std::span<const WordRow>> word_tables();
+
+}  // namespace frana

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/words/word_row.h"
+
+namespace frana {
+
+std::vector<std::span<const WordRow>> word_tables() {
+    return {map_words(), raster_words(), class_words(), region_words()};
+}
+
+}  // namespace frana

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The language of pictures, from the scene's key or the locale to the letters on the page.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "support/program.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+/// A result drawn as SVG, whose texts are text.
+class Languages : public TinyScene {
+  protected:
+    void run(const std::string& language) {
+        write_scene("[output]\nmaps = max_depth\nmap-formats = svg\nanimation = off\nframes = off\n" + language);
+        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--overwrite"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    [[nodiscard]] bool has(const std::string& file, const std::string& text) const {
+        return read_text(path(file)).find(text) != std::string::npos;
+    }
+};
+
+TEST_F(Languages, AMapIsInTheLanguageOfTheKeyAndOfTheOption) {
+    run("language = de\n");
+    EXPECT_TRUE(has("result/scene.ini", "\nlanguage = de\n"));
+    const std::string map = "result/maps/max_depth.svg";
+    for (const char* text : {"Maximale Fließtiefe", "Anrissgebiet", "Volumen 4.000 m³", "(tiefer als 0,1 m)", "0 – 0,2",
+                             "Äquidistanz der Höhenlinien", "max_depth.tif, Band 1"})
+        EXPECT_TRUE(has(map, text)) << text << "\n" << read_text(path(map)).substr(0, 20000);
+    EXPECT_FALSE(has(map, "Maximum depth"));
+    const Outcome french = frana({"render", "result", "--map", "max_depth", "--language", "fr"});
+    EXPECT_EQ(french.exit_code, 0) << french.err;
+    for (const char* text :
+         {"\u202F: Hauteur d’écoulement maximale", "Zone de départ", "4\u202F000 m³", "Surface couverte"})
+        EXPECT_TRUE(has(map, text)) << text;
+    const Outcome unknown = frana({"render", "result", "--language", "pt"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("--language"), std::string::npos) << unknown.err;
+    EXPECT_NE(unknown.err.find("en, it, de, fr, es"), std::string::npos) << unknown.err;
+}
+
+TEST_F(Languages, TheLocaleOfTheRunIsKeptInTheResult) {
+    ::setenv("LC_ALL", "it_IT.UTF-8", 1);
+    run("");
+    ::setenv("LC_ALL", "C.UTF-8", 1);
+    EXPECT_TRUE(has("result/scene.ini", "\nlanguage = it\n"));
+    EXPECT_TRUE(has("result/maps/max_depth.svg", "Profondità massima"));
+    ASSERT_EQ(frana({"render", "result", "--map", "max_depth"}).exit_code, 0);
+    EXPECT_TRUE(has("result/maps/max_depth.svg", "Profondità massima")) << "drawn again under another locale";
+    run("");
+    EXPECT_TRUE(has("result/scene.ini", "\nlanguage = en\n"));
+    EXPECT_TRUE(has("result/maps/max_depth.svg", "Maximum depth"));
+}
+
+}  // namespace
+}  // namespace frana::test
