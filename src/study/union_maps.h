@@ -7,6 +7,7 @@
 
 #include "analysis/hazard_degree.h"
 #include "core/raster.h"
+#include "study/member_record.h"
 
 namespace frana::study {
 
@@ -17,19 +18,25 @@ struct UnionMember {
     std::optional<double> return_period{};
 };
 
-/// The worst of several members, cell by cell: what at least one of several sources does there. NaN where none came.
-struct UnionMaps {
-    Raster depth, velocity;  ///< greatest [m], [m/s]
-    Raster pressure;         ///< greatest [kPa]; NaN everywhere if the records have none
-    Raster arrival;          ///< earliest [s]
-    Raster hits;             ///< number of members that came
-    Raster worst;            ///< number of the member with the greatest depth, the lowest of several
-    Raster intensity;        ///< greatest class; as pressure
-    Raster degree;           ///< greatest degree of hazard; NaN also where no member has intensity and return period
-};
+// The worst of several members, cell by cell: what at least one of several sources does there. NaN where none came.
+// Each function reads each record once, one after the other: time grows with the number of members, memory with the
+// cells they reached, for the rasters of one function at a time. Throws Error(environment) for a record that cannot be
+// read.
 
-/// Reads each record once, one after the other: time grows with the number of members, memory with the cells they
-/// reached. Throws Error(environment) for a record that cannot be read.
-UnionMaps union_maps(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees = {});
+struct DepthUnion {
+    Raster depth;  ///< greatest [m]
+    Raster hits;   ///< number of members that came
+    Raster worst;  ///< number of the member with the greatest depth, the lowest of several
+};
+DepthUnion depth_union(const std::vector<UnionMember>& members, const GridSpec& grid);
+
+/// Greatest value of a quantity (velocity, pressure, intensity); NaN everywhere if the records have none.
+Raster greatest_of(const std::vector<UnionMember>& members, Quantity quantity, const GridSpec& grid);
+
+/// Earliest arrival [s].
+Raster earliest_arrival(const std::vector<UnionMember>& members, const GridSpec& grid);
+
+/// Greatest degree of hazard; NaN also where no member has intensity and return period.
+Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees);
 
 }  // namespace frana::study

@@ -64,48 +64,69 @@ void read_ground_under(const Raster& depth, Raster& terrain) {
         [&](std::size_t cell, double) { static_cast<void>(std::as_const(terrain).values[cell]); });
 }
 
-/// @param name of a scenario in names of files
-void write_scenario(const StudyInput& input, const study::UnionMaps& maps, const std::string& name,
-                    const ResultDirectory& directory) {
+/// Names of the rasters of a union.
+struct UnionNames {
+    std::string depth, velocity, pressure, arrival, hits, worst;
+};
+
+/// Writes the rasters one after the other, so that memory contains few at once. Returns the depth.
+Raster write_union(const StudyInput& input, const std::vector<study::UnionMember>& members, const GridSpec& grid,
+                   const UnionNames& names, const ResultDirectory& directory) {
     const MapWriter writer(input, directory);
-    writer.write("scenario_max_depth_" + name, maps.depth);
-    writer.write("scenario_max_velocity_" + name, maps.velocity);
-    writer.write("scenario_max_pressure_" + name, maps.pressure);
-    writer.write("scenario_arrival_time_" + name, maps.arrival);
-    writer.write("scenario_hit_count_" + name, maps.hits);
-    writer.write("scenario_worst_source_" + name, maps.worst);
+    Raster depth;
+    {
+        study::DepthUnion maps = study::depth_union(members, grid);
+        writer.write(names.depth, maps.depth);
+        writer.write(names.hits, maps.hits);
+        writer.write(names.worst, maps.worst);
+        depth = std::move(maps.depth);
+    }
+    writer.write(names.velocity, study::greatest_of(members, study::Quantity::velocity, grid));
+    writer.write(names.pressure, study::greatest_of(members, study::Quantity::pressure, grid));
+    writer.write(names.arrival, study::earliest_arrival(members, grid));
+    return depth;
+}
+
+/// @param name of a scenario in names of files
+void write_scenario(const StudyInput& input, const std::vector<study::UnionMember>& members, const GridSpec& grid,
+                    const std::string& name, const ResultDirectory& directory) {
+    const std::string of_scenario = "scenario_";
+    write_union(
+        input, members, grid,
+        {of_scenario + "max_depth_" + name, of_scenario + "max_velocity_" + name, of_scenario + "max_pressure_" + name,
+         of_scenario + "arrival_time_" + name, of_scenario + "hit_count_" + name, of_scenario + "worst_source_" + name},
+        directory);
     const auto scheme = hazard_scheme_of(input.base.spec.hazard);
     if (!scheme) return;
-    ClassMap map{"scenario_intensity_" + name, "Intensity", scheme->classes, scheme->name, scheme->source, "", {}};
-    publish_classes(maps.intensity, map, provenance(input.base), directory);
+    ClassMap map{of_scenario + "intensity_" + name, "Intensity", scheme->classes, scheme->name, scheme->source, "", {}};
+    publish_classes(study::greatest_of(members, study::Quantity::intensity, grid), map, provenance(input.base),
+                    directory);
 }
 
 }  // namespace
 
 void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
     const auto& region = input.reading.study.region;
-    const study::UnionMaps maps = study::union_maps(members_of(input, result, std::nullopt), result.grid,
-                                                    region ? region->degrees : DegreeMatrix{});
-    read_ground_under(maps.depth, input.base.scene.terrain);
-    publish_study_ground(input, directory);
-    const MapWriter writer(input, directory);
-    writer.write("union_max_depth", maps.depth);
-    writer.write("union_max_velocity", maps.velocity);
-    writer.write("union_max_pressure", maps.pressure);
-    writer.write("union_arrival_time", maps.arrival);
-    writer.write("hit_count", maps.hits);
-    writer.write("worst_source", maps.worst);
-    if (region && region->return_period) write_degree(input, maps.degree, directory);
-    write_reached(input, maps.depth, directory);
+    const std::vector<study::UnionMember> all = members_of(input, result, std::nullopt);
+    {
+        const Raster depth = write_union(input, all, result.grid,
+                                         {"union_max_depth", "union_max_velocity", "union_max_pressure",
+                                          "union_arrival_time", "hit_count", "worst_source"},
+                                         directory);
+        read_ground_under(depth, input.base.scene.terrain);
+        publish_study_ground(input, directory);
+        write_reached(input, depth, directory);
+    }
+    if (region && region->return_period)
+        write_degree(input, study::worst_degree(all, result.grid, region->degrees), directory);
     if (!region || !region->scenario) return;
     std::map<std::string, bool> scenarios;
-    for (const study::UnionMember& member : members_of(input, result, std::nullopt))
-        scenarios[input.slopes[member.number].scenario] = true;
+    for (const study::UnionMember& member : all) scenarios[input.slopes[member.number].scenario] = true;
     std::vector<std::string> names;
     for (const auto& [name, present] : scenarios) names.push_back(name);
     const std::vector<std::string> stems = file_stems(names);
     for (std::size_t i = 0; i < names.size(); ++i)
-        write_scenario(input, study::union_maps(members_of(input, result, names[i]), result.grid), stems[i], directory);
+        write_scenario(input, members_of(input, result, names[i]), result.grid, stems[i], directory);
 }
 
 void write_slopes(const StudyInput& input, const StudyResult& result, const gis::OutlineLayer& traces,
