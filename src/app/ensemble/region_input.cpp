@@ -9,6 +9,7 @@
 #include "app/input/layer_choice.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
 #include "core/cell_values.h"
 #include "core/shortest_text.h"
 #include "gis/crs/crs_transform.h"
@@ -72,13 +73,17 @@ std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Sl
 void cut_terrain(const study::RegionSpec& region, SceneReading& reading, RunLog& log) {
     if (reading.scene.terrain.bounds || reading.scene.terrain.dtm.empty() || !reading.scene.release.perimeter) return;
     const DtmFile dtm = inspect_dtm(reading, log);
+    const GridSpec all = gis::working_grid(dtm.file, dtm.working_crs, std::nullopt, reading.scene.terrain.cell_size);
+    const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer).bounds;
+    if (box.east <= all.west || box.west >= all.east() || box.north <= all.south() || box.south >= all.north)
+        throw Error(ErrorKind::input,
+                    Problem{"the polygon lies outside the DTM", reading.where("release.perimeter"), extent_text(box),
+                            extent_text(all.bounds()), "Check the coordinate reference systems of both files"});
     if (region.window) {
-        const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer).bounds;
         const double by = *region.window;
         reading.scene.terrain.bounds = Bounds{box.west - by, box.south - by, box.east + by, box.north + by};
         return;
     }
-    const GridSpec all = gis::working_grid(dtm.file, dtm.working_crs, std::nullopt, reading.scene.terrain.cell_size);
     const double most = static_cast<double>(CellValues::k_most_dense) * all.cell_area();
     reading.scene.terrain.bounds = flow_window(reading, dtm.file, dtm.working_crs, most);
 }
