@@ -14,7 +14,8 @@ packages=(
   libopenmpi-dev openmpi-bin
 )
 # Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); layout of the source; readers of what frana writes.
-test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4)
+test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4
+  python3-jsonschema zsh man-db mandoc chromium)
 
 say() { printf '== %s\n' "$*"; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/commands.h"
 #include "app/commands/run_study.h"
-#include "core/error.h"
+#include "app/commands/study_command.h"
 #include "study/read_region.h"
 
 namespace frana::app {
@@ -15,12 +15,15 @@ void refuse_region(const std::string& file) {
 
 }  // namespace
 
-int cmd_ensemble(const Arguments& arguments) {
-    return run_study({"ensemble", "STUDY.ini",
+CommandForm ensemble_form() {
+    return study_form("ensemble",
                       "Runs a scene many times with values drawn from their distributions and writes what the runs say "
                       "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
-                      "-ensemble", "study", refuse_region},
-                     arguments);
+                      "that of the scene, with -ensemble", "study");
+}
+
+int cmd_ensemble(const Arguments& arguments) {
+    return run_study(ensemble_form(), refuse_region, arguments);
 }
 
 }  // namespace frana::app

@@ -111,15 +111,12 @@ MembersRun run_level_members(StudyInput& input, const Workers& workers) {
 
 }  // namespace
 
-int run_study(const StudyKind& kind, const Arguments& arguments) {
+int run_study(const CommandForm& form, void (*check_file)(const std::string& file), const Arguments& arguments) {
     const Stopwatch since_start;
-    const auto values =
-        parse_arguments(study_form(kind.command, kind.meaning, std::string("that of the scene, with ") + kind.ending,
-                                   kind.what, kind.operand),
-                        arguments);
+    const auto values = parse_arguments(form, arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     const std::string file = (*values)["operand"].as<std::string>();
-    if (kind.check_file) kind.check_file(file);
+    check_file(file);
     ranks::refuse_separate_processes();
     OtherRanks ranks;
     const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);

@@ -3,19 +3,13 @@
 
 #include <string>
 
+#include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 
 namespace frana::app {
 
-/// A command that runs many members and writes what they say together.
-struct StudyKind {
-    const char *command, *operand, *meaning;
-    const char* ending;                                     ///< of the default result's name: "-ensemble"
-    const char* what;                                       ///< it is called in sentences: "study"
-    void (*check_file)(const std::string& file) = nullptr;  ///< throws Error(input) for the file of another command
-};
-
-/// Runs it. Returns the exit code; throws Error.
-int run_study(const StudyKind& kind, const Arguments& arguments);
+/// Runs the members of a study or region and writes what they say together. Returns the exit code; throws Error.
+/// @param check_file throws Error(input) for the file of another command
+int run_study(const CommandForm& form, void (*check_file)(const std::string& file), const Arguments& arguments);
 
 }  // namespace frana::app
