@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "sample_data/bindo_sample.h"
+#include "sample_data/region_sample.h"
 #include "sample_data/structured_samples.h"
 
 /// generate_sample NAME DIR: writes a sample's files to a folder, created if necessary.
@@ -13,10 +14,11 @@ int main(int argc, char** argv) {
     const std::map<std::string, std::function<void(const std::string&)>> samples{
         {"bindo", frana::sample::write_bindo_sample},
         {"flume", frana::sample::write_flume_sample},
-        {"fracture", frana::sample::write_fracture_sample}};
+        {"fracture", frana::sample::write_fracture_sample},
+        {"region", frana::sample::write_region_sample}};
     const auto sample = argc == 3 ? samples.find(argv[1]) : samples.end();
     if (sample == samples.end()) {
-        std::cerr << "usage: generate_sample bindo|flume|fracture DIR\n";
+        std::cerr << "usage: generate_sample bindo|flume|fracture|region DIR\n";
         return 2;
     }
     try {

@@ -82,6 +82,19 @@ std::string sld(const std::string& name, const std::string& title, const std::ve
 // Half transparent, so that the ground below the zones is visible.
 constexpr double k_zone_opacity = 0.6;
 
+// Pale yellow lines would not be seen on white.
+constexpr Rgb k_hatch{230, 180, 0};
+
+/// @param brush of QGIS
+std::string fill_layer(Rgb c, const char* brush) {
+    std::ostringstream out;
+    out << "        <layer class=\"SimpleFill\" pass=\"0\" locked=\"0\" enabled=\"1\">\n          <prop k=\"color\" "
+           "v=\""
+        << int(c.r) << ',' << int(c.g) << ',' << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"" << brush
+        << "\"/>\n          <prop k=\"outline_style\" v=\"no\"/>\n        </layer>\n";
+    return out.str();
+}
+
 std::string polygon_qml(const std::string& attribute, const std::vector<ColourStop>& stops) {
     std::ostringstream out, symbols;
     out << "  <renderer-v2 type=\"categorizedSymbol\" attr=\"" << escaped_markup(attribute)
@@ -91,10 +104,10 @@ std::string polygon_qml(const std::string& attribute, const std::vector<ColourSt
             << "\" type=\"double\" label=\"" << escaped_markup(stops[i].label) << "\" render=\"true\"/>\n";
         const Rgb c = stops[i].colour;
         symbols << "      <symbol type=\"fill\" name=\"" << i << "\" alpha=\"" << k_zone_opacity
-                << "\" clip_to_extent=\"1\" force_rhr=\"0\">\n        <layer class=\"SimpleFill\" pass=\"0\" "
-                << "locked=\"0\" enabled=\"1\">\n          <prop k=\"color\" v=\"" << int(c.r) << ',' << int(c.g) << ','
-                << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
-                << "          <prop k=\"outline_style\" v=\"no\"/>\n        </layer>\n      </symbol>\n";
+                << "\" clip_to_extent=\"1\" force_rhr=\"0\">\n"
+                << (stops[i].hatched ? fill_layer({255, 255, 255}, "solid") + fill_layer(k_hatch, "b_diagonal")
+                                     : fill_layer(c, "solid"))
+                << "      </symbol>\n";
     }
     out << "    </categories>\n    <symbols>\n" << symbols.str() << "    </symbols>\n  </renderer-v2>\n";
     return qml_document(out.str());

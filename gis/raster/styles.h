@@ -16,6 +16,7 @@ struct ColourStop {
     Rgb colour;
     std::string label;
     bool transparent = false;
+    bool hatched = false;  ///< of polygons: lines of the colour with white between
 };
 
 enum class StyleKind {

@@ -35,6 +35,7 @@ struct HazardClass {
     std::string name;        ///< "High intensity"; of scheme custom the thresholds
     std::string thresholds;  ///< "depth > 1 m and speed > 1 m/s"
     Rgb colour;
+    bool hatched = false;  ///< in areas, with white between
 
     /// "High intensity: depth > 1 m and speed > 1 m/s"
     [[nodiscard]] std::string label() const { return name == thresholds ? name : name + ": " + thresholds; }

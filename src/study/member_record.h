@@ -60,6 +60,8 @@ struct MemberRecord {
     std::vector<float> intensity;    ///< class; likewise
     std::vector<float> final_depth;  ///< at the end, vertical [m]; likewise
 
+    /// Its grid, without CRS.
+    [[nodiscard]] GridSpec grid() const { return {west, north, cell_size, columns, rows, {}}; }
     [[nodiscard]] bool finished() const noexcept { return failure.empty(); }
     [[nodiscard]] const std::vector<float>& of(Quantity quantity) const noexcept;
     /// Returns a quantity as a raster on a grid in which it has a place; NaN where the flow did not come.

@@ -163,7 +163,6 @@ class Reader {
     void add_variation(const std::string& key, const IniEntry& entry);
     [[nodiscard]] const Parameter* known_key(const std::string& name, const IniEntry& entry);
     void add_correlation(const std::string& keys, const IniEntry& entry);
-    [[nodiscard]] std::string with_absolute_paths(const Parameter& parameter, const std::string& value) const;
     void check_per_polygon() const;
     void check_sampling() const;
     [[nodiscard]] const Variation* variation_of(const std::string& key) const;
@@ -212,14 +211,6 @@ void Reader::add_study_key(const std::string& key, const IniEntry& entry) {
            nearest.empty() ? "Known are " + joined(names, ", ") : "Did you mean " + nearest + "?");
 }
 
-/// Of a value that the key does not accept, the value itself: it is refused elsewhere.
-std::string Reader::with_absolute_paths(const Parameter& parameter, const std::string& value) const {
-    SceneSpec scene;
-    if (!parameter.map_files || parameter.read(scene, value)) return value;
-    parameter.map_files(scene, [&](const std::string& path) { return absolute_path(path, folder_); });
-    return parameter.write(scene).value_or(value);
-}
-
 const Parameter* Reader::known_key(const std::string& name, const IniEntry& entry) {
     const Parameter* const parameter = find_parameter(parameters_, name);
     if (parameter != nullptr) return parameter;
@@ -237,7 +228,7 @@ void Reader::add_setting(const std::string& key, const IniEntry& entry) {
     if (const auto refusal = parameter->read(scene, entry.value))
         refuse(refusal->what, entry, parameter->limits, refusal->remedy);
     else
-        reading_.study.set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value));
+        reading_.study.set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value, folder_));
 }
 
 void Reader::add_variation(const std::string& key, const IniEntry& entry) {
@@ -258,7 +249,7 @@ void Reader::add_variation(const std::string& key, const IniEntry& entry) {
         refuse(refusal->what, entry, parameter->limits, refusal->remedy);
         return;
     }
-    for (std::string& value : distribution.values) value = with_absolute_paths(*parameter, value);
+    for (std::string& value : distribution.values) value = with_absolute_paths(*parameter, value, folder_);
     reading_.study.vary.push_back({name, std::move(distribution)});
 }
 
@@ -359,6 +350,13 @@ std::string name_of(Sampling sampling) {
     for (const NamedSampling& one : k_samplings)
         if (one.sampling == sampling) return one.name;
     return sampling == Sampling::polygons ? "per-polygon" : "table";
+}
+
+std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder) {
+    SceneSpec scene;
+    if (!parameter.map_files || parameter.read(scene, value)) return value;
+    parameter.map_files(scene, [&](const std::string& path) { return absolute_path(path, folder); });
+    return parameter.write(scene).value_or(value);
 }
 
 bool is_study(const std::string& path) {

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "params/grammar/ini_file.h"
+#include "params/keys/parameter.h"
 #include "study/study_spec.h"
 
 namespace frana::study {
@@ -22,6 +23,10 @@ struct StudyReading {
 
 /// Whether a file is a study: an INI with a section [study]. Throws Error(input) as read_ini.
 bool is_study(const std::string& path);
+
+/// Returns the value of a key with the paths in it absolute; of a value that the key does not accept, the value itself:
+/// it is refused elsewhere.
+std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder);
 
 /// Reads a study file; relative paths become absolute, in its folder. Every problem of the file is collected: unknown
 /// keys, values, distributions, keys that cannot vary, values outside a key's range. Throws Error(input) only if the

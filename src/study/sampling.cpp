@@ -125,6 +125,14 @@ void check_values(const StudySpec& study, const SampleTable& table, const std::s
 
 }  // namespace
 
+std::string values_text(const SampleTable& table) {
+    std::string text;
+    for (std::size_t member = 0; member < table.size(); ++member)
+        for (std::size_t k = 0; k < table.keys.size(); ++k)
+            text += "member " + std::to_string(member) + " " + table.keys[k] + " = " + table.values[member][k] + "\n";
+    return text;
+}
+
 std::vector<std::string> SampleTable::overrides(std::size_t member) const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < keys.size(); ++k) list.push_back(keys[k] + "=" + values[member][k]);

@@ -38,6 +38,9 @@ struct SampleTable {
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;
 };
 
+/// Returns one line for each value: two tables with the same text have the same members.
+std::string values_text(const SampleTable& table);
+
 /// Draws the members of a study that is not sampled by a table; its problems were thrown before. Adds a problem for a
 /// correlation that no distribution has.
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems);

@@ -104,27 +104,6 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
     return maps;
 }
 
-UnionMaps union_maps(const FinishedMembers& members, const std::vector<std::size_t>& numbers, const GridSpec& grid) {
-    UnionMaps maps;
-    maps.depth = maps.velocity = maps.arrival = maps.hits = maps.worst = Raster(grid, k_no_data);
-    if (members.size() == 0) return maps;
-    for_each_reached_cell(members, Quantity::depth, grid, [&](std::size_t cell, std::span<const float> values) {
-        const auto greatest = std::max_element(values.begin(), values.end());
-        maps.depth.values[cell] = static_cast<double>(*greatest);
-        maps.worst.values[cell] = static_cast<double>(numbers[static_cast<std::size_t>(greatest - values.begin())]);
-        maps.hits.values[cell] =
-            static_cast<double>(std::count_if(values.begin(), values.end(), [](float value) { return value > 0; }));
-    });
-    for_each_reached_cell(members, Quantity::velocity, grid, [&](std::size_t cell, std::span<const float> values) {
-        maps.velocity.values[cell] = static_cast<double>(*std::max_element(values.begin(), values.end()));
-    });
-    for_each_reached_cell(members, Quantity::arrival, grid, [&](std::size_t cell, std::span<const float> values) {
-        const float first = *std::min_element(values.begin(), values.end());
-        if (std::isfinite(first)) maps.arrival.values[cell] = static_cast<double>(first);
-    });
-    return maps;
-}
-
 MapError map_error(const std::vector<Raster>& errors) {
     ErrorSummary all;
     for (const Raster& raster : errors)

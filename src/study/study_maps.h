@@ -20,17 +20,6 @@ struct QuantityMaps {
     Raster hits;                      ///< number of members that came
 };
 
-/// The worst of all members, cell by cell: what at least one of several sources does there. NaN where none came.
-struct UnionMaps {
-    Raster depth, velocity;  ///< greatest [m], [m/s]
-    Raster arrival;          ///< earliest [s]
-    Raster hits;             ///< number of members that came
-    Raster worst;            ///< number of the member with the greatest depth, the lowest of several
-};
-
-/// @param numbers of the members, for UnionMaps::worst
-UnionMaps union_maps(const FinishedMembers& members, const std::vector<std::size_t>& numbers, const GridSpec& grid);
-
 /// Of depth and velocity. For arrival only the quantiles are made, among the members that came; of pressure and
 /// intensity only the probabilities.
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,

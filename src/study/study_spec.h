@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/hazard_degree.h"
+
 namespace frana::study {
 
 /// Points of the unit cube, by member and key: cumulative probabilities of the keys' distributions.
@@ -54,6 +56,20 @@ enum class Sampling {
 };
 enum class Keep { none, failed, all };
 
+/// A region: a study with a polygon for each member, whose attributes say what each is.
+struct RegionSpec {
+    /// Columns of the release perimeter: what a slope is called, what it belongs to, which of several events it is,
+    /// and the return period of that [years].
+    std::optional<std::string> name, group, scenario, return_period;
+    /// A key of the scene whose value is in a column.
+    struct Column {
+        std::string key, column;
+    };
+    std::vector<Column> columns;
+    std::optional<double> window;  ///< terrain round a polygon [m]; none: what the flow can reach
+    DegreeMatrix degrees;
+};
+
 /// A study as specified in its file; the scene is not read yet.
 struct StudySpec {
     std::string file;   ///< the study file, absolute
@@ -69,6 +85,7 @@ struct StudySpec {
     std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
     std::vector<Variation> vary;   ///< in the order of the file
     std::vector<Correlation> correlate;
+    std::optional<RegionSpec> region;  ///< only with polygons
 
     [[nodiscard]] bool per_polygon() const noexcept { return sampling == Sampling::polygons; }
 };

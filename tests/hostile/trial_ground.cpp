@@ -70,13 +70,15 @@ TrialGround::TrialGround() {
         "stop-when-still = off\nframe-interval = 1\n[output]\nmaps = max_depth\nmap-size = 640x480\ncharts = "
         "off\n"
         "animation = off\ncheckpoint-interval = 0.02\n");
+    write("region.ini", "[region]\nscene = scene.ini\nwindow = 100\n");
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 6\n[set]\ntime.end = 2\noutput.depth-thresholds = 0.5\n"
           "output.velocity-thresholds = 1\n[vary]\nmaterial.friction-coefficient = uniform(0.1, 0.3)\n");
     write_polygon("scar", {{20, 40}, {180, 40}, {180, 110}, {20, 110}});
     fs::create_directories(at("in"));
     fs::create_directories(at("out"));
-    for (const char* name : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scar.geojson", "scene.ini", "study.ini"})
+    for (const char* name :
+         {"dtm.asc", "dtm.prj", "perimeter.geojson", "scar.geojson", "scene.ini", "study.ini", "region.ini"})
         fs::rename(path(name), at("in/" + std::string(name)));
     std::ofstream(at("out/beside.txt")) << "the user's\n";
     keep("inputs");
@@ -160,6 +162,9 @@ std::vector<TriedCommand> TrialGround::commands() const {
         more.insert(more.begin(), ensemble.begin(), ensemble.end());
         return more;
     };
+    const std::vector<std::string> batch{"batch", "in/region.ini", "--out", "out/r", "--quiet"};
+    std::vector<std::string> batch_again = batch;
+    batch_again.emplace_back("--resume");
     const std::vector<std::string> plugin{"qgis-plugin", "--install"};
     return {
         {"run", "inputs", run_it, with({"--resume"})},
@@ -171,6 +176,7 @@ std::vector<TriedCommand> TrialGround::commands() const {
         {"bench robustness", "inputs", robustness, robustness, false},
         {"ensemble", "inputs", ensemble, ensemble_with({"--resume"})},
         {"ensemble --overwrite", "older", ensemble_with({"--overwrite"}), ensemble_with({"--overwrite", "--resume"})},
+        {"batch", "inputs", batch, batch_again},
         {"new", "inputs", new_scene, new_again, false},
         {"qgis-plugin", "inputs", plugin, plugin},
         {"check", "older", {"check", "in/scene.ini"}, {"check", "in/scene.ini"}},

@@ -33,15 +33,17 @@
 #include "params/keys/zone_keys.h"
 #include "simulation/simulation.h"
 #include "study/read_calibration.h"
+#include "study/read_region.h"
 
 namespace frana::app {
 
 CommandForm check_form() {
-    CommandForm form{"frana check SCENE.ini|STUDY.ini [options]",
-                     "Validates a scene, or a study of many runs, and all its files, prints what would run, and writes "
-                     "nothing.",
-                     "SCENE.ini",
-                     {}};
+    CommandForm form{
+        "frana check SCENE.ini|STUDY.ini|REGION.ini [options]",
+        "Validates a scene, a study or a region of many runs, and all its files, prints what would run, and writes "
+        "nothing.",
+        "SCENE.ini",
+        {}};
     form.options.add_options()("out", one("FOLDER"), "result directory of the run (overrides output.directory)")(
         "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
         "threads", one("N"), "number of threads (default: all processors)")(
@@ -158,7 +160,7 @@ int cmd_check(const Arguments& arguments) {
     const bool json = values->count("json") > 0;
     apply_memory_limit(*values, log);
     if (const std::string file = (*values)["operand"].as<std::string>();
-        study::is_study(file) || study::is_calibration(file)) {
+        study::is_study(file) || study::is_region(file) || study::is_calibration(file)) {
         if (!text_options(*values, "set").empty())
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});

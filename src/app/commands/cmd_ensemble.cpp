@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <memory>
-
-#include "app/commands/command_line.h"
 #include "app/commands/commands.h"
-#include "app/commands/memory_limit.h"
-#include "app/commands/study_check.h"
+#include "app/commands/run_study.h"
 #include "app/commands/study_command.h"
-#include "app/ensemble/level_rounds.h"
-#include "app/ensemble/mapped_events.h"
-#include "app/ensemble/member_runs.h"
-#include "app/ensemble/publish_study.h"
-#include "app/ensemble/rank_pool.h"
-#include "app/ensemble/rank_worker.h"
-#include "app/ensemble/study_result.h"
-#include "app/process/signals.h"
-#include "app/process/stopwatch.h"
-#include "app/store/result_directory.h"
-#include "app/store/result_files.h"
-#include "app/store/result_place.h"
-#include "app/store/saved_work.h"
-#include "app/text/number_text.h"
-#include "app/text/text_file.h"
-#include "app/text/version.h"
+#include "study/read_region.h"
 
 namespace frana::app {
+namespace {
+
+void refuse_region(const std::string& file) {
+    if (study::is_region(file))
+        throw Error(ErrorKind::input, Problem{"is a region of many slopes", file, "", "a study, with [study]",
+                                              "Run it with `frana batch`"});
+}
+
+}  // namespace
 
 CommandForm ensemble_form() {
     return study_form("ensemble",
@@ -33,150 +22,8 @@ CommandForm ensemble_form() {
                       "that of the scene, with -ensemble", "study");
 }
 
-namespace {
-
-/// The other processes of a study under mpirun; none otherwise. They end when these do.
-struct OtherRanks {
-    std::optional<ranks::Job> job;
-    std::unique_ptr<RankPool> pool;  ///< in rank 0, if there are others
-
-    OtherRanks() {
-        if (!ranks::started_as_rank()) return;
-        job.emplace();
-        if (job->rank() == 0 && job->size() > 1) pool = std::make_unique<RankPool>(*job);
-    }
-    /// They are not needed any more.
-    void release() {
-        pool.reset();
-        job.reset();
-    }
-};
-
-/// With study.until, errors are looked at after so many members, whatever the number of threads.
-constexpr std::size_t k_members_between_checks = 64;
-
-bool is_exact_enough(const StudyInput& input, const std::string& folder, std::size_t members) {
-    const StudyResult result = read_study_result(input, folder, members);
-    if (result.finished_at.size() < 2) return false;
-    double largest = 0;
-    for (const MappedEvents& events : mapped_events(input.base.spec))
-        largest = std::max(largest, study::error_of_first(result.finished, result.finished.size(), events.quantity,
-                                                          result.grid, events.thresholds)
-                                        .largest);
-    return largest <= *input.reading.study.until;
-}
-
-/// What ran of a study.
-struct MembersRun {
-    std::size_t members = 0;   ///< that belong to it
-    std::size_t computed = 0;  ///< of these in this session
-    int stopped_by = 0;        ///< a signal
-};
-
-/// Where members run, and where their records are.
-struct Workers {
-    std::string folder;
-    int threads;
-    bool quiet;
-    RankPool* ranks;  ///< null: none
-};
-
-/// Runs the members below `end` with a runner of their own: a multilevel study's table grows.
-bool run_until(const StudyInput& input, const Workers& workers, std::size_t end, MembersRun& ran) {
-    MemberRunner runner(input, workers.folder, workers.threads, workers.quiet, workers.ranks);
-    const bool complete = runner.run_until(end);
-    ran.members = end;
-    ran.computed += runner.computed();
-    ran.stopped_by = runner.stopped_by();
-    return complete;
-}
-
-MembersRun run_members(const StudyInput& input, const Workers& workers) {
-    const std::size_t all = input.table.size();
-    MembersRun ran;
-    if (!input.reading.study.until) {
-        run_until(input, workers, all, ran);
-        return ran;
-    }
-    for (std::size_t end = std::min(all, k_members_between_checks);;
-         end = std::min(all, end + k_members_between_checks)) {
-        if (!run_until(input, workers, end, ran) || end == all || is_exact_enough(input, workers.folder, end))
-            return ran;
-    }
-}
-
-MembersRun run_level_members(StudyInput& input, const Workers& workers) {
-    MembersRun ran;
-    const bool has_limit = input.reading.study.until.has_value();
-    run_levels(
-        input, workers.folder, [&](std::size_t end) { return run_until(input, workers, end, ran); },
-        [&](std::size_t members) { return has_limit && is_exact_enough(input, workers.folder, members); });
-    ran.members = input.table.size();
-    return ran;
-}
-
-}  // namespace
-
 int cmd_ensemble(const Arguments& arguments) {
-    const Stopwatch since_start;
-    const auto values = parse_arguments(ensemble_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    ranks::refuse_separate_processes();
-    OtherRanks ranks;
-    const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
-    if (ranks.job && ranks.job->rank() > 0) {
-        work_for_rank_0(*ranks.job, (*values)["operand"].as<std::string>(), threads);
-        return static_cast<int>(ExitCode::done);
-    }
-    const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
-               resume = values->count("resume") > 0;
-    RunLog log(quiet);
-    apply_memory_limit(*values, log);
-
-    StudyTexts texts = read_study_texts((*values)["operand"].as<std::string>());
-    const auto out = text_option(*values, "out");
-    const std::string place = out.value_or(study_directory(texts.central.scene)), target = result_path(place);
-    const std::string interrupted = interrupted_study(target);
-    const bool may_be_complete = resume && !overwrite && interrupted.empty() && has_files(target);
-    std::vector<std::string> inputs = input_files(texts.central.scene);
-    inputs.push_back(texts.reading.study.file);
-    std::optional<Problem> place_problem;
-    if (!may_be_complete)
-        place_problem = check_result_directory(place, overwrite, inputs, out ? "--out" : "the result's place",
-                                               texts.central.problems);
-    if (!resume && !overwrite) refuse_to_discard(target, interrupted, texts.central.problems);
-    log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.study.file + ", " +
-             std::to_string(threads) + " threads");
-    StudyInput input = prepare_study(std::move(texts), place_problem, log);
-    if (may_be_complete && is_complete(input.identity, target)) {
-        log.info("the study is complete: " + target);
-        remove_working_files(target, false, log);
-        return static_cast<int>(ExitCode::done);
-    }
-    refuse_study_beyond_memory(input, forecast_study(input, threads, false), threads,
-                               ranks.job ? ranks.job->ranks_here() : 1);
-    const std::string left = resume ? interrupted : "";
-    if (!left.empty()) require_same_study(input.identity, left);
-
-    catch_stop_signals();
-    ResultDirectory directory(target, overwrite, left);
-    directory.make_folder(k_record_folder);
-    write_text_file(directory.path(k_record_identity), input.identity);
-    if (ranks.pool) ranks.pool->start(input);
-    const Workers workers{directory.folder(), threads, quiet, ranks.pool.get()};
-    const MembersRun ran = input.level_draws.empty() ? run_members(input, workers) : run_level_members(input, workers);
-    const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
-    ranks.release();
-    if (ran.stopped_by != 0) {
-        log.info("the study was stopped after " + std::to_string(records_in(directory.folder()).size()) +
-                 " members: the same command with --resume runs the others");
-        return static_cast<int>(ExitCode::signal) + ran.stopped_by;
-    }
-    log.note("computed " + std::to_string(ran.computed) + " members in " + number_text(since_start.seconds(), 3) +
-             " s");
-    const StudyOutcome outcome =
-        publish_study({input, ran.members, ran.computed, all_threads, since_start}, directory, log);
-    return publish_result(input.identity, outcome, directory, log);
+    return run_study(ensemble_form(), refuse_region, arguments);
 }
 
 }  // namespace frana::app

@@ -46,6 +46,8 @@ CommandForm converge_form();
 int cmd_converge(const Arguments& arguments);
 CommandForm ensemble_form();
 int cmd_ensemble(const Arguments& arguments);
+CommandForm batch_form();
+int cmd_batch(const Arguments& arguments);
 CommandForm calibrate_form();
 int cmd_calibrate(const Arguments& arguments);
 CommandForm bench_form();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/json_output.h"
+#include "app/commands/region_check.h"
 #include "app/input/memory_bound.h"
 #include "app/process/machine_memory.h"
 #include "app/process/terminal.h"
@@ -86,8 +87,8 @@ double StudyForecast::member_seconds() const noexcept {
     return trial ? trial->engine_seconds : member.wall_seconds;
 }
 
-std::string study_directory(const SceneSpec& scene) {
-    return output_directory(scene) + "-ensemble";
+std::string study_directory(const study::StudySpec& study, const SceneSpec& scene) {
+    return output_directory(scene) + (study.region ? "-region" : "-ensemble");
 }
 
 StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial) {
@@ -127,14 +128,17 @@ void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& fo
 
 Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log) {
     StudyTexts texts = read_study_texts(path);
-    const std::string directory = out.value_or(study_directory(texts.central.scene));
+    const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
     const std::optional<Problem> place =
         check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.central.problems);
     const StudyInput input = prepare_study(std::move(texts), place, log);
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
     const study::StudySpec& study = input.reading.study;
-    if (print) print_study(input, forecast, threads, directory);
+    if (print && study.region)
+        print_region(input, forecast, threads, result_path(directory));
+    else if (print)
+        print_study(input, forecast, threads, directory);
     const auto members = members_of(input);
     Json json = document_of("check");
     json["study"] = study.file;

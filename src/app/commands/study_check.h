@@ -31,7 +31,7 @@ StudyForecast forecast_study(const StudyInput& input, int threads, bool with_tri
 void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads, int processes = 1);
 
 /// Returns where a study's result goes without --out: beside that of its scene.
-std::string study_directory(const SceneSpec& scene);
+std::string study_directory(const study::StudySpec& study, const SceneSpec& scene);
 
 /// `frana check` of a study: with `print`, prints keys, members and forecasts to stdout; returns the
 /// document of --json. Throws Error(input).

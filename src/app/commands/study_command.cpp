@@ -15,8 +15,8 @@
 namespace frana::app {
 
 CommandForm study_form(const std::string& command, const std::string& meaning, const std::string& default_place,
-                       const std::string& what) {
-    CommandForm form{"frana " + command + " STUDY.ini [options]", meaning, "STUDY.ini", {}};
+                       const std::string& what, const std::string& operand) {
+    CommandForm form{"frana " + command + " " + operand + " [options]", meaning, operand, {}};
     const std::string out = "result directory (default: " + default_place + ")",
                       resume = "run only the members that a stopped or killed " + what + " has not finished",
                       limit = "refuse a " + what + " that would need more (4GB, 500MB)";

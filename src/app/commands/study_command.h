@@ -15,7 +15,7 @@ namespace frana::app {
 /// Returns the form of such a command.
 /// @param what the study is called in its sentences
 CommandForm study_form(const std::string& command, const std::string& meaning, const std::string& default_place,
-                       const std::string& what);
+                       const std::string& what, const std::string& operand = "STUDY.ini");
 
 /// Adds a problem for work that an interrupted study or run has kept for this result.
 /// @param study folder of the interrupted study; empty: none

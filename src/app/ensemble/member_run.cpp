@@ -2,18 +2,22 @@
 #include "app/ensemble/member_run.h"
 
 #include "app/ensemble/mapped_events.h"
+#include "app/ensemble/region_input.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
 namespace {
 
 /// Files that members share come from memory: reading a terrain takes longer than all other preparation.
+/// The slopes of a region have none in common but small ones, and their terrains together are too much to keep.
 Scene scene_of(const StudyInput& input, const MemberTask& task) {
-    const gis::UseRemembered remember(*input.files);
+    gis::RememberedReads own;
+    const gis::UseRemembered remember(input.reading.study.region ? own : *input.files);
     RunLog silent(true);
     SceneReading reading = input.scene_with(task.overrides);
     reading.scene.observed = {};  // read once, for the maps
     reading.scene.output.profiles.reset();
+    if (const auto& region = input.reading.study.region) cut_terrain(*region, reading, silent);
     Scene scene = prepare(reading, silent).scene;
     scene.time.frame_interval = 0;
     return scene;
@@ -24,12 +28,15 @@ Scene scene_of(const StudyInput& input, const MemberTask& task) {
 std::optional<study::MemberRecord> run_member(const StudyInput& input, const MemberTask& task,
                                               const std::function<bool()>& stops) {
     try {
+        if (!input.slopes.empty() && !input.slopes[task.member].problem.empty())
+            throw Error(ErrorKind::input, Problem{input.slopes[task.member].problem, "", "", "", ""});
         const Scene scene = scene_of(input, task);
         RunOptions options;
         options.stop_requested = stops;
         const RunResult result = run(scene, options);
         if (result.stop_reason == StopReason::requested) return std::nullopt;
         study::RecordExtras extras = record_extras(input.base.spec);
+        extras.pressure = extras.pressure || input.reading.study.per_polygon();
         extras.final_depth = input.keeps_final_depth;
         return study::record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
     } catch (const Error& error) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "analysis/trace.h"
+#include "app/ensemble/publish_union.h"
 #include "app/ensemble/study_charts.h"
 #include "app/ensemble/study_files.h"
 #include "app/ensemble/study_report.h"
@@ -20,6 +21,7 @@
 #include "app/text/text_file.h"
 #include "core/shortest_text.h"
 #include "gis/raster/rasterize.h"
+#include "study/read_region.h"
 
 namespace frana::app {
 namespace {
@@ -80,9 +82,16 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         for (const study::Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
         for (std::size_t k = 0; k < input.table.keys.size(); ++k)
             feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
+        if (!input.slopes.empty()) {
+            const Slope& slope = input.slopes[member.member];
+            feature.texts.insert({{"name", slope.name}, {"group", slope.group}, {"scenario", slope.scenario}});
+        }
         layer.features.push_back(std::move(feature));
     }
-    write_result_outlines(path, result.grid.crs_wkt, {layer});
+    if (input.slopes.empty())
+        write_result_outlines(path, result.grid.crs_wkt, {layer});
+    else
+        write_slopes(input, result, layer, path);
 }
 
 bool is_kept(study::Keep keep, const MemberResult& member) {
@@ -104,8 +113,14 @@ std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
 }
 
-bool warn_of_failures(const StudyResult& result, const std::vector<LevelSummary>& levels, RunLog& log) {
+bool warn_of_failures(const StudyInput& input, const StudyResult& result, const std::vector<LevelSummary>& levels,
+                      RunLog& log) {
     if (result.failed() == 0) return false;
+    for (const MemberResult& member : result.members)
+        if (!member.failure.empty() && !input.slopes.empty())
+            log.note("slope " + std::to_string(member.member) +
+                     (input.slopes[member.member].name.empty() ? "" : " " + input.slopes[member.member].name) +
+                     " failed: " + member.failure);
     const double fraction = static_cast<double>(result.failed()) / static_cast<double>(result.members.size());
     const auto first = std::find_if(result.members.begin(), result.members.end(),
                                     [](const MemberResult& member) { return !member.failure.empty(); });
@@ -134,17 +149,19 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     StudyOutcome outcome;
     StudyFacts facts;
     facts.levels = level_summaries(input, result);
-    outcome.too_many_failed = warn_of_failures(result, facts.levels, log);
-    write_text_file(directory.path(k_study_file), study::study_text(input.reading.study));
+    outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
+    const bool is_region = input.reading.study.region.has_value();
+    write_text_file(directory.path(is_region ? k_region_file : k_study_file),
+                    is_region ? study::region_text(input.reading.study) : study::study_text(input.reading.study));
     facts.threads = study.threads;
     facts.computed = study.computed;
     std::vector<FigureSensitivity> figures;
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
-        publish_study_ground(input, directory);
         if (input.reading.study.per_polygon()) {
-            publish_union_maps(input, result, directory);
+            publish_unions(input, result, directory);
         } else {
+            publish_study_ground(input, directory);
             figures = sensitivities(result);
             facts.error = publish_study_maps(input, result, directory);
             warn_of_error(input, result, facts.error, log);
@@ -162,8 +179,8 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     if (!result.finished_at.empty() && !draw_study(input, result, figures, directory, log))
         outcome.pictures_failed = true;
     if (!result.finished_at.empty())
-        publish_project(directory.folder(),
-                        input.base.spec.output.title.value_or(scene_name(input.base.spec)) + ", study");
+        publish_project(directory.folder(), input.base.spec.output.title.value_or(scene_name(input.base.spec)) +
+                                                (is_region ? ", region" : ", study"));
     facts.wall_seconds = study.since_start.seconds();
     facts.warnings = log.warnings();
     if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);

@@ -49,16 +49,6 @@ PolygonFeature probability_outline(const Raster& probability, double least) {
     return feature;
 }
 
-/// Layers of extent.gpkg that are known before the members run.
-std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
-    gis::OutlineLayer release{"release", {}};
-    const auto& areas = input.other_releases.empty() ? input.base.scene.release : input.other_releases;
-    for (std::size_t i = 0; i < areas.size(); ++i) release.features.push_back(release_outline(areas[i], i));
-    std::vector<gis::OutlineLayer> layers{std::move(release)};
-    if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
-    return layers;
-}
-
 /// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
 void write_probability_outlines(const StudyInput& input, const Raster& probability, const std::string& path) {
     std::vector<gis::OutlineLayer> layers = known_outlines(input);
@@ -83,32 +73,31 @@ void make_folder(const std::string& folder) {
 /// Those that are handed on; `frana render` draws the others.
 bool is_drawn_at_once(const std::string& name) {
     return name.starts_with("probability_") || name.starts_with("quantile_max_depth_") ||
-           name.starts_with("sensitivity_") || name.starts_with("union_max_") || name == "hit_count";
+           name.starts_with("sensitivity_") || name.starts_with("union_max_") || name == "hit_count" ||
+           name.starts_with("scenario_max_depth_") || name.starts_with("scenario_intensity_") ||
+           name == "hazard_degree";
 }
 
 }  // namespace
 
-void publish_study_ground(const StudyInput& input, const ResultDirectory& directory) {
-    publish_ground(input.base, directory);
+std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
+    gis::OutlineLayer release{"release", {}};
+    const auto& areas = input.other_releases.empty() ? input.base.scene.release : input.other_releases;
+    for (std::size_t i = 0; i < areas.size() && input.slopes.empty(); ++i)
+        release.features.push_back(release_outline(areas[i], i));
+    for (std::size_t i = 0; i < input.slopes.size(); ++i) {
+        PolygonFeature feature;
+        feature.parts = input.slopes[i].outline;
+        feature.texts["name"] = input.slopes[i].name.empty() ? std::to_string(i) : input.slopes[i].name;
+        release.features.push_back(std::move(feature));
+    }
+    std::vector<gis::OutlineLayer> layers{std::move(release)};
+    if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
+    return layers;
 }
 
-void publish_union_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
-    const MapWriter writer(input.base, directory);
-    std::vector<std::size_t> numbers;
-    for (const std::size_t place : result.finished_at) numbers.push_back(result.members[place].member);
-    const study::UnionMaps maps = study::union_maps(result.finished, numbers, result.grid);
-    writer.write("union_max_depth", maps.depth);
-    writer.write("union_max_velocity", maps.velocity);
-    writer.write("union_arrival_time", maps.arrival);
-    writer.write("hit_count", maps.hits);
-    writer.write("worst_source", maps.worst);
-    PolygonFeature reached;
-    reached.parts = gis::polygonise(trace_mask(maps.depth, input.base.spec.output.trace_threshold));
-    reached.numbers["threshold_m"] = input.base.spec.output.trace_threshold;
-    std::vector<gis::OutlineLayer> layers = known_outlines(input);
-    layers.push_back({"trace", {}});
-    if (!reached.parts.empty()) layers.back().features.push_back(std::move(reached));
-    write_result_outlines(directory.path(k_outlines_file), result.grid.crs_wkt, layers);
+void publish_study_ground(const StudyInput& input, const ResultDirectory& directory) {
+    publish_ground(input.base, directory);
 }
 
 study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
@@ -146,7 +135,9 @@ study::MapError publish_study_maps(const StudyInput& input, const StudyResult& r
 void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
                   const std::string& folder) {
     const auto path = [&](const std::string& name) { return folder + "/" + name; };
-    write_text_file(path(k_scene_file), scene_text(input.member(member).scene, {}));
+    SceneSpec scene = input.member(member).scene;
+    if (!input.slopes.empty() && !record.figures.empty()) scene.terrain.bounds = record.grid().bounds();
+    write_text_file(path(k_scene_file), scene_text(scene, {}));
     const std::pair<const char*, study::Quantity> k_maps[] = {{"max_depth", study::Quantity::depth},
                                                               {"max_velocity", study::Quantity::velocity},
                                                               {"arrival_time", study::Quantity::arrival}};

@@ -8,6 +8,7 @@
 #include "app/ensemble/study_input.h"
 #include "app/ensemble/study_result.h"
 #include "app/store/result_directory.h"
+#include "gis/vector/vector_out.h"
 #include "study/member_record.h"
 #include "study/study_maps.h"
 
@@ -21,8 +22,8 @@ void publish_study_ground(const StudyInput& input, const ResultDirectory& direct
 study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
                                    const ResultDirectory& directory);
 
-/// The same of a study with a polygon for each member: the union of all, how many reach each cell, which is the worst.
-void publish_union_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory);
+/// Returns the layers of extent.gpkg that are known before the members run.
+std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
 
 /// Writes a member's scene and maps to a folder.
 void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/ensemble/polygon_members.h"
+#include "app/ensemble/region_input.h"
 #include "app/input/scene_language.h"
 #include "app/input/share_directory.h"
 #include "app/store/scene_identity.h"
@@ -15,6 +16,7 @@
 #include "gis/access/table_in.h"
 #include "simulation/simulation.h"
 #include "study/levels.h"
+#include "study/read_region.h"
 
 namespace frana::app {
 namespace {
@@ -102,14 +104,6 @@ std::string levels_text(const StudyInput& input) {
            "\nseed = " + std::to_string(study.seed) + "\n";
 }
 
-std::string values_text(const study::SampleTable& table) {
-    std::string text;
-    for (std::size_t member = 0; member < table.size(); ++member)
-        for (std::size_t k = 0; k < table.keys.size(); ++k)
-            text += "member " + std::to_string(member) + " " + table.keys[k] + " = " + table.values[member][k] + "\n";
-    return text;
-}
-
 std::vector<std::string> central_overrides(const study::StudySpec& study, const study::SampleTable& table) {
     const bool has_table = study.sampling == study::Sampling::table && table.size() > 0;
     return has_table ? table.overrides(table.size() / 2) : study::central_values(study);
@@ -180,7 +174,7 @@ void read_scenes(const std::vector<std::string>& central, StudyTexts& texts) {
         texts.reading.problems.throw_if_any();
     }
     refuse_accuracy(texts.central);
-    add_members_problems(texts.reading, texts.table, texts.central);
+    if (!texts.reading.study.region) add_members_problems(texts.reading, texts.table, texts.central);
     for (const Problem& problem : texts.reading.problems.list()) texts.central.problems.add(problem);
 }
 
@@ -196,14 +190,22 @@ SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) c
 
 StudyTexts read_study_texts(const std::string& path) {
     StudyTexts texts;
-    texts.reading = study::read_study(path);
+    texts.reading = study::is_region(path) ? study::read_region(path) : study::read_study(path);
     if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
     std::vector<std::string> central;
     try {
         if (texts.reading.study.per_polygon()) {
-            PolygonMembers members = polygon_members(read_member(texts.reading, {}), texts.reading.problems);
+            PolygonMembers members = polygon_members(texts.reading.study, texts.reading.label,
+                                                     read_member(texts.reading, {}), texts.reading.problems);
             texts.table = std::move(members.table);
-            if (texts.table.size() > 0) central = texts.table.overrides(members.largest);
+            texts.slopes = std::move(members.slopes);
+            if (texts.reading.study.region) {
+                const auto scene_of = [&](std::size_t i) {
+                    return read_member(texts.reading, texts.table.overrides(i));
+                };
+                find_problems(scene_of, texts.slopes, texts.reading.problems);
+            }
+            if (texts.table.size() > 0) central = texts.table.overrides(largest_sound(members.sizes, texts.slopes));
         } else {
             draw_members(texts.reading, texts.table, texts.level_draws);
             central = central_overrides(texts.reading.study, texts.table);
@@ -239,14 +241,19 @@ StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, 
     input.reading = std::move(texts.reading);
     input.table = std::move(texts.table);
     input.level_draws = std::move(texts.level_draws);
+    input.slopes = std::move(texts.slopes);
     input.central = std::move(texts.central);
     const gis::UseRemembered remember(*input.files);
+    Problems problems;
+    if (input.reading.study.region) {
+        prepare_region(input, place, log);
+        return input;
+    }
     input.base = prepare(input.central, place, log);
     input.base.scene.time.frame_interval = 0;
-    Problems problems;
     put_levels_on_cells(input, problems);
     input.identity = "study = " + study::name_of(input.reading.study.sampling) + "\n" + levels_text(input) +
-                     values_text(input.table) + scene_identity(input.base);
+                     study::values_text(input.table) + scene_identity(input.base);
     const study::SampleTable& all = input.level_draws.empty() ? input.table : input.level_draws.front();
     RunLog silent(true);
     for (const std::size_t member : members_with_every_value(all)) {

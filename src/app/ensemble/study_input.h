@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ensemble/polygon_members.h"
 #include "app/input/prepare.h"
 #include "gis/access/remembered_reads.h"
 #include "study/read_study.h"
@@ -30,6 +31,7 @@ struct StudyInput {
     Prepared base;                            ///< the central member: medians, likeliest choices
     SceneReading central;                     ///< from which it was prepared
     std::vector<ReleaseArea> other_releases;  ///< of members with other files, for maps
+    std::vector<Slope> slopes;                ///< of a region, by member
     /// One fact per line: the study, every member's values, the scenes and their data. Two studies with the same
     /// identity give the same bits.
     std::string identity;
@@ -52,11 +54,12 @@ struct StudyTexts {
     study::StudyReading reading;
     study::SampleTable table;
     std::vector<study::SampleTable> level_draws;
+    std::vector<Slope> slopes;
     SceneReading central;  ///< its problems contain those of the study and of all members
 };
 
-/// Reads study, table and scene, draws the members, and reads the scene of each. Throws Error(input) only if a file is
-/// no INI, or the study names no scene.
+/// Reads study (or region), table and scene, draws the members, and reads the scene of each. Throws Error(input) only
+/// if a file is no INI, or the study names no scene.
 StudyTexts read_study_texts(const std::string& path);
 
 /// The same for members that are known already.

@@ -104,7 +104,8 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
                         const std::vector<FigureSensitivity>& figures, const StudyFacts& facts,
                         const ResultDirectory& directory) {
     const SceneSpec& spec = input.base.spec;
-    const std::string title = spec.output.title.value_or(scene_name(spec)) + ": a range of runs";
+    const std::string title = spec.output.title.value_or(scene_name(spec)) +
+                              (input.slopes.empty() ? ": a range of runs" : ": a region of many slopes");
     HtmlPage page(directory.path(k_report_file), title,
                   std::string("Computed with ") + k_program + " " + k_version + ", study " + input.reading.study.file);
     const std::vector<std::string> maps = pictures_in(directory.path("maps")),

@@ -111,8 +111,8 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
         if (!record)
             throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
                                                         "--resume computes that member again"});
-        result.members.push_back(
-            {member, record->failure, std::move(record->figures), record->engine_seconds, record->particle_steps});
+        result.members.push_back({member, record->failure, std::move(record->figures), record->engine_seconds,
+                                  record->particle_steps, record->grid().bounds()});
         if (record->finished() && input.level_draws.empty())
             add_finished(input, folder, member, result.members.size() - 1, result.finished, result.finished_at);
     }

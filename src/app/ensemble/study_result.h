@@ -22,6 +22,7 @@ struct MemberResult {
     std::vector<study::Figure> figures;
     double engine_seconds = 0;
     std::int64_t particle_steps = 0;
+    Bounds terrain{};  ///< that it ran on
 };
 
 /// Sensitivities of one figure, by key.

@@ -38,6 +38,22 @@ std::string value_cell(const std::optional<study::Interval>& interval) {
     return interval ? shortest_text(interval->value) : "";
 }
 
+/// What the attributes of a region's slopes say, and the terrain on which each ran, as terrain.bounds takes it.
+std::string slope_columns(const StudyInput& input) {
+    return input.slopes.empty() ? "" : ",name,group,scenario,return_period,terrain.bounds";
+}
+
+std::string slope_cells(const StudyInput& input, const MemberResult& member) {
+    if (input.slopes.empty()) return "";
+    const Slope& slope = input.slopes[member.member];
+    const Bounds& box = member.terrain;
+    const std::string bounds = shortest_text(box.west) + " " + shortest_text(box.south) + " " +
+                               shortest_text(box.east) + " " + shortest_text(box.north);
+    return "," + csv_cell(slope.name) + "," + csv_cell(slope.group) + "," + csv_cell(slope.scenario) + "," +
+           (slope.return_period ? shortest_text(*slope.return_period) : "") + "," +
+           (member.figures.empty() ? "" : bounds);
+}
+
 }  // namespace
 
 std::string members_csv(const StudyInput& input, const StudyResult& result) {
@@ -45,6 +61,7 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
     const bool has_levels = !input.table.level_runs.empty();
     std::string text = "member,status,weight";
     if (has_levels) text += std::string(",level,") + study::k_cell_size_key;
+    text += slope_columns(input);
     for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
     for (const std::string& figure : figures) text += "," + csv_cell(figure);
     text += ",engine_seconds,reason\n";
@@ -58,6 +75,7 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
             const study::SampleTable::LevelRun& run = input.table.level_runs[member.member];
             text += "," + std::to_string(run.level) + "," + shortest_text(run.cell_size);
         }
+        text += slope_cells(input, member);
         for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
         for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
         text += "," + shortest_text(member.engine_seconds) + "," + csv_cell(member.failure) + "\n";
@@ -86,7 +104,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     Json json{{"program", k_program},
               {"version", k_version},
               {"format", k_result_format},
-              {"kind", "ensemble"},
+              {"kind", study.region ? "region" : "ensemble"},
               {"language", input.base.spec.output.language},
               {"study", study.file},
               {"scene", study.scene},

@@ -184,12 +184,10 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
 TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     const TerrainSpec& spec = reading.scene.terrain;
     TerrainInput input;
-    input.file = gis::inspect_raster(spec.dtm, reading.where("terrain.dtm"));
-    input.file = gis::with_crs(input.file, dtm_crs(reading, input.file));
-    const std::string crs = choose_working_crs(reading, input.file, log);
+    const DtmFile dtm = inspect_dtm(reading, log);
+    input.file = dtm.file;
+    const std::string& crs = dtm.working_crs;
     input.crs_label = crs.empty() ? "local" : gis::crs_name(crs);
-    check_vertical_unit(reading, input.file);
-    if (crs.empty()) input.file.crs_wkt.clear();
 
     std::optional<Bounds> bounds = spec.bounds;
     bool on_demand = can_read_on_demand(reading.scene);
@@ -259,6 +257,16 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
 }
 
 }  // namespace
+
+DtmFile inspect_dtm(const SceneReading& reading, RunLog& log) {
+    DtmFile dtm;
+    dtm.file = gis::inspect_raster(reading.scene.terrain.dtm, reading.where("terrain.dtm"));
+    dtm.file = gis::with_crs(dtm.file, dtm_crs(reading, dtm.file));
+    dtm.working_crs = choose_working_crs(reading, dtm.file, log);
+    check_vertical_unit(reading, dtm.file);
+    if (dtm.working_crs.empty()) dtm.file.crs_wkt.clear();
+    return dtm;
+}
 
 void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, RunLog& log) {
     if (!ground.on_demand) return;

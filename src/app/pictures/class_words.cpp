@@ -20,8 +20,12 @@ std::string one_threshold(const std::string& english, const Words& words) {
     return words(english.substr(0, end)) + words.number(english.substr(end));
 }
 
-/// "depth > 1 m and speed > 1 m/s"; one conjunction only.
+/// "depth > 1 m and speed > 1 m/s"; one conjunction only. Alternatives are between semicolons.
 std::string thresholds(const std::string& english, const Words& words) {
+    const std::string next = "; ";
+    if (const std::size_t place = english.find(next); place != std::string::npos)
+        return thresholds(english.substr(0, place), words) + next +
+               thresholds(english.substr(place + next.size()), words);
     for (const char* conjunction : {worded("and"), worded("or")}) {
         const std::string between = " " + std::string(conjunction) + " ";
         const std::size_t place = english.find(between);

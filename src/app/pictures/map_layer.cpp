@@ -10,6 +10,7 @@
 #include "analysis/trace.h"
 #include "app/pictures/class_words.h"
 #include "app/store/layers.h"
+#include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
@@ -19,6 +20,8 @@
 
 namespace frana::app {
 namespace {
+
+constexpr const char* k_degree_map = "hazard_degree";
 
 void hide_zeros(Raster& raster) {
     raster.values.change_each_stored([](std::size_t, double& value) {
@@ -51,12 +54,25 @@ std::string bare_description(std::string text) {
 }
 
 /// Names the scheme in the titles, and its source and meaning on the map itself: maps are passed on without the log.
-void add_scheme(const std::map<std::string, std::string>& metadata, const Words& words, MapLayer& layer) {
-    std::vector<std::string> notes{words("Intensity of one scenario, not a hazard level")};
+void add_scheme(const std::string& kind, const std::map<std::string, std::string>& metadata, const Words& words,
+                MapLayer& layer) {
+    const bool is_degree = kind == k_degree_map;
+    std::vector<std::string> notes;
+    if (is_degree) {
+        notes = {words("Degree of hazard from intensity and return period"), words("Return periods in years (a)"),
+                 words("Limits of intensity")};
+        for (int i = 1;; ++i) {
+            const auto limit = metadata.find(k_limit_item + std::to_string(i));
+            if (limit == metadata.end()) break;
+            notes.push_back(class_label(limit->second, words));
+        }
+    } else {
+        notes.push_back(words("Intensity of one scenario, not a hazard level"));
+    }
     if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
         layer.title = words("{1}, scheme {2}", {layer.title, scheme->second});
     if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
-        notes.push_back(words.labelled(words("Thresholds"), words(source->second)));
+        notes.push_back(words.labelled(is_degree ? words("Matrix") : words("Thresholds"), words(source->second)));
     layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());
 }
 
@@ -102,7 +118,8 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
         for (const gis::NamedClass& one : text.classes)
             layer.categories.push_back({static_cast<double>(one.value), class_label(one.label, words), one.colour});
         layer.notes = class_areas(layer, words);
-        if (kind == "hazard") add_scheme(text.metadata, words, layer);
+        if (kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_"))
+            add_scheme(kind, text.metadata, words, layer);
     }
     return layer;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/publish_hazard.h"
 
+#include <filesystem>
+
+#include "analysis/hazard_degree.h"
 #include "app/input/scene_language.h"
 #include "app/pictures/class_words.h"
 #include "app/store/provenance.h"
@@ -24,29 +27,35 @@ Raster mask_of(const Raster& classes, int value) {
     return mask;
 }
 
-void write_raster(const Raster& classes, const HazardScheme& scheme, const std::string& path, const Words& words,
-                  std::map<std::string, std::string> metadata) {
-    std::vector<gis::ClassEntry> entries;
+std::vector<gis::ColourStop> stops_of(const ClassMap& map, const Words& words) {
     std::vector<gis::ColourStop> stops;
-    for (const HazardClass& kind : scheme.classes) {
-        entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label(), kind.colour});
-        stops.push_back({static_cast<double>(kind.value), kind.colour, class_label(kind.label(), words)});
-    }
-    metadata["HAZARD_SCHEME"] = scheme.name;
-    metadata["HAZARD_SOURCE"] = scheme.source;
-    gis::write_class_geotiff(path, classes, entries,
-                             {k_hazard, "Intensity after " + scheme.name, "", std::move(metadata)});
-    gis::write_styles(path, stops, "", gis::StyleKind::exact,
-                      words("{1}, scheme {2}", {words("Intensity"), scheme.name}));
+    for (const HazardClass& kind : map.classes)
+        stops.push_back(
+            {static_cast<double>(kind.value), kind.colour, class_label(kind.label(), words), false, kind.hatched});
+    return stops;
 }
 
-std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme, const std::string& path,
-                                    const std::string& crs_wkt, const Words& words) {
-    gis::OutlineLayer zones{"hazard_zones", {}};
-    std::vector<gis::ColourStop> stops;
+std::string titled(const ClassMap& map, const Words& words) {
+    return words("{1}, scheme {2}", {words(map.title), map.scheme});
+}
+
+void write_raster(const Raster& classes, const ClassMap& map, const std::string& path, const Words& words,
+                  std::map<std::string, std::string> metadata) {
+    std::vector<gis::ClassEntry> entries;
+    for (const HazardClass& kind : map.classes)
+        entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label(), kind.colour});
+    metadata["HAZARD_SCHEME"] = map.scheme;
+    metadata["HAZARD_SOURCE"] = map.source;
+    for (std::size_t i = 0; i < map.limits.size(); ++i) metadata[k_limit_item + std::to_string(i + 1)] = map.limits[i];
+    gis::write_class_geotiff(path, classes, entries, {map.name, map.title + " after " + map.scheme, "", metadata});
+    gis::write_styles(path, stops_of(map, words), "", gis::StyleKind::exact, titled(map, words));
+}
+
+std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, const std::string& path,
+                                    const Words& words) {
+    gis::OutlineLayer zones{std::filesystem::path(path).stem().string(), {}};
     std::vector<HazardArea> areas;
-    for (const HazardClass& kind : scheme.classes) {
-        stops.push_back({static_cast<double>(kind.value), kind.colour, class_label(kind.label(), words)});
+    for (const HazardClass& kind : map.classes) {
         PolygonFeature feature;
         feature.parts = gis::polygonise(mask_of(classes, kind.value));
         areas.push_back({kind, area(feature.parts)});
@@ -55,13 +64,12 @@ std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& s
         feature.texts = {{"label", kind.label()},
                          {"name", kind.name},
                          {"thresholds", kind.thresholds},
-                         {"scheme", scheme.name},
-                         {"source", scheme.source}};
+                         {"scheme", map.scheme},
+                         {"source", map.source}};
         zones.features.push_back(std::move(feature));
     }
-    zones.style =
-        gis::polygon_style(zones.name, words("{1}, scheme {2}", {words("Intensity"), scheme.name}), "class", stops);
-    gis::write_outlines(path, crs_wkt, {zones});
+    zones.style = gis::polygon_style(zones.name, titled(map, words), "class", stops_of(map, words));
+    gis::write_outlines(path, classes.grid.crs_wkt, {zones});
     gis::write_style(path, zones.style);
     return areas;
 }
@@ -74,15 +82,27 @@ std::optional<HazardScheme> hazard_scheme_of(const HazardSpec& spec) {
                          {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
 }
 
+std::vector<std::string> intensity_limits(const HazardScheme& scheme) {
+    std::vector<std::string> lines;
+    for (const HazardClass& kind : scheme.classes) lines.push_back(intensity_name(kind.value) + ": " + kind.thresholds);
+    return lines;
+}
+
+std::vector<HazardArea> publish_classes(const Raster& classes, const ClassMap& map,
+                                        const std::map<std::string, std::string>& metadata, const Words& words,
+                                        const ResultDirectory& directory) {
+    write_raster(classes, map, directory.path(map.name + ".tif"), words, metadata);
+    if (map.zones_file.empty()) return {};
+    return write_zones(classes, map, directory.path(map.zones_file), words);
+}
+
 std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
                                        const ResultDirectory& directory) {
     const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec.hazard);
     if (!scheme) return {};
-    const std::map<std::string, std::string> origin = provenance(prepared);
     const Raster classes = intensity_classes(result, *scheme);
-    const Words words = words_of(prepared.spec);
-    write_raster(classes, *scheme, directory.path(std::string(k_hazard) + ".tif"), words, origin);
-    return write_zones(classes, *scheme, directory.path(k_hazard_zones_file), prepared.scene.grid.crs_wkt, words);
+    const ClassMap map{k_hazard, "Intensity", scheme->classes, scheme->name, scheme->source, k_hazard_zones_file};
+    return publish_classes(classes, map, provenance(prepared), words_of(prepared.spec), directory);
 }
 
 }  // namespace frana::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "analysis/hazard.h"
 #include "app/input/prepare.h"
 #include "app/store/result_directory.h"
+#include "core/words/words.h"
 #include "simulation/result.h"
 
 namespace frana::app {
@@ -20,6 +22,25 @@ struct HazardArea {
 
 /// Returns the scheme that a scene names; none without one.
 std::optional<HazardScheme> hazard_scheme_of(const HazardSpec& spec);
+
+/// What the intensities of a scheme mean, for the legend of a map of something else: "medium: depth <= 1 m ..."; a
+/// line for each.
+std::vector<std::string> intensity_limits(const HazardScheme& scheme);
+
+/// A raster of classes with its texts.
+struct ClassMap {
+    std::string name;   ///< row of the table of result rasters: "hazard"
+    std::string title;  ///< "Intensity"
+    std::vector<HazardClass> classes;
+    std::string scheme, source;
+    std::string zones_file;                ///< of a polygon for each class; empty: none
+    std::vector<std::string> limits = {};  ///< of the intensities behind the classes
+};
+
+/// Writes it, its polygons and their styles. Returns the classes' areas. Throws Error(environment).
+std::vector<HazardArea> publish_classes(const Raster& classes, const ClassMap& map,
+                                        const std::map<std::string, std::string>& metadata, const Words& words,
+                                        const ResultDirectory& directory);
 
 /// Writes hazard.tif, hazard_zones.gpkg (one feature per class) and their styles, if the scene names a scheme; also
 /// max_flux.tif and max_head.tif if they were recorded. Returns the classes' areas; none without a scheme. Throws

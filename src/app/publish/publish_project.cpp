@@ -88,14 +88,16 @@ class ProjectWriter {
 
     [[nodiscard]] gis::ProjectGroup maps() const {
         gis::ProjectGroup group{named(words_("Maps")), {}};
-        if (result_.has(k_hazard_zones_file))
-            group.layers.push_back({named(words_("Zones of intensity")),
-                                    k_hazard_zones_file,
-                                    fs::path(k_hazard_zones_file).stem().string(),
-                                    gis::Shape::area,
-                                    style_beside(k_hazard_zones_file),
-                                    false,
-                                    {}});
+        for (const auto& [file, title] : {std::pair{k_degree_zones_file, worded("Zones of hazard")},
+                                          std::pair{k_hazard_zones_file, worded("Zones of intensity")}})
+            if (result_.has(file))
+                group.layers.push_back({named(words_(title)),
+                                        file,
+                                        fs::path(file).stem().string(),
+                                        gis::Shape::area,
+                                        style_beside(file),
+                                        false,
+                                        {}});
         const std::vector<std::string> names = result_.drawable();
         const bool has_shown = std::find(names.begin(), names.end(), k_shown) != names.end();
         for (const std::string& name : names) {

@@ -88,6 +88,9 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::table, {k_member_table, k_sensitivity_table});
     table.add(FileKind::vector, {k_member_outlines});
     table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});
+    table.by("batch");
+    table.add(FileKind::text, {k_region_file}).add(FileKind::vector, {k_degree_zones_file});
+    table.add_styles(k_degree_zones_file).add_rasters();
     table.by("calibrate");
     table.add(FileKind::table, {k_posterior_table, posterior_of("*"), k_design_table});
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});

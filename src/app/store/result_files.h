@@ -52,6 +52,9 @@ inline constexpr const char* k_gauge_table = "gauges.csv";
 inline constexpr const char* k_section_table = "sections.csv";
 inline constexpr const char* k_gauge_places = "gauges.gpkg";
 inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
+inline constexpr const char* k_degree_zones_file = "hazard_degree_zones.gpkg";
+/// Items of a raster's metadata, numbered from 1: the limits of the intensities behind its classes.
+inline constexpr const char* k_limit_item = "HAZARD_LIMIT_";
 inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
 /// Of a map of probability.
@@ -84,6 +87,7 @@ inline constexpr PeakFile k_peak_files[] = {{"ppr", "Peak pressure", "kPa", "max
                                             {"pft", "Peak flow thickness, normal to the slope", "m", "max_depth"},
                                             {"pfv", "Peak flow velocity", "m/s", "max_velocity"}};
 inline constexpr const char* k_study_file = "study.ini";
+inline constexpr const char* k_region_file = "region.ini";
 inline constexpr const char* k_member_table = "members.csv";
 inline constexpr const char* k_member_outlines = "members.gpkg";
 inline constexpr const char* k_sensitivity_table = "sensitivity.csv";

@@ -57,6 +57,7 @@ const std::vector<VectorLayer>& vector_layers() {
          worded("Stations of the profiles"),
          Shape::point,
          {{70, 50, 120}, 0.8, false, ""}},
+        {k_member_outlines, "slopes", worded("Slopes"), Shape::area, {k_release_colour, 0.5, false, k_name}},
         {k_member_outlines, "members", worded("Outlines of the runs"), Shape::area, {{90, 90, 90}, 0.2, false, ""}},
     };
     return k_table;

@@ -25,6 +25,7 @@ std::span<const WordRow> table_words();    ///< tables of a report
 std::span<const WordRow> score_words();    ///< scores of a comparison
 std::span<const WordRow> chart_words();    ///< charts, plates and films
 std::span<const WordRow> study_words();    ///< studies, calibrations, layers of GIS projects
+std::span<const WordRow> region_words();   ///< maps and degrees of hazard of regions
 
 /// Returns all tables.
 std::vector<std::span<const WordRow>> word_tables();

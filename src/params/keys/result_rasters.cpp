@@ -91,6 +91,8 @@ void add_study(Table& table) {
            "depth", k_progressive);
     of_all("union_max_velocity", "Maximum velocity of all sources", "Greatest speed that any source causes", "m/s",
            "velocity", k_even);
+    of_all("union_max_pressure", "Maximum dynamic pressure of all sources",
+           "Greatest dynamic pressure that any source causes", "kPa", "velocity", k_progressive);
     of_all("union_arrival_time", "Arrival time of the first source", "Earliest arrival from any source", "s", "time",
            k_even);
     of_all("worst_source", "Number of the worst source", "Number of the source that causes the greatest depth", "-", "",
@@ -99,6 +101,35 @@ void add_study(Table& table) {
         for_values("sensitivity", "Sensitivity to {}", "Fraction of the variance of being reached that {} explains",
                    "-", "velocity", k_even);
     sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
+}
+
+/// What a region of many slopes writes besides.
+void add_region(Table& table) {
+    table.by("batch", "by `frana batch` with `region.scenario`");
+    const auto of_scenario = [&](const char* name, const char* title, const char* description, const char* unit,
+                                 const char* palette, bool progressive) -> ResultRaster& {
+        ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
+        row.by_value = row.zero_is_blank = true;
+        return row;
+    };
+    of_scenario("scenario_max_depth", "Maximum depth, scenario {}",
+                "Greatest depth that any source of scenario {} causes, vertical", "m", "depth", k_progressive);
+    of_scenario("scenario_max_velocity", "Maximum velocity, scenario {}",
+                "Greatest speed that any source of scenario {} causes", "m/s", "velocity", k_even);
+    of_scenario("scenario_max_pressure", "Maximum dynamic pressure, scenario {}",
+                "Greatest dynamic pressure that any source of scenario {} causes", "kPa", "velocity", k_progressive);
+    of_scenario("scenario_arrival_time", "Arrival time, scenario {}", "Earliest arrival from any source of scenario {}",
+                "s", "time", k_even);
+    of_scenario("scenario_hit_count", "Sources that arrive, scenario {}",
+                "Number of sources of scenario {} that reach the cell", "-", "depth", k_even);
+    of_scenario("scenario_worst_source", "Number of the worst source, scenario {}",
+                "Number of the source of scenario {} that causes the greatest depth", "-", "", k_even);
+    of_scenario("scenario_intensity", "Intensity, scenario {}", "Greatest class of intensity in scenario {}", "",
+                "depth", k_even)
+        .kind = Kind::classes;
+    table.by("batch", "by `frana batch` with `region.return-period`");
+    table.add("hazard_degree", Kind::classes, "Degree of hazard", "Degree of hazard from intensity and return period",
+              "", "depth", k_even);
 }
 
 /// Rasters without classes of their own have those of the first quantity with their unit.
@@ -193,6 +224,7 @@ std::vector<ResultRaster> make_table() {
     table.add("velocity", Kind::frame, "Flow velocity", "Flow speed at one instant, along the bed", "m/s", "velocity",
               k_even);
     add_study(table);
+    add_region(table);
     table.by("converge", "after `frana converge`");
     table.add("uncertainty", Kind::flow, "Estimated error of the maximum depth",
               "Estimated discretisation error of the maximum depth", "m", "velocity", k_progressive);

@@ -55,6 +55,31 @@ class Ranks : public Ensemble {
     }
 };
 
+// A region's slopes are given to ranks like members.
+TEST_F(Ranks, RegionsHaveTheSameBitsToo) {
+    std::string features;
+    for (const int south : {20, 60, 100}) {
+        const auto corner = [&](int x, int y) {
+            return "[" + std::to_string(k_west + x) + ", " + std::to_string(k_south + y) + "]";
+        };
+        features += std::string(features.empty() ? "" : ", ") +
+                    R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)" +
+                    corner(20, south) + ", " + corner(45, south) + ", " + corner(45, south + 25) + ", " +
+                    corner(20, south + 25) + ", " + corner(20, south) + "]]}}";
+    }
+    write(
+        "perimeter.geojson",
+        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
+            features + "]}");
+    write("region.ini", "[region]\nscene = scene.ini\nwindow = 100\n");
+    ASSERT_EQ(frana({"batch", "region.ini", "--out", "alone", "--threads", "1", "--quiet"}).exit_code, 0);
+    const Outcome outcome = mpirun(2, {"batch", "region.ini", "--out", "ranks", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(members("ranks").size(), 3U);
+    for (const std::string name : {"union_max_depth.tif", "union_max_pressure.tif", "worst_source.tif"})
+        EXPECT_TRUE(read_text(path("alone/" + name)) == read_text(path("ranks/" + name))) << name;
+}
+
 TEST_F(Ranks, SameBitsForAnyNumberOfRanks) {
     write_study("samples = 12\nkeep = all\n", k_two_keys);
     ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "alone", "--threads", "1", "--quiet"}).exit_code, 0);

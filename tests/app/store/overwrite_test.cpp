@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 class Overwrite : public ResultScenes {
   protected:
-    /// Makes results of all commands that run many scenes: "range", "union", "fitted", "fitted_to_two".
+    /// Makes results of all commands that run many scenes: "range", "union", "region", "fitted", "fitted_to_two".
     void make_studies() const;
 };
 
@@ -55,6 +55,7 @@ void Overwrite::make_studies() const {
     write_scene(k_numbers_only + "pressure-thresholds = 5\n[hazard]\nscheme = swiss-debris-flow\n");
     write("study.ini", "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n" + two_keys);
     write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
+    write("region.ini", "[region]\nscene = scene.ini\nscenario = depth\nreturn-period = depth\nwindow = 120\n");
     write("surveyed.ini", read_text(path("scene.ini")) + "[scar]\nperimeter = scar.geojson\n");
     write("again.ini", read_text(path("surveyed.ini")));
     const std::string few = "\nsamples = 6\nrefine = 6\n[objective]\njaccard = 1\n" + two_keys;
@@ -65,6 +66,7 @@ void Overwrite::make_studies() const {
          {std::vector<std::string>{"ensemble", "study.ini", "--out", "range", "--quiet"},
           {"compare", "range", "--scar", "scar.geojson"},
           {"ensemble", "union.ini", "--out", "union", "--quiet"},
+          {"batch", "region.ini", "--out", "region", "--quiet"},
           {"calibrate", "fitted.ini", "--out", "fitted", "--quiet"},
           {"calibrate", "fitted_to_two.ini", "--out", "fitted_to_two", "--quiet"}}) {
         const Outcome outcome = frana(command);
@@ -79,7 +81,7 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run(k_structured + k_every_output, "other");
     make_studies();
     std::map<std::string, int> rows;
-    for (const std::string result : {"old", "other", "range", "union", "fitted", "fitted_to_two"}) {
+    for (const std::string result : {"old", "other", "range", "union", "region", "fitted", "fitted_to_two"}) {
         const auto manifest = app::read_manifest(path(result));
         ASSERT_TRUE(manifest);
         for (const std::string& name : files_below(path(result))) {
