@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Debian packages of the components: the target `packages` writes build/packages/*.deb, the same bytes from the same
 # sources in whatever folder. ./build.sh package does all that it needs.
-set(contact frana@localhost.localdomain)
+set(FRANA_CONTACT maintainers@frana.example CACHE STRING "Address of those who make the packages")
 # Time of all files in the packages: the day of the version. SOURCE_DATE_EPOCH overrides it.
 set(epoch 1795478400)
 if(NOT "$ENV{SOURCE_DATE_EPOCH}" STREQUAL "")
@@ -58,8 +58,8 @@ debian_package(mpi "run-out of landslides: studies on many machines"
   "The part of frana that shares the runs of a study between the processes that
 mpirun or srun started." CODE DEPENDS "${same}, openmpi-bin" RECOMMENDS frana-studies)
 debian_package(samples "run-out of landslides: sample scenes"
-  "Scenes to try frana with, on synthetic terrain: a hillside, a flume, blocks that
-fracture." RECOMMENDS frana)
+  "Scenes to try frana with, on synthetic terrain: a hillside, a flume, blocks
+that fracture." RECOMMENDS frana)
 debian_package(doc "run-out of landslides: documents"
   "The models and their limits, input, results, maps, ensembles, calibration,
 validation." SECTION doc SUGGESTS frana)
@@ -71,7 +71,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_PACKAGE_NAME frana)
-set(CPACK_PACKAGE_CONTACT "The authors of frana <${contact}>")
+set(CPACK_PACKAGE_CONTACT "The authors of frana <${FRANA_CONTACT}>")
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
