@@ -14,10 +14,11 @@ packages=(
   libopenmpi-dev openmpi-bin
 )
 # Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); layout of the source; readers of what frana writes.
-test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4)
+test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4
+  python3-jsonschema zsh man-db mandoc chromium)
 
 # To make Debian packages.
-package_packages=(dpkg-dev file)
+package_packages=(dpkg-dev file pybind11-dev python3-dev python3-numpy)
 
 say() { printf '== %s\n' "$*"; }
 
@@ -62,7 +63,7 @@ demo() {
 }
 
 package() {
-  tests=OFF configure_and_build frana packages
+  tests=OFF configure_and_build packages
   say "built build/packages/*.deb; install them with apt-get install ./build/packages/*.deb"
 }
 

@@ -77,6 +77,21 @@ void fill_under(Drawing& drawing, const ChartSeries& series, const Axes& axes) {
     }
 }
 
+/// Returns the points that are at least a distance from the one kept before, from half of it behind the first.
+std::vector<Point> apart(const std::vector<Point>& places, double gap) {
+    if (!(gap > 0) || places.empty()) return places;
+    std::vector<Point> kept;
+    Point last = places.front();
+    double least = gap / 2;
+    for (const Point p : places) {
+        if (std::hypot(p.x - last.x, p.y - last.y) < least) continue;
+        kept.push_back(p);
+        last = p;
+        least = gap;
+    }
+    return kept.empty() ? std::vector<Point>{places[places.size() / 2]} : kept;
+}
+
 /// Draws a series; returns the places of its points.
 std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const ChartSeries& series, const Axes& axes) {
     std::vector<Point> run, all;
@@ -93,7 +108,7 @@ std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const C
         }
     }
     flush();
-    draw_markers(drawing, style, series, all);
+    draw_markers(drawing, style, series, apart(all, style.length(series.marker_gap_px)));
     return all;
 }
 
@@ -195,6 +210,18 @@ ChartLayout draw_on(Drawing& drawing, const Chart& chart, int width, int height)
 }
 
 }  // namespace
+
+void look_apart(ChartSeries& series, std::size_t number) {
+    constexpr double k_marker_gap_px = 180;
+    constexpr std::size_t k_plain = std::size(k_strokes);
+    series.colour = k_chart_colours[number % std::size(k_chart_colours)];
+    series.stroke = k_strokes[number % k_plain];
+    series.marker.reset();
+    if (number >= k_plain) {
+        series.marker = k_markers[(number / k_plain - 1) % std::size(k_markers)];
+        series.marker_gap_px = k_marker_gap_px;
+    }
+}
 
 Page chart_page(const Chart& chart, int width, int height, ChartLayout* layout) {
     Sheet sheet(width, height);

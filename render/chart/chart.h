@@ -22,6 +22,8 @@ inline constexpr Rgb k_chart_colours[] = {{0, 114, 178}, {213, 94, 0},   {0, 158
                                           {90, 70, 50},  {86, 180, 233}, {230, 159, 0}};
 
 enum class Marker { circle, square, triangle, diamond };
+inline constexpr Stroke k_strokes[] = {Stroke::solid, Stroke::dashed, Stroke::dotted, Stroke::dash_dot};
+inline constexpr Marker k_markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
 
 /// Points of one kind, joined by a line in the order given. A point without a place on an axis breaks the line: NaN, or
 /// 0 and less on a logarithmic axis.
@@ -33,7 +35,12 @@ struct ChartSeries {
     Stroke stroke = Stroke::solid;
     std::vector<double> foot{};  ///< as many as points: the area between them and the line is filled in a pale colour
     std::optional<Marker> marker{};
+    double marker_gap_px = 0;  ///< least distance between markers, as width_px; 0: one at each point
 };
+
+/// Gives a curve of many points the colour, stroke and marker of a number, by which the curves of one chart are told
+/// apart in print without colours: up to 20 differ in stroke or marker.
+void look_apart(ChartSeries& series, std::size_t number);
 
 /// A pair of axes.
 struct ChartPanel {

@@ -14,14 +14,14 @@ configure_file(changelog.in changelog @ONLY)
 execute_process(COMMAND gzip -9nc changelog OUTPUT_FILE changelog.gz WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
   COMMAND_ERROR_IS_FATAL ANY)
 
-# debian_package(COMPONENT SUMMARY TEXT [SECTION NAME] [DEPENDS NAMES] [RECOMMENDS NAMES] [SUGGESTS NAMES] [CODE])
-# CODE: for one kind of processor, with dependencies by dpkg-shlibdeps.
+# debian_package(COMPONENT SUMMARY TEXT [SECTION NAME] [DEPENDS NAMES] [RECOMMENDS NAMES] [SUGGESTS NAMES] [NAME NAME]
+# [CODE]): NAME, else frana-COMPONENT. CODE: for one kind of processor, with dependencies by dpkg-shlibdeps.
 macro(debian_package component summary text)
-  cmake_parse_arguments(arg "CODE" "SECTION;DEPENDS;RECOMMENDS;SUGGESTS" "" ${ARGN})
+  cmake_parse_arguments(arg "CODE" "NAME;SECTION;DEPENDS;RECOMMENDS;SUGGESTS" "" ${ARGN})
   string(TOUPPER ${component} key)
   set(name frana-${component})
-  if(${component} STREQUAL program)
-    set(name frana)
+  if(arg_NAME)
+    set(name ${arg_NAME})
   endif()
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${name})
   set(CPACK_DEBIAN_${key}_DESCRIPTION "${summary}\n${text}")
@@ -46,7 +46,7 @@ debian_package(program "run-out of landslides: from GIS files to hazard maps"
   "How far, how deep and how fast a failed slope runs: terrain, outline, thickness
 and material in, GeoTIFFs, maps and animations out. Depth-averaged material
 point method for landslides, debris flows, rock avalanches and dense snow
-avalanches." CODE
+avalanches." NAME frana CODE
   DEPENDS fonts-dejavu-core RECOMMENDS "frana-pictures, frana-studies"
   SUGGESTS "frana-samples, frana-doc, frana-mpi, qgis")
 debian_package(pictures "run-out of landslides: maps, views and animations"
@@ -67,6 +67,25 @@ debian_package(qgis "run-out of landslides: plugin for QGIS"
   "frana's commands as algorithms of the Processing toolbox. 'frana qgis-plugin
 --install' puts them into a user's profile." DEPENDS frana RECOMMENDS qgis)
 
+if(TARGET frana_library)
+  set(library libfrana${PROJECT_VERSION_MAJOR})
+  debian_package(library "run-out of landslides: library"
+    "The engine of frana for other programs: a scene in, a result out." NAME ${library} SECTION libs CODE)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
+  debian_package(dev "run-out of landslides: header of the library"
+    "The header of the engine of frana, and what CMake needs to find it." NAME libfrana-dev SECTION libdevel
+    DEPENDS "${library} (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_DEV_PACKAGE_ARCHITECTURE)
+endif()
+if(TARGET frana_python)
+  find_package(Python REQUIRED COMPONENTS Interpreter)
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  debian_package(python "run-out of landslides: Python module"
+    "The engine of frana for Python: scenes and results as arrays of NumPy." NAME python3-frana SECTION python CODE
+    DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL ${components})
@@ -81,10 +100,10 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_SOURCE_DIR}/before_packing.cmake)
-set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/same_times.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/finish_files.cmake)
 set(CPACK_FRANA_EPOCH ${epoch})
 set(CMAKE_SKIP_PACKAGE_ALL_DEPENDENCY ON)
 include(CPack)
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} --config ${CMAKE_BINARY_DIR}/CPackConfig.cmake
   WORKING_DIRECTORY ${CMAKE_BINARY_DIR} VERBATIM)
-add_dependencies(packages frana vtk_module libav_module openturns_module mpi_module)
+add_dependencies(packages ${code} generated_docs)

@@ -15,6 +15,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/guarded_process.h"
+#include "app/commands/json_output.h"
 #include "app/commands/library_versions.h"
 #include "app/pictures/letter_warning.h"
 #include "app/process/machine_memory.h"
@@ -29,34 +30,6 @@
 namespace frana::app {
 namespace {
 
-constexpr const char* k_help =
-    "frana computes the run-out of landslides.\n\nUsage: frana COMMAND [arguments]\n\n  run SCENE.ini            "
-    "compute a scene; write rasters, maps, animation, comparison\n  check SCENE.ini          validate a scene or a "
-    "study and "
-    "print what would run; writes nothing\n  render RESULT_DIR        draw maps, views or an animation of a result\n  "
-    "compare RESULT_DIR|RASTER --observed VECTOR\n                           compare a result with a surveyed "
-    "outline\n  "
-    "params                   every key of a scene file: type, unit, default, range, meaning\n  materials              "
-    "  the material presets\n  converge SCENE.ini       the scene at several resolutions: estimated error\n  ensemble "
-    "STUDY.ini       many runs with uncertain values: probabilities, sensitivities\n  calibrate STUDY.ini      values "
-    "that explain surveyed events, and how uncertain they stay\n  bench "
-    "accuracy|stability|speed\n                           tests of frana: errors against exact solutions, hard cases, "
-    "throughput\n  bench robustness SCENE.ini\n                           the scene with its grid shifted and rotated, "
-    "noise, other particles and time steps\n\n  frana COMMAND --help     more about a command\n  frana --version       "
-    "   its version and its libraries'\n  frana COMMAND --allow-network ...\n                           inputs may be "
-    "URLs, databases and map services\n\nExit codes: 0 done; 2 usage, wrong configuration or input data; 3 numerical "
-    "failure; 4 environment (disk,\nrights, graphics); 129, 130, 143 stopped by a signal.\n";
-
-struct Command {
-    const char* name;
-    int (*run)(const Arguments&);
-};
-
-constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_check},       {"render", cmd_render},
-                                  {"compare", cmd_compare},   {"params", cmd_params},     {"materials", cmd_materials},
-                                  {"converge", cmd_converge}, {"ensemble", cmd_ensemble}, {"calibrate", cmd_calibrate},
-                                  {"bench", cmd_bench}};
-
 int dispatch(Arguments words) {
     // Only the user who starts the program can allow it, never a scene.
     if (std::erase(words, "--allow-network") > 0) gis::allow_network();
@@ -64,13 +37,13 @@ int dispatch(Arguments words) {
                                    [](const std::string& word) { return word == "--quiet" || word == "-q"; });
     guard_process(gis::network_allowed(), quiet);
     if (words.empty()) {
-        std::cerr << k_help;
+        std::cerr << help_text();
         return static_cast<int>(ExitCode::input);
     }
     if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
     const std::string& name = words.front();
     if (name == "--help" || name == "-h" || name == "help") {
-        std::cout << k_help;
+        std::cout << help_text();
         return static_cast<int>(ExitCode::done);
     }
     if (name == "--version") {
@@ -78,7 +51,7 @@ int dispatch(Arguments words) {
         return static_cast<int>(ExitCode::done);
     }
     std::vector<std::string> names;
-    for (const Command& command : k_commands) {
+    for (const Command& command : commands()) {
         if (name == command.name) {
             const int code = command.run({words.begin() + 1, words.end()});
             if (const std::string warning = letter_warning(); !warning.empty())
@@ -99,7 +72,7 @@ bool nobody_reads_output() {
     return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
-int report(const Error& error) {
+int report(const Error& error, const Arguments& words) {
     const auto& problems = error.problems();
     if (problems.size() == 1) {
         std::cerr << "frana: " << describe(problems.front()) << '\n';
@@ -111,26 +84,23 @@ int report(const Error& error) {
             std::cerr << "  - " << describe(problems[i]) << '\n';
         if (problems.size() > k_printed) std::cerr << "  - and " << problems.size() - k_printed << " more\n";
     }
-    switch (error.kind()) {
-        case ErrorKind::numerical:
-            return static_cast<int>(ExitCode::numerical);
-        case ErrorKind::environment:
-            return static_cast<int>(ExitCode::environment);
-        case ErrorKind::input:
-            break;
-    }
-    return static_cast<int>(ExitCode::input);
+    const ExitCode code = error.kind() == ErrorKind::numerical     ? ExitCode::numerical
+                          : error.kind() == ErrorKind::environment ? ExitCode::environment
+                                                                   : ExitCode::input;
+    if (wants_document(words)) std::cout << error_document(words, code, problems) << std::flush;
+    return static_cast<int>(code);
 }
 
 }  // namespace
 }  // namespace frana::app
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
+    const frana::app::Arguments words(arguments + 1, arguments + count);
     try {
         frana::app::fill_standard_streams();
         frana::app::ignore_file_signals();
         frana::app::map_sparingly();
-        const int code = frana::app::dispatch({words + 1, words + count});
+        const int code = frana::app::dispatch(words);
         std::cout.flush();
         // An earlier failed write is recorded although the last one succeeded.
         const bool written = std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -140,26 +110,31 @@ int main(int count, char** words) {
         }
         return code;
     } catch (const frana::Error& error) {
-        return frana::app::report(error);
+        return frana::app::report(error, words);
     } catch (const std::bad_alloc&) {
         const frana::app::MemoryBound bound = frana::app::machine_memory();
         return frana::app::report(
             {frana::ErrorKind::environment,
              frana::Problem{"out of memory", "", "", frana::app::bytes_text(bound.bytes) + ", which " + bound.what,
-                            frana::system_remedy(ENOMEM)}});
+                            frana::system_remedy(ENOMEM)}},
+            words);
     } catch (const std::filesystem::filesystem_error& error) {
         // An impossible path is invalid input, whatever it was used for.
         const bool word = error.code() == std::errc::filename_too_long || error.code() == std::errc::invalid_argument;
         return frana::app::report({word ? frana::ErrorKind::input : frana::ErrorKind::environment,
                                    frana::Problem{error.code().message(), error.path1().string(), "", "",
-                                                  word ? "" : frana::system_remedy(error.code().value())}});
+                                                  word ? "" : frana::system_remedy(error.code().value())}},
+                                  words);
     } catch (const std::system_error& error) {  // a thread could not be created
         return frana::app::report(
             {frana::ErrorKind::environment,
-             frana::Problem{error.code().message(), "the system", "", "", frana::system_remedy(error.code().value())}});
+             frana::Problem{error.code().message(), "the system", "", "", frana::system_remedy(error.code().value())}},
+            words);
     } catch (const std::exception& error) {
-        std::cerr << "frana: " << error.what()
-                  << ". If memory, threads or open files run out, allow more (ulimit -a) or use fewer --threads\n";
+        return frana::app::report(
+            {frana::ErrorKind::environment,
+             frana::Problem{error.what(), "", "", "",
+                            "If memory, threads or open files run out, allow more (ulimit -a) or use fewer --threads"}},
+            words);
     }
-    return static_cast<int>(frana::app::ExitCode::environment);
 }

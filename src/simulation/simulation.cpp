@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/words/words.h"
 #include "simulation/flow.h"
 #include "simulation/flow_run.h"
 #include "simulation/structured_flow.h"
@@ -101,27 +102,27 @@ double relative_volume_error(const RunResult& result) {
 const char* describe(StopReason reason) {
     switch (reason) {
         case StopReason::end_time:
-            return "end time reached";
+            return worded("end time reached");
         case StopReason::still:
-            return "all material at rest";
+            return worded("all material at rest");
         case StopReason::settled:
-            return "run-out, area and deposit have stopped changing";
+            return worded("run-out, area and deposit have stopped changing");
         case StopReason::energy:
-            return "kinetic energy below the given fraction of its peak";
+            return worded("kinetic energy below the given fraction of its peak");
         case StopReason::moving_volume:
-            return "moving volume below the given fraction of its peak";
+            return worded("moving volume below the given fraction of its peak");
         case StopReason::all_left:
-            return "all material has left the domain";
+            return worded("all material has left the domain");
         case StopReason::requested:
-            return "stopped by a signal";
+            return worded("stopped by a signal");
         case StopReason::reached_no_data:
-            return "the flow reached cells without terrain";
+            return worded("the flow reached cells without terrain");
         case StopReason::non_finite:
-            return "non-finite values appeared";
+            return worded("non-finite values appeared");
         case StopReason::impossible_speed:
-            return "the speed exceeded what the fall allows";
+            return worded("the speed exceeded what the fall allows");
         case StopReason::volume_drift:
-            return "the volume was no longer conserved";
+            return worded("the volume was no longer conserved");
     }
     return "";
 }

@@ -94,6 +94,7 @@ void TrialGround::restore(const std::string& name) const {
 
 Ending TrialGround::run(const Launch& launch, const Watch& watch, const Judge& judge) const {
     Launch with_date = launch;
+    with_date.environment.emplace_back("XDG_DATA_HOME=" + at("out/home"));
     with_date.environment.emplace_back("OGR_CURRENT_DATE=2020-01-01T00:00:00.000Z");  // GeoPackages contain the date
     return run_supervised(place(), with_date, watch, judge);
 }
@@ -150,11 +151,16 @@ std::vector<TriedCommand> TrialGround::commands() const {
     converge_again.emplace_back("--overwrite");
     const std::vector<std::string> robustness{"bench",   "robustness", "in/scene.ini", "--out",  "out/tried",
                                               "--quiet", "--set",      "time.end=1",   "--case", "turned-90"};
+    const std::vector<std::string> new_scene{
+        "new", "in/dtm.asc", "in/perimeter.geojson", "--out", "out/mine.ini", "--thickness", "2"};
+    std::vector<std::string> new_again = new_scene;
+    new_again.emplace_back("--overwrite");
     const std::vector<std::string> ensemble{"ensemble", "in/study.ini", "--out", "out/r", "--quiet"};
     const auto ensemble_with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), ensemble.begin(), ensemble.end());
         return more;
     };
+    const std::vector<std::string> plugin{"qgis-plugin", "--install"};
     return {
         {"run", "inputs", run_it, with({"--resume"})},
         {"run --overwrite", "older", with({"--overwrite"}), with({"--overwrite", "--resume"})},
@@ -165,6 +171,8 @@ std::vector<TriedCommand> TrialGround::commands() const {
         {"bench robustness", "inputs", robustness, robustness, false},
         {"ensemble", "inputs", ensemble, ensemble_with({"--resume"})},
         {"ensemble --overwrite", "older", ensemble_with({"--overwrite"}), ensemble_with({"--overwrite", "--resume"})},
+        {"new", "inputs", new_scene, new_again, false},
+        {"qgis-plugin", "inputs", plugin, plugin},
         {"check", "older", {"check", "in/scene.ini"}, {"check", "in/scene.ini"}},
     };
 }

@@ -42,8 +42,8 @@ class TrialGround : public TinyScene {
     [[nodiscard]] Ending run(const Launch& launch, const Watch& watch = {}, const Judge& judge = {}) const;
     [[nodiscard]] Ending run(const std::vector<std::string>& arguments) const { return run(Launch{arguments}); }
 
-    /// Returns run, run --overwrite, run --resume, render, compare, converge, ensemble and check; their initial states
-    /// are saved.
+    /// Returns run, run --overwrite, run --resume, render, compare, converge, ensemble, qgis-plugin and check; their
+    /// initial states are saved.
     [[nodiscard]] std::vector<TriedCommand> commands() const;
     /// Runs a command undisturbed, unless that was done before.
     void measure(TriedCommand& command, const Watch& watch = {}) const;

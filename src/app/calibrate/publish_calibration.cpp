@@ -5,6 +5,7 @@
 #include "app/calibrate/calibration_report.h"
 #include "app/calibrate/calibration_tables.h"
 #include "app/ensemble/study_result.h"
+#include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
@@ -50,7 +51,8 @@ void write_best_scenes(const CalibrationInput& input, const CalibrationResult& r
     for (std::size_t e = 0; e < input.events(); ++e) {
         const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
         const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
-        write_text_file(directory.path(name), scene_text(study.member(result.best).scene, {}));
+        write_text_file(directory.path(name),
+                        scene_text(seen_from(study.member(result.best).scene, directory.target()), {}));
     }
 }
 

@@ -283,12 +283,16 @@ int bench_ensemble(const std::string& file, const boost::program_options::variab
     const std::int64_t seed = input.reading.study.seed;
     const Scratch scratch;
     std::vector<Row> rows;
+    std::string text;
     try {
         say("reference: " + std::to_string(extent.reference) + " members ...");
         const Method sobol{"sobol", study::Sampling::sobol, {}};
         const Reference reference(input, run_study(input, sobol, extent.reference, seed, threads, scratch));
-        std::printf("%.0f probabilities between 0 and 1, %d seeds; standard error of the reference at most %.4f\n",
-                    reference.places(), extent.seeds, reference.own_error());
+        char line[160];
+        std::snprintf(line, sizeof line,
+                      "%.0f probabilities between 0 and 1, %d seeds; standard error of the reference at most %.4f\n",
+                      reference.places(), extent.seeds, reference.own_error());
+        text = line;
         for (const Method& method : k_methods) {
             for (const std::int64_t samples : extent.samples) {
                 say(std::string(method.name) + ", " + std::to_string(samples) + " samples ...");
@@ -299,14 +303,14 @@ int bench_ensemble(const std::string& file, const boost::program_options::variab
         return static_cast<int>(ExitCode::signal) + stop_signal();
     }
     compare_with_plain(rows);
-    std::cout << table_text(rows) << verdict(rows, extent.samples.back()) << std::flush;
     if (out) {
         out->begin();
         write_text_file(out->path(k_csv), csv_text(rows));
         render::write_png(out->path(k_picture), picture(rows));
         out->list();
     }
-    return static_cast<int>(ExitCode::done);
+    return print_bench(values, "ensemble", text + table_text(rows) + verdict(rows, extent.samples.back()),
+                       {{"methods", csv_text(rows)}});
 }
 
 }  // namespace frana::app

@@ -131,15 +131,15 @@ int bench_estimate(const std::string& file, const boost::program_options::variab
         throw Error(ErrorKind::numerical, Problem{"the run on the scene's own cells " + finest.problem, file, "", "",
                                                   "Correct the scene so that `frana run` completes it"});
     const std::vector<LevelCheck> checks = check_levels(record, finest);
-    std::cout << level_table(record) << "  cells of " << number_text(finest.cell_size)
-              << " m: " << number_text(finest.wall_seconds, 3) << " s\n"
-              << table_text(checks, finest);
     if (out) {
         out->begin();
         write_text_file(out->path(k_csv), csv_text(checks, finest));
         out->list();
     }
-    return static_cast<int>(ExitCode::done);
+    return print_bench(values, "estimate",
+                       level_table(record) + "  cells of " + number_text(finest.cell_size) +
+                           " m: " + number_text(finest.wall_seconds, 3) + " s\n" + table_text(checks, finest),
+                       {{"values", csv_text(checks, finest)}});
 }
 
 }  // namespace frana::app

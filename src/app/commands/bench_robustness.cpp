@@ -46,7 +46,6 @@ int bench_robustness(const std::string& scene, const boost::program_options::var
     catch_stop_signals();
     const auto rows = bench::run_robustness(options);
     if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
-    std::cout << bench::robustness_table(rows);
     if (out) {
         out->begin();
         write_text_file(out->path(k_csv), bench::robustness_csv(rows));
@@ -55,7 +54,8 @@ int bench_robustness(const std::string& scene, const boost::program_options::var
     }
     const bool whole =
         std::all_of(rows.begin(), rows.end(), [](const bench::RobustnessRow& row) { return row.run_problem.empty(); });
-    return static_cast<int>(whole ? ExitCode::done : ExitCode::numerical);
+    return print_bench(values, "robustness", bench::robustness_table(rows), {{"cases", bench::robustness_csv(rows)}},
+                       whole);
 }
 
 }  // namespace frana::app

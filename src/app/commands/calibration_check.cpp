@@ -3,19 +3,23 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "app/calibrate/calibration_input.h"
 #include "app/calibrate/event_survey.h"
+#include "app/commands/json_output.h"
 #include "app/commands/study_check.h"
+#include "app/process/terminal.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
+#include "app/text/text_table.h"
 #include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {
 
 void line(const std::string& name, const std::string& value) {
-    std::printf("  %-16s %s\n", name.c_str(), value.c_str());
+    std::fputs(fact_line(name, value, output_width()).c_str(), stdout);
 }
 
 /// Expected resources of all members.
@@ -64,20 +68,9 @@ void print_event(const CalibrationInput& input, std::size_t e) {
                  shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
 }
 
-}  // namespace
-
-std::string calibration_directory(const SceneSpec& scene) {
-    return output_directory(scene) + "-calibration";
-}
-
-void check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, RunLog& log) {
-    CalibrationTexts texts = read_calibration_texts(path);
-    const std::string directory = out.value_or(calibration_directory(texts.first_scene.scene));
-    const std::optional<Problem> place =
-        check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.problems);
-    const CalibrationInput input = prepare_calibration(std::move(texts), place, log);
+void print_calibration(const CalibrationInput& input, const CalibrationForecast& expected, int threads,
+                       const std::string& directory) {
     const study::CalibrationSpec& calibration = input.spec();
-    const CalibrationForecast expected = forecast(input, threads);
     std::printf("Calibration %s is ready to run.\n\nEvents\n", calibration.study.file.c_str());
     for (std::size_t e = 0; e < input.events(); ++e) print_event(input, e);
     std::printf("\nKeys that vary\n");
@@ -100,6 +93,39 @@ void check_calibration(const std::string& path, const std::optional<std::string>
     const std::string target = result_path(directory);
     line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
     std::fflush(stdout);
+}
+
+}  // namespace
+
+std::string calibration_directory(const SceneSpec& scene) {
+    return output_directory(scene) + "-calibration";
+}
+
+Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
+                       RunLog& log) {
+    CalibrationTexts texts = read_calibration_texts(path);
+    const std::string directory = out.value_or(calibration_directory(texts.first_scene.scene));
+    const std::optional<Problem> place =
+        check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.problems);
+    const CalibrationInput input = prepare_calibration(std::move(texts), place, log);
+    const study::CalibrationSpec& calibration = input.spec();
+    const CalibrationForecast expected = forecast(input, threads);
+    if (print) print_calibration(input, expected, threads, directory);
+    Json json = document_of("check");
+    json["study"] = calibration.study.file;
+    json["events"] = Json::array();
+    for (const study::EventSpec& event : calibration.events)
+        json["events"].push_back({{"name", event.name}, {"scene", event.members.study.scene}});
+    json["members"] = input.design.size();
+    json["members_on_own_cells"] = calibration.refine;
+    json["run"] = {{"threads", threads},
+                   {"estimated_seconds", expected.seconds / threads},
+                   {"estimate_is_lower_bound", !expected.trial},
+                   {"memory_bytes", expected.peak_bytes},
+                   {"disk_bytes", expected.disk_bytes}};
+    const std::string target = result_path(directory);
+    json["result"] = {{"folder", target}, {"exists", has_files(target)}};
+    return json;
 }
 
 }  // namespace frana::app

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
 #include <iostream>
 
@@ -23,12 +22,8 @@
 #include "render/canvas/image.h"
 
 namespace frana::app {
-namespace {
-
-namespace fs = std::filesystem;
 
 CommandForm bench_form() {
-    namespace options = boost::program_options;
     CommandForm form{
         "frana bench accuracy|stability|speed [options]\n"
         "       frana bench robustness|estimate SCENE.ini [options]\n"
@@ -47,20 +42,23 @@ CommandForm bench_form() {
         "accuracy|stability|speed|robustness SCENE.ini|estimate SCENE.ini|ensemble STUDY.ini",
         {}};
     form.repeats = true;
-    form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
+    form.options.add_options()("out", one("FOLDER"), "folder for the files")(
         "quick", "accuracy: two resolutions; speed: at most a million particles; ensemble: few members")(
-        "case", options::value<std::vector<std::string>>(),
-        "accuracy, stability, robustness: only this case (may be repeated)")(
-        "set", options::value<std::vector<std::string>>(),
-        "robustness, estimate: section.key=value, overrides the scene; repeatable")(
-        "seed", options::value<std::string>(), "robustness: seed of the noise on the ground (default 1)")(
+        "case", many("CASE"), "accuracy, stability, robustness: only this case (may be repeated)")(
+        "set", many("KEY=VALUE"), "robustness, estimate: section.key=value, overrides the scene; repeatable")(
+        "seed", one("N"), "robustness: seed of the noise on the ground (default 1)")(
         "quiet,q", "robustness, estimate: no progress on the terminal")(
-        "threads", options::value<std::string>(),
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)")(
+        "threads", one("N"),
         "stability, robustness, estimate: threads of a run; speed: maximum number of threads (default: all; accuracy "
         "always uses "
         "one)");
     return form;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 void report_line(const std::string& line) {
     std::cerr << line << '\n';
@@ -86,14 +84,16 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
             "lake-dtm is left out: the sample's terrain (sample_data/bindo/dtm.tif) is not in the "
             "share folder");
     const auto rows = bench::run_accuracy(options);
-    std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows) << bench::time_to_error_table(rows);
+    const std::string csv = bench::accuracy_csv(rows);
     if (out) {
         out->begin();
-        write_text_file(out->path("accuracy.csv"), bench::accuracy_csv(rows));
+        write_text_file(out->path("accuracy.csv"), csv);
         render::write_png(out->path("accuracy.png"), accuracy_chart(rows));
         out->list();
     }
-    return static_cast<int>(ExitCode::done);
+    return print_bench(values, "accuracy",
+                       bench::accuracy_table(rows) + bench::accuracy_verdict(rows) + bench::time_to_error_table(rows),
+                       {{"cases", csv}});
 }
 
 int bench_stability(const boost::program_options::variables_map& values) {
@@ -103,15 +103,15 @@ int bench_stability(const boost::program_options::variables_map& values) {
     options.threads = thread_count(values);
     options.report = report_line;
     const auto rows = bench::run_stability(options);
-    std::cout << bench::stability_table(rows);
+    const std::string csv = bench::stability_csv(rows);
     if (out) {
         out->begin();
-        write_text_file(out->path("stability.csv"), bench::stability_csv(rows));
+        write_text_file(out->path("stability.csv"), csv);
         out->list();
     }
     const bool passed =
         std::all_of(rows.begin(), rows.end(), [](const bench::StabilityRow& row) { return row.passed; });
-    return static_cast<int>(passed ? ExitCode::done : ExitCode::numerical);
+    return print_bench(values, "stability", bench::stability_table(rows), {{"cases", csv}}, passed);
 }
 
 int bench_speed(const boost::program_options::variables_map& values) {
@@ -124,17 +124,18 @@ int bench_speed(const boost::program_options::variables_map& values) {
     const auto result = bench::run_speed(options);
     report_line("cost of each law ...");
     const auto costs = bench::run_law_costs(options.quick ? 2e4 : 1e5, options.quick ? 20 : 50);
-    std::cout << bench::speed_table(result) << bench::law_costs_table(costs);
+    const std::vector<BenchTable> tables{{"speed", bench::speed_csv(result)},
+                                         {"speed_stages", bench::speed_stages_csv(result)},
+                                         {"speed_terms", bench::speed_terms_csv(result)},
+                                         {"law_costs", bench::law_costs_csv(costs)}};
     if (out) {
         out->begin();
-        write_text_file(out->path("speed.csv"), bench::speed_csv(result));
-        write_text_file(out->path("speed_stages.csv"), bench::speed_stages_csv(result));
-        write_text_file(out->path("speed_terms.csv"), bench::speed_terms_csv(result));
-        write_text_file(out->path("law_costs.csv"), bench::law_costs_csv(costs));
+        for (const BenchTable& table : tables) write_text_file(out->path(table.name + ".csv"), table.csv);
         render::write_png(out->path("speed.png"), speed_chart(result));
         out->list();
     }
-    return static_cast<int>(result.right() ? ExitCode::done : ExitCode::numerical);
+    return print_bench(values, "speed", bench::speed_table(result) + bench::law_costs_table(costs), tables,
+                       result.right());
 }
 
 }  // namespace

@@ -19,7 +19,6 @@
 #include "app/text/version.h"
 
 namespace frana::app {
-namespace {
 
 CommandForm calibrate_form() {
     return study_form(
@@ -28,8 +27,6 @@ CommandForm calibrate_form() {
         "they stay:\na table of weighted members that `frana ensemble` takes, with charts and a report.",
         "that of the first scene, with -calibration", "calibration");
 }
-
-}  // namespace
 
 int cmd_calibrate(const Arguments& arguments) {
     const Stopwatch since_start;

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <boost/program_options/value_semantic.hpp>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/commands/accuracy_search.h"
 #include "app/commands/calibration_check.h"
+#include "app/commands/check_document.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/input_table.h"
+#include "app/commands/json_output.h"
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
 #include "app/commands/study_check.h"
@@ -22,33 +24,36 @@
 #include "app/input/thickness_volume.h"
 #include "app/input/thin_release.h"
 #include "app/process/machine_memory.h"
+#include "app/process/terminal.h"
+#include "app/store/recorded_inputs.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
+#include "app/text/text_table.h"
 #include "core/shortest_text.h"
 #include "params/keys/zone_keys.h"
 #include "simulation/simulation.h"
 #include "study/read_calibration.h"
 
 namespace frana::app {
-namespace {
 
 CommandForm check_form() {
-    namespace options = boost::program_options;
     CommandForm form{"frana check SCENE.ini|STUDY.ini [options]",
                      "Validates a scene, or a study of many runs, and all its files, prints what would run, and writes "
                      "nothing.",
                      "SCENE.ini",
                      {}};
-    form.options.add_options()("out", options::value<std::string>(),
-                               "result directory of the run (overrides output.directory)")(
-        "set", options::value<std::vector<std::string>>(), "section.key=value, overrides the scene; repeatable")(
-        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
-        "memory-limit", options::value<std::string>(), "refuse a run that would need more (4GB, 500MB)");
+    form.options.add_options()("out", one("FOLDER"), "result directory of the run (overrides output.directory)")(
+        "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
+        "threads", one("N"), "number of threads (default: all processors)")(
+        "memory-limit", one("SIZE"), "refuse a run that would need more (4GB, 500MB)")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
 }
 
+namespace {
+
 void line(const std::string& name, const std::string& value) {
-    std::printf("  %-16s %s\n", name.c_str(), value.c_str());
+    std::fputs(fact_line(name, value, output_width()).c_str(), stdout);
 }
 
 /// Rounds to two significant digits, for values of no higher accuracy.
@@ -150,6 +155,7 @@ int cmd_check(const Arguments& arguments) {
     if (!values) return static_cast<int>(ExitCode::done);
     const int threads = thread_count(*values);
     RunLog log(false);
+    const bool json = values->count("json") > 0;
     apply_memory_limit(*values, log);
     if (const std::string file = (*values)["operand"].as<std::string>();
         study::is_study(file) || study::is_calibration(file)) {
@@ -157,11 +163,14 @@ int cmd_check(const Arguments& arguments) {
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});
         const auto check = study::is_calibration(file) ? check_calibration : check_study;
-        check(file, text_option(*values, "out"), threads, log);
+        Json document = check(file, text_option(*values, "out"), threads, !json, log);
+        document["warnings"] = log.warnings();
+        if (json) print_document(document);
         return static_cast<int>(ExitCode::done);
     }
     SceneReading reading =
         read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
+    find_recorded_inputs(reading, log);
     // Whether an existing result may be replaced is checked when the scene is run.
     const auto out = text_option(*values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));
@@ -173,14 +182,17 @@ int cmd_check(const Arguments& arguments) {
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
     const std::int64_t memory = memory_of_run(prepared, in_use, expected, trial);
     refuse_run_of(memory, reading, prepared);
-    std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
-    std::printf("\n%s", input_table(prepared, memory).c_str());
-    print_site(prepared.scene);
-    print_run(prepared, expected, trial, threads, directory);
-    std::fflush(stdout);
+    if (!json) {
+        std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
+        std::printf("\n%s", input_table(prepared, memory).c_str());
+        print_site(prepared.scene);
+        print_run(prepared, expected, trial, threads, directory);
+        std::fflush(stdout);
+    }
     compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
     warn_of_thin_release(expected, prepared.scene, log);
     if (trial && trial->path) warn_of_path_ground(*trial->path, log);
+    if (json) print_document(check_document({prepared, expected, trial, memory, threads, directory, log.warnings()}));
     return static_cast<int>(ExitCode::done);
 }
 

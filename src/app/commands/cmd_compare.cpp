@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
+#include "app/commands/json_output.h"
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
 #include "app/commands/refuse_scene.h"
 #include "app/compare/comparison.h"
+#include "app/compare/comparison_table.h"
 #include "app/compare/probability_comparison.h"
 #include "app/compare/ranking.h"
 #include "app/pictures/result_reader.h"
+#include "app/process/terminal.h"
 #include "app/publish/publish_project.h"
+#include "app/publish/report_comparison.h"
 #include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
@@ -22,18 +27,17 @@
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/error.h"
+#include "core/utf8.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
+#include "params/grammar/ini_file.h"
+#include "params/keys/former_names.h"
 #include "params/keys/picture_parameters.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
-namespace {
-
-namespace fs = std::filesystem;
 
 CommandForm compare_form() {
-    namespace options = boost::program_options;
     CommandForm form{"frana compare RESULT_DIR|RASTER... --observed VECTOR... [--deposit FILE] [options]",
                      "Compares simulated depths with a survey, in any CRS: areas, lines of a front, points of a "
                      "tip.\nPrints the scores and writes comparison.json, comparison_curve.csv, comparison.tif and "
@@ -41,18 +45,22 @@ CommandForm compare_form() {
                      "RESULT_DIR|RASTER",
                      {},
                      true};
-    form.options.add_options()("observed", options::value<std::vector<std::string>>(),
+    form.options.add_options()("observed", many("FILE"),
                                "surveyed areas, open lines (a front) or points (a tip); repeatable")(
-        "scar", options::value<std::vector<std::string>>(), "the same as --observed")(
-        "deposit", options::value<std::string>(),
-        "surveyed deposit: polygons, or a raster of elevation after minus before")(
-        "threshold", options::value<std::string>(),
+        "scar", many("FILE"), "the same as --observed")(
+        "deposit", one("FILE"), "surveyed deposit: polygons, or a raster of elevation after minus before")(
+        "threshold", one("METRES"),
         "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
-        "out", options::value<std::string>(),
+        "out", one("FOLDER"),
         "folder for the files (default: RESULT_DIR, or the current folder for a RASTER or a ranking)")(
-        "size", options::value<std::string>(), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)");
+        "size", one("SIZE"), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// Reads a raster of another program: depths on square cells in metres.
 Raster foreign_depth(const std::string& file) {
@@ -233,8 +241,36 @@ void renew_project(const std::string& folder) {
     record_files({project});
 }
 
+/// Those of the files that exist now.
+std::vector<std::string> existing(const std::vector<std::string>& files) {
+    std::vector<std::string> there;
+    for (const std::string& file : files)
+        if (fs::exists(file)) there.push_back(file);
+    return there;
+}
+
+/// Prints a table and the files that were written.
+void print_table(const std::string& table, const std::vector<std::string>& files) {
+    std::cout << table << "\nWritten:\n";
+    for (const std::string& file : files) std::cout << "  " << one_line(file) << '\n';
+}
+
+/// The scene of a result, by key; empty for a raster.
+std::map<std::string, std::string> scene_values(const std::string& operand) {
+    std::map<std::string, std::string> values;
+    if (!fs::is_directory(operand)) return values;
+    const ResultReader result(operand);
+    if (!result.has(k_scene_file)) return values;
+    for (const IniEntry& entry : read_ini(result.path(k_scene_file))) {
+        const std::string key = present_name(entry.name);
+        values[key] = result.scene_value(key).value_or("");
+    }
+    return values;
+}
+
 /// Of a map of probability: its scores are others, so it is in no ranking.
-int compare_probability(const Pair& pair, const std::optional<double>& threshold, const std::optional<Size>& size) {
+int compare_probability(const Pair& pair, const std::optional<double>& threshold, const std::optional<Size>& size,
+                        bool json) {
     ProbabilityMap map = read_probability_map(pair.operand, threshold);
     if (size) map.source.style.size = *size;
     RunLog log(false);
@@ -245,7 +281,16 @@ int compare_probability(const Pair& pair, const std::optional<double>& threshold
     begin_own(pair.folder, files);
     write_probability_comparison(scores, map, survey, pair.folder);
     record_files(files);
-    std::cout << probability_json(scores, map, survey);
+    if (json) {
+        Json document = document_of("compare");
+        document["warnings"] = log.warnings();
+        document["folder"] = pair.folder;
+        document["files"] = existing(files);
+        document["comparison"] = Json::parse(probability_json(scores, map, survey));
+        print_document(document);
+    } else {
+        print_table(probability_table(scores, output_width()), existing(files));
+    }
     return static_cast<int>(ExitCode::done);
 }
 
@@ -278,13 +323,16 @@ int cmd_compare(const Arguments& arguments) {
     const auto size = size_option(*values);
     const auto out = text_option(*values, "out");
     const auto operands = text_options(*values, "operand");
+    const bool json = values->count("json") > 0;
     Ranking ranking;
     const std::vector<Pair> pairs = pairs_of(operands, scars, out, ranking);
     const std::string ranking_file = (fs::path(out.value_or(".")) / "ranking.csv").string();
     refuse_in_ranking(pairs, deposit);
     check_outputs(pairs, deposit, ranking_file);
-    if (is_probability(pairs.front().operand)) return compare_probability(pairs.front(), threshold, size);
+    if (is_probability(pairs.front().operand)) return compare_probability(pairs.front(), threshold, size, json);
     RunLog log(false);
+    Json document = document_of("compare");
+    std::vector<std::string> written;
     std::string operand;
     Simulated simulated;
     for (const Pair& pair : pairs) {
@@ -295,16 +343,38 @@ int cmd_compare(const Arguments& arguments) {
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);
-        if (pair.name.empty()) {
-            std::cout << comparison_json(comparison, simulated.input);
-            return static_cast<int>(ExitCode::done);
+        std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+        if (!renew_report(pair.folder, comparison, simulated.source)) {
+            log.warn("report.html is of an older frana and stays without this comparison; run the scene again");
+        } else if (const std::string report = (fs::path(pair.folder) / k_report_file).string(); fs::exists(report)) {
+            files.push_back(report);
         }
-        ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison);
+        written.insert(written.end(), files.begin(), files.end());
+        document["comparisons"].push_back({{"folder", pair.folder},
+                                           {"files", files},
+                                           {"comparison", Json::parse(comparison_json(comparison, simulated.input))}});
+        if (pair.name.empty()) {
+            if (!json) print_table(comparison_table(comparison, simulated.input, output_width()), files);
+            continue;
+        }
+        ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison,
+                    scene_values(pair.operand));
     }
-    begin_own(fs::path(ranking_file).parent_path().string(), {ranking_file});
-    write_text_file(ranking_file, ranking.csv());
-    record_files({ranking_file});
-    std::cout << ranking.csv();
+    document["warnings"] = log.warnings();
+    if (pairs.size() == 1) {
+        const Json only = document["comparisons"].front();
+        for (const auto& [name, value] : only.items()) document[name] = value;
+        document.erase("comparisons");
+    } else {
+        begin_own(fs::path(ranking_file).parent_path().string(), {ranking_file});
+        write_text_file(ranking_file, ranking.csv());
+        record_files({ranking_file});
+        written.push_back(ranking_file);
+        document["files"] = Json::array({ranking_file});
+        document["ranking"] = rows_of(ranking.csv());
+        if (!json) print_table(ranking.table(output_width()), written);
+    }
+    if (json) print_document(document);
     return static_cast<int>(ExitCode::done);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <boost/program_options/value_semantic.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,8 +11,10 @@
 #include "analysis/trace.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
+#include "app/commands/json_output.h"
 #include "app/commands/scene_variants.h"
 #include "app/process/signals.h"
+#include "app/process/terminal.h"
 #include "app/store/error_estimate.h"
 #include "app/store/kept_files.h"
 #include "app/store/layers.h"
@@ -23,6 +24,7 @@
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/json.h"
 #include "core/shortest_text.h"
@@ -34,25 +36,26 @@
 #include "simulation/simulation.h"
 
 namespace frana::app {
-namespace {
-
-namespace fs = std::filesystem;
 
 CommandForm converge_form() {
-    namespace options = boost::program_options;
     CommandForm form{"frana converge SCENE.ini [options]",
                      "Runs a scene at several resolutions, the scene's own cell size being the finest and each other "
                      "level twice as\ncoarse, and estimates the error of the finest: convergence.csv, "
                      "convergence.json, convergence.png, uncertainty.tif.",
                      "SCENE.ini",
                      {}};
-    form.options.add_options()("out", options::value<std::string>(), "folder (default: RESULT_DIR-convergence)")(
-        "levels", options::value<std::string>()->default_value("3"), "number of resolutions, 3 to 6")(
-        "set", options::value<std::vector<std::string>>(), "section.key=value, overrides the scene; repeatable")(
-        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
-        "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal");
+    form.options.add_options()("out", one("FOLDER"), "folder (default: RESULT_DIR-convergence)")(
+        "levels", one("N")->default_value("3"), "number of resolutions, 3 to 6")(
+        "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
+        "threads", one("N"), "number of threads (default: all processors)")(
+        "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// Values and cost at one resolution.
 struct Level {
@@ -123,21 +126,26 @@ std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) 
     return json_text(json);
 }
 
+std::string decimals(double value, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
 /// The table for the terminal, and the sentences stored for later runs.
 std::string table_text(const std::vector<Level>& levels) {
-    char line[160];
-    std::string text =
-        "    cell   particles   steps   engine    depth   99.9 %    velocity     99.9 %        area   run-out\n";
-    for (const Level& l : levels) {
-        std::snprintf(line, sizeof line,
-                      "%6.2f m  %10lld  %6lld  %6.1f s  %5.2f m  %5.2f m  %6.2f m/s %6.2f m/s  %7.0f m2  "
-                      "%6.1f m\n",
-                      l.cell_size, static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
-                      l.statistics.depth.greatest, l.statistics.depth.p999, l.statistics.speed.greatest,
-                      l.statistics.speed.p999, l.statistics.covered_area, l.statistics.run_out);
-        text += line;
-    }
-    return text;
+    std::vector<TextTable::Column> columns;
+    for (const char* title : {"cell [m]", "particles", "steps", "engine [s]", "depth [m]", "depth 99.9 % [m]",
+                              "velocity [m/s]", "velocity 99.9 % [m/s]", "area [m2]", "run-out [m]"})
+        columns.push_back({title, 12, true});
+    TextTable table(columns, false);
+    for (const Level& l : levels)
+        table.add({decimals(l.cell_size, 2), std::to_string(l.particles), std::to_string(l.steps),
+                   decimals(l.wall_seconds, 1), decimals(l.statistics.depth.greatest, 2),
+                   decimals(l.statistics.depth.p999, 2), decimals(l.statistics.speed.greatest, 2),
+                   decimals(l.statistics.speed.p999, 2), decimals(l.statistics.covered_area, 0),
+                   decimals(l.statistics.run_out, 1)});
+    return table.text(output_width());
 }
 
 std::string sentences(const std::vector<Level>& levels) {
@@ -191,7 +199,7 @@ int level_count(const boost::program_options::variables_map& values) {
 }
 
 constexpr const char *k_uncertainty = "uncertainty", *k_chart = "convergence.png", *k_table = "convergence.csv",
-                     *k_study = "convergence.json";
+                     *k_study = k_convergence_file;
 
 std::vector<std::string> files_of(const fs::path& folder) {
     std::vector<std::string> files;
@@ -270,7 +278,16 @@ int cmd_converge(const Arguments& arguments) {
     write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(levels, spec));
     record_files(files_of(folder));
-    std::cout << table_text(levels) << '\n' << text;
+    if (values->count("json") > 0) {
+        Json document = document_of("converge");
+        document["folder"] = folder.string();
+        document["files"] = files_of(folder);
+        document["convergence"] = Json::parse(study_json(levels, spec));
+        document["levels"] = rows_of(csv_text(levels));
+        print_document(document);
+    } else {
+        std::cout << table_text(levels) << '\n' << folded(text, output_width());
+    }
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
     return static_cast<int>(ExitCode::done);
 }

@@ -25,7 +25,6 @@
 #include "app/text/version.h"
 
 namespace frana::app {
-namespace {
 
 CommandForm ensemble_form() {
     return study_form("ensemble",
@@ -33,6 +32,8 @@ CommandForm ensemble_form() {
                       "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
                       "that of the scene, with -ensemble", "study");
 }
+
+namespace {
 
 /// The other processes of a study under mpirun; none otherwise. They end when these do.
 struct OtherRanks {

@@ -8,13 +8,15 @@
 
 namespace frana::app {
 
+CommandForm materials_form() {
+    return {"frana materials",
+            "Prints the material presets (material.preset): the sources of their values, their range, and the values.",
+            "",
+            {}};
+}
+
 int cmd_materials(const Arguments& arguments) {
-    const CommandForm form{
-        "frana materials",
-        "Prints the material presets (material.preset): the sources of their values, their range, and the values.",
-        "",
-        {}};
-    if (!parse_arguments(form, arguments)) return static_cast<int>(ExitCode::done);
+    if (!parse_arguments(materials_form(), arguments)) return static_cast<int>(ExitCode::done);
     bool first = true;
     for (const MaterialPreset& preset : material_presets(materials_directory())) {
         if (!first) std::cout << '\n';

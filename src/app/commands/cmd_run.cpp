@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
+#include "app/commands/json_output.h"
 #include "app/commands/memory_limit.h"
 #include "app/commands/progress.h"
 #include "app/commands/scene_variants.h"
@@ -19,7 +20,10 @@
 #include "app/store/checkpoints.h"
 #include "app/store/error_estimate.h"
 #include "app/store/interrupted_run.h"
+#include "app/store/json_file.h"
+#include "app/store/manifest.h"
 #include "app/store/provenance.h"
+#include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
 #include "app/store/saved_work.h"
@@ -31,28 +35,29 @@
 #include "simulation/simulation.h"
 
 namespace frana::app {
-namespace {
 
 CommandForm run_form() {
-    namespace options = boost::program_options;
     CommandForm form{"frana run SCENE.ini [options]",
                      "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
                      "summary,\nand the comparison with an observed outline if one is given.",
                      "SCENE.ini",
                      {}};
-    form.options.add_options()("out", options::value<std::string>(),
+    form.options.add_options()("out", one("FOLDER"),
                                "result directory, from the current folder (overrides output.directory)")(
-        "set", options::value<std::vector<std::string>>(),
+        "set", many("KEY=VALUE"),
         "section.key=value, overrides the scene; repeatable; paths are relative to the scene file")(
-        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
-        "overwrite", "replace an existing result")(
+        "threads", one("N"), "number of threads (default: all processors)")("overwrite", "replace an existing result")(
         "resume", "resume a run that was stopped or killed; without one, start at the beginning")(
-        "accuracy", options::value<std::string>(),
+        "accuracy", one("PERCENT"),
         "allowed error by estimate (5%): coarser cells as far as it allows (overrides numerics.accuracy)")(
-        "memory-limit", options::value<std::string>(), "refuse a run that would need more (4GB, 500MB)")(
-        "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
+        "memory-limit", one("SIZE"), "refuse a run that would need more (4GB, 500MB)")(
+        "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)")(
+        "progress", one("json"), "a line of JSON on stderr twice a second: fraction, simulated time, time left")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
 }
+
+namespace {
 
 ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
     switch (result.stop_reason) {
@@ -139,7 +144,7 @@ void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& 
 struct Session {
     const Prepared& prepared;
     int threads;
-    bool quiet;
+    bool quiet, json_progress;
     double input_seconds, earlier_seconds;
     const Stopwatch& since_start;
     std::optional<AccuracyRecord> accuracy;  ///< as decided before the run
@@ -219,7 +224,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
                             session.since_start, session.earlier_seconds,
                             session.accuracy ? record_text(*session.accuracy) : "", log);
-    ProgressReporter progress(session.quiet);
+    ProgressReporter progress(session.quiet, session.json_progress);
     RunOptions options = run_options(session.threads, written_frames, particles.any(), progress, checkpoints, log);
     if (from != nullptr) {
         options.saved = &from->state();
@@ -253,23 +258,27 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     return code;
 }
 
-}  // namespace
+bool wants_json_progress(const boost::program_options::variables_map& values) {
+    const auto progress = text_option(values, "progress");
+    if (progress && *progress != "json")
+        throw Error(ErrorKind::input, Problem{"is not a form of progress", "--progress", *progress, "json", ""});
+    return progress.has_value();
+}
 
-int cmd_run(const Arguments& arguments) {
+int run_scene(const boost::program_options::variables_map& values, std::string& target, RunLog& log) {
     const Stopwatch since_start;
-    const auto values = parse_arguments(run_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    const int threads = thread_count(*values);
-    const bool quiet = values->count("quiet") > 0;
-    const bool overwrite = values->count("overwrite") > 0;
-    RunLog log(quiet);
-    apply_memory_limit(*values, log);
+    const int threads = thread_count(values);
+    const bool quiet = values.count("quiet") > 0;
+    const bool overwrite = values.count("overwrite") > 0;
+    const bool json_progress = wants_json_progress(values);
+    apply_memory_limit(values, log);
 
-    SceneReading reading =
-        read_scene((*values)["operand"].as<std::string>(), overrides(*values), materials_directory());
-    const auto out = text_option(*values, "out");
-    const std::string place = out.value_or(output_directory(reading.scene)), target = result_path(place);
-    const bool resume = values->count("resume") > 0;
+    SceneReading reading = read_scene(values["operand"].as<std::string>(), overrides(values), materials_directory());
+    find_recorded_inputs(reading, log);
+    const auto out = text_option(values, "out");
+    const std::string place = out.value_or(output_directory(reading.scene));
+    target = result_path(place);
+    const bool resume = values.count("resume") > 0;
     const InterruptedRun interrupted(target);
     const bool is_complete = resume && !overwrite && !interrupted.any() && is_finished(target);
     std::optional<Problem> place_problem;
@@ -281,6 +290,7 @@ int cmd_run(const Arguments& arguments) {
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
     Prepared prepared = prepare(reading, place_problem, log);
+    prepared.result_folder = target;
     if (is_complete) {
         catch_stop_signals();
         const bool all_there = complete_result(prepared, target, log);
@@ -312,16 +322,44 @@ int cmd_run(const Arguments& arguments) {
             return static_cast<int>(ExitCode::signal) + stop_signal();
         }
     }
+    prepared.result_folder = target;  // also of the chosen cells
     if (from && from->head().origin) put_origin(prepared.scene, *from->head().origin);
     ResultDirectory directory(target, overwrite || (from && interrupted.in_place()),
                               from ? folder_of(*from, target) : "");
     if (from) restore_files(*from, directory);
     try {
-        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start, accuracy}, from.get(),
-                        directory, log);
+        return run_into({prepared, threads, quiet, json_progress, input_seconds, earlier, since_start, accuracy},
+                        from.get(), directory, log);
     } catch (const Error& error) {
         explain_problem(error, directory.folder());
     }
+}
+
+/// What --json says of a run, from the files of its result.
+void print_run_document(const std::string& target, int code, const RunLog& log) {
+    Json document = document_of("run");
+    document["exit_code"] = code;
+    document["result"] = target;
+    const auto manifest = read_manifest(target);
+    document["finished"] = code == static_cast<int>(ExitCode::done);
+    document["warnings"] = log.warnings();
+    document["summary"] = read_json_file((std::filesystem::path(target) / k_summary_file).string()).value_or(Json());
+    document["files"] = Json::array();
+    if (manifest)
+        for (const auto& [name, mark] : manifest->files) document["files"].push_back(name);
+    print_document(document);
+}
+
+}  // namespace
+
+int cmd_run(const Arguments& arguments) {
+    const auto values = parse_arguments(run_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    RunLog log(values->count("quiet") > 0);
+    std::string target;
+    const int code = run_scene(*values, target, log);
+    if (values->count("json") > 0) print_run_document(target, code, log);
+    return code;
 }
 
 }  // namespace frana::app

@@ -69,7 +69,7 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
         std::cout << "Usage: " << form.usage << "\n\n" << form.purpose << "\n\n" << visible;
         return std::nullopt;
     }
-    if (!form.operand.empty() && values.count("operand") == 0) {
+    if (!form.operand.empty() && !form.operand_optional && values.count("operand") == 0) {
         throw Error(ErrorKind::input,
                     Problem{form.operand + " is missing", "command line", "", "", "Usage: " + form.usage});
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/program_options/options_description.hpp>
+#include <boost/program_options/value_semantic.hpp>
 #include <boost/program_options/variables_map.hpp>
 #include <optional>
 #include <string>
@@ -19,7 +20,18 @@ struct CommandForm {
     std::string operand;  ///< name of the one positional argument, "" if there is none
     boost::program_options::options_description options;
     bool repeats = false;  ///< the positional argument may be given more than once
+    bool operand_optional = false;
 };
+
+// The value of an option. Its name in the help also says what the shell completes: FILE, FOLDER, KEY=VALUE, MAP,
+// lower-case words ("2d|3d"); of another name nothing.
+inline auto* one(const char* name) {
+    return boost::program_options::value<std::string>()->value_name(name);
+}
+/// The same of an option that may be given more than once.
+inline auto* many(const char* name) {
+    return boost::program_options::value<std::vector<std::string>>()->value_name(name);
+}
 
 /// Reads the arguments of a command. None: help was requested and printed, and nothing else is to be done. Throws
 /// Error(input) for anything not in the form, or if the operand is missing.

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/input/transform_report.h"
+#include "app/process/terminal.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "core/shortest_text.h"
@@ -50,7 +51,7 @@ std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
                grouped(grid.columns) + " x " + grouped(grid.rows) + " of\n" + shortest_text(grid.cell_size) + " m",
                grouped(ground.nodata_cells) + "\n" + filled,
                "memory of a run: about " + bytes_text(static_cast<double>(memory_bytes)), ""});
-    return table.text();
+    return table.text(output_width());
 }
 
 }  // namespace frana::app

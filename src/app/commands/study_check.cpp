@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
+#include "app/commands/json_output.h"
 #include "app/input/memory_bound.h"
 #include "app/process/machine_memory.h"
+#include "app/process/terminal.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
+#include "app/text/text_table.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -22,7 +26,7 @@ constexpr std::int64_t k_window_bytes = 256'000'000, k_rasters_at_once = 16;
 constexpr double k_growth = 2;
 
 void line(const std::string& name, const std::string& value) {
-    std::printf("  %-16s %s\n", name.c_str(), value.c_str());
+    std::fputs(fact_line(name, value, output_width()).c_str(), stdout);
 }
 
 /// The levels of a multilevel study with the members of its pilot, which decides how many follow.
@@ -45,6 +49,35 @@ std::string time_text(const StudyForecast& forecast, std::size_t members, int th
     return std::string(forecast.trial ? "about " : "at least ") + duration_text(all) + ": " +
            duration_text(forecast.member_seconds()) + " a member on one thread, " + std::to_string(threads) +
            " at a time";
+}
+
+std::size_t members_of(const StudyInput& input) {
+    return input.levels.empty() ? input.table.size() : static_cast<std::size_t>(input.reading.study.samples);
+}
+
+void print_study(const StudyInput& input, const StudyForecast& forecast, int threads, const std::string& directory) {
+    const study::StudySpec& study = input.reading.study;
+    std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
+    for (const study::Variation& one : study.vary) line(one.key, one.distribution.text);
+    if (study.vary.empty())
+        for (const std::string& key : input.table.keys)
+            line(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
+    for (const study::Correlation& one : study.correlate)
+        line(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
+    std::printf("\nMembers\n");
+    const auto members = members_of(input);
+    line("members", (input.levels.empty() ? "" : "as much work as ") + std::to_string(members) +
+                        (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
+                        (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
+    print_levels(input);
+    line("estimated time", time_text(forecast, members, threads) + ", engine alone");
+    line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which each member that runs takes " +
+                       bytes_text(static_cast<double>(forecast.worker_bytes)));
+    line("disk", "about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
+                     " for the members until the result is complete");
+    const std::string target = result_path(directory);
+    line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
+    std::fflush(stdout);
 }
 
 }  // namespace
@@ -92,7 +125,7 @@ void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& fo
                 bound_text(bound), "Use fewer --threads or ranks, larger cells, or provide more memory"});
 }
 
-void check_study(const std::string& path, const std::optional<std::string>& out, int threads, RunLog& log) {
+Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log) {
     StudyTexts texts = read_study_texts(path);
     const std::string directory = out.value_or(study_directory(texts.central.scene));
     const std::optional<Problem> place =
@@ -101,27 +134,22 @@ void check_study(const std::string& path, const std::optional<std::string>& out,
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
     const study::StudySpec& study = input.reading.study;
-    std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
-    for (const study::Variation& one : study.vary) line(one.key, one.distribution.text);
-    if (study.vary.empty())
-        for (const std::string& key : input.table.keys)
-            line(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
-    for (const study::Correlation& one : study.correlate)
-        line(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
-    std::printf("\nMembers\n");
-    const auto members = input.levels.empty() ? input.table.size() : static_cast<std::size_t>(study.samples);
-    line("members", (input.levels.empty() ? "" : "as much work as ") + std::to_string(members) +
-                        (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
-                        (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
-    print_levels(input);
-    line("estimated time", time_text(forecast, members, threads) + ", engine alone");
-    line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which each member that runs takes " +
-                       bytes_text(static_cast<double>(forecast.worker_bytes)));
-    line("disk", "about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
-                     " for the members until the result is complete");
+    if (print) print_study(input, forecast, threads, directory);
+    const auto members = members_of(input);
+    Json json = document_of("check");
+    json["study"] = study.file;
+    json["scene"] = study.scene;
+    json["members"] = members;
+    json["sampling"] = study::name_of(study.sampling);
+    json["keys"] = input.table.keys;
+    json["run"] = {{"threads", threads},
+                   {"estimated_seconds", forecast.member_seconds() * static_cast<double>(members) / threads},
+                   {"estimate_is_lower_bound", !forecast.trial.has_value()},
+                   {"memory_bytes", forecast.peak_bytes},
+                   {"disk_bytes", forecast.disk_bytes}};
     const std::string target = result_path(directory);
-    line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
-    std::fflush(stdout);
+    json["result"] = {{"folder", target}, {"exists", has_files(target)}};
+    return json;
 }
 
 }  // namespace frana::app

@@ -7,6 +7,7 @@
 
 #include "app/commands/time_estimate.h"
 #include "app/ensemble/study_input.h"
+#include "core/json.h"
 
 namespace frana::app {
 
@@ -32,7 +33,8 @@ void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& fo
 /// Returns where a study's result goes without --out: beside that of its scene.
 std::string study_directory(const SceneSpec& scene);
 
-/// `frana check` of a study: prints keys, members and forecasts to stdout. Throws Error(input).
-void check_study(const std::string& path, const std::optional<std::string>& out, int threads, RunLog& log);
+/// `frana check` of a study: with `print`, prints keys, members and forecasts to stdout; returns the
+/// document of --json. Throws Error(input).
+Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log);
 
 }  // namespace frana::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/study_command.h"
 
-#include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
 
 #include "app/commands/commands.h"
@@ -17,16 +16,15 @@ namespace frana::app {
 
 CommandForm study_form(const std::string& command, const std::string& meaning, const std::string& default_place,
                        const std::string& what) {
-    namespace options = boost::program_options;
     CommandForm form{"frana " + command + " STUDY.ini [options]", meaning, "STUDY.ini", {}};
     const std::string out = "result directory (default: " + default_place + ")",
                       resume = "run only the members that a stopped or killed " + what + " has not finished",
                       limit = "refuse a " + what + " that would need more (4GB, 500MB)";
-    form.options.add_options()("out", options::value<std::string>(), out.c_str())(
-        "threads", options::value<std::string>(), "members that run side by side (default: all processors)")(
+    form.options.add_options()("out", one("FOLDER"), out.c_str())(
+        "threads", one("N"), "members that run side by side (default: all processors)")(
         "overwrite", "replace an existing result")("resume", resume.c_str())(
-        "memory-limit", options::value<std::string>(), limit.c_str())(
-        "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
+        "memory-limit", one("SIZE"), limit.c_str())("quiet,q",
+                                                    "no progress, no warnings on the terminal (they are in log.txt)");
     return form;
 }
 

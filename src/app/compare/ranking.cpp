@@ -2,10 +2,14 @@
 #include "app/compare/ranking.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/text/csv_cell.h"
 #include "app/text/file_stems.h"
+#include "app/text/number_text.h"
+#include "app/text/text_table.h"
 #include "core/shortest_text.h"
 
 namespace frana::app {
@@ -40,23 +44,77 @@ std::string Ranking::folder_for(const std::string& result, const std::string& sc
 }
 
 void Ranking::add(const std::string& folder, const std::string& simulated, const std::string& observed,
-                  const Comparison& comparison) {
-    entries_.push_back({folder, simulated, observed, comparison});
+                  const Comparison& comparison, std::map<std::string, std::string> scene) {
+    entries_.push_back({folder, simulated, observed, comparison, std::move(scene)});
     entries_.back().comparison.classes = Raster();  // the table needs no cells
 }
 
-std::string Ranking::csv() const {
+std::string Ranking::Entry::value(const std::string& key) const {
+    const auto found = scene.find(key);
+    return found == scene.end() ? "" : found->second;
+}
+
+std::vector<const Ranking::Entry*> Ranking::ordered() const {
     std::vector<const Entry*> order;
     for (const Entry& entry : entries_) order.push_back(&entry);
     std::stable_sort(order.begin(), order.end(), [](const Entry* a, const Entry* b) {
         return disagreement(a->comparison) < disagreement(b->comparison);
     });
+    return order;
+}
+
+std::vector<std::string> Ranking::varied() const {
+    std::vector<std::string> keys;
+    const Entry* first = nullptr;
+    for (const Entry& entry : entries_) {
+        if (entry.scene.empty()) continue;
+        if (first == nullptr) first = &entry;
+        const auto differs = [&](const std::string& key) {
+            return key.rfind("output.", 0) != 0 && first->value(key) != entry.value(key) &&
+                   std::find(keys.begin(), keys.end(), key) == keys.end();
+        };
+        for (const auto* scene : {&first->scene, &entry.scene})
+            for (const auto& [key, value] : *scene)
+                if (differs(key)) keys.push_back(key);
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+std::string Ranking::table(std::size_t width) const {
+    const std::vector<std::string> keys = varied();
+    std::vector<TextTable::Column> columns{{"rank", 4, true}, {"folder", 30}};
+    for (const std::string& key : keys) columns.push_back({key, 24});
+    for (const char* title :
+         {"Jaccard index", "area difference [%]", "hits of observed [%]", "run-out difference [m]", "front [m]"})
+        columns.push_back({title, 12, true});
+    TextTable table(columns, false);
+    int rank = 0;
+    for (const Entry* entry : ordered()) {
+        const Comparison& c = entry->comparison;
+        std::vector<std::string> row{std::to_string(++rank), entry->folder};
+        for (const std::string& key : keys) row.push_back(entry->value(key));
+        const auto add = [&row](double value) { row.push_back(std::isnan(value) ? "-" : number_text(value, 3)); };
+        add(c.statistics ? c.statistics->jaccard : k_unknown);
+        add(c.statistics ? c.statistics->area_difference_percent : k_unknown);
+        add(c.statistics ? 100 * c.statistics->true_positive_rate : k_unknown);
+        add(c.runout_difference_m.value_or(k_unknown));
+        add(front_distance(c));
+        table.add(row);
+    }
+    return table.text(width);
+}
+
+std::string Ranking::csv() const {
     std::string text =
         "rank,folder,simulated,observed,jaccard,dice,area_difference_percent,true_positive_rate,"
         "false_positive_rate,d2pc,auroc,outline_mean_m,outline_95_m,hausdorff_m,runout_difference_m,"
-        "path_runout_difference_m,front_distance_m,deposit_jaccard,deposit_rmse_m\n";
+        "path_runout_difference_m,front_distance_m,deposit_jaccard,deposit_rmse_m";
+    const std::vector<std::string> keys = varied();
+    for (const std::string& key : keys) text += "," + key;
+    text += '\n';
     int rank = 0;
-    for (const Entry* entry : order) {
+    for (const Entry* entry : ordered()) {
         const Comparison& c = entry->comparison;
         text += std::to_string(++rank) + "," + csv_cell(entry->folder) + "," + csv_cell(entry->simulated) + "," +
                 csv_cell(entry->observed);
@@ -77,6 +135,7 @@ std::string Ranking::csv() const {
         add(front_distance(c));
         add(c.deposit_overlap ? c.deposit_overlap->jaccard : k_unknown);
         add(c.deposit_depth ? c.deposit_depth->rmse_m : k_unknown);
+        for (const std::string& key : keys) text += "," + csv_cell(entry->value(key));
         text += '\n';
     }
     return text;

@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "app/publish/html_page.h"
+#include "app/publish/html_table.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
-#include "core/folder_entries.h"
 #include "core/markup.h"
 
 namespace frana::app {
@@ -16,40 +16,39 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string keys_table(const StudyInput& input) {
-    std::string html = "<table>\n" + table_row({"key", "distribution"}, "th");
-    for (const study::Variation& one : input.reading.study.vary) html += table_row({one.key, one.distribution.text});
+    HtmlTable table({"key", "distribution"});
+    for (const study::Variation& one : input.reading.study.vary) table.row({one.key, one.distribution.text});
     for (const study::Correlation& one : input.reading.study.correlate)
-        html += table_row({one.first + " and " + one.second, "rank correlation " + number_text(one.rho)});
-    return html + "</table>\n";
+        table.row({one.first + " and " + one.second, "rank correlation " + number_text(one.rho)});
+    return table.html();
 }
 
 std::string figures_table(const StudyResult& result) {
-    std::string html = "<table>\n" + table_row({"figure", "unit", "mean", "5 %", "50 %", "95 %"}, "th");
+    HtmlTable table({"figure", "unit", "mean", "5 %", "50 %", "95 %"});
     const std::vector<double>& weights = result.finished.weights;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
-        html += table_row(
-            {result.figures()[f].title, result.figures()[f].unit, number_text(weighted_mean(values, weights)),
-             number_text(figure_quantile(values, weights, 0.05)), number_text(figure_quantile(values, weights, 0.5)),
-             number_text(figure_quantile(values, weights, 0.95))});
+        table.row({result.figures()[f].title, result.figures()[f].unit, number_text(weighted_mean(values, weights)),
+                   number_text(figure_quantile(values, weights, 0.05)),
+                   number_text(figure_quantile(values, weights, 0.5)),
+                   number_text(figure_quantile(values, weights, 0.95))});
     }
-    return html + "</table>\n";
+    return table.html();
 }
 
 std::string levels_table(const std::vector<LevelSummary>& levels) {
     double all = 0;
     for (const LevelSummary& level : levels) all += level.statistics.cost * static_cast<double>(level.members);
-    std::string html =
-        "<table>\n" + table_row({"level", "cells", "members", "variance of the difference", "part of the cost"}, "th");
+    HtmlTable table({"level", "cells", "members", "variance of the difference", "part of the cost"});
     for (std::size_t l = 0; l < levels.size(); ++l) {
         const LevelSummary& level = levels[l];
         const double cost = level.statistics.cost * static_cast<double>(level.members);
-        html += table_row({std::to_string(l), number_text(level.cell_size) + " m", std::to_string(level.members),
-                           number_text(100 * level.statistics.variance / levels.front().statistics.variance, 2) +
-                               " % of that on level 0",
-                           number_text(100 * cost / all, 2) + " %"});
+        table.row({std::to_string(l), number_text(level.cell_size) + " m", std::to_string(level.members),
+                   number_text(100 * level.statistics.variance / levels.front().statistics.variance, 2) +
+                       " % of that on level 0",
+                   number_text(100 * cost / all, 2) + " %"});
     }
-    return html + "</table>\n";
+    return table.html();
 }
 
 std::string interval_text(const std::optional<study::Interval>& one) {
@@ -58,16 +57,15 @@ std::string interval_text(const std::optional<study::Interval>& one) {
 }
 
 std::string sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    std::string html =
-        "<table>\n" + table_row({"figure", "key", "first order", "total", "rank correlation", "method"}, "th");
+    HtmlTable table({"figure", "key", "first order", "total", "rank correlation", "method"});
     for (const FigureSensitivity& figure : figures)
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const study::KeySensitivity& one = figure.keys[k];
-            html += table_row({figure.figure.title, input.table.keys[k], interval_text(one.first_order),
-                               interval_text(one.total), interval_text(one.rank_correlation),
-                               one.method.empty() ? "not measurable" : one.method});
+            table.row({figure.figure.title, input.table.keys[k], interval_text(one.first_order),
+                       interval_text(one.total), interval_text(one.rank_correlation),
+                       one.method.empty() ? "not measurable" : one.method});
         }
-    return html + "</table>\n";
+    return table.html();
 }
 
 std::string median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory) {
@@ -81,16 +79,11 @@ std::string median_paragraph(const StudyInput& input, const MedianMember& median
            (has_film ? std::string(" <a href=\"") + k_animation_file + "\">Film of this member</a>." : "") + "</p>\n";
 }
 
-void add_pictures(const std::string& folder, HtmlPage& page) {
-    for (const fs::directory_entry& entry : folder_entries(fs::path(folder)))
-        if (entry.path().extension() == ".png") page.add_picture(entry.path().string(), entry.path().stem().string());
-}
-
 std::string failures_list(const StudyResult& result) {
-    std::string html = "<table>\n" + table_row({"member", "reason"}, "th");
+    HtmlTable table({"member", "reason"});
     for (const MemberResult& member : result.members)
-        if (!member.failure.empty()) html += table_row({std::to_string(member.member), member.failure});
-    return html + "</table>\n";
+        if (!member.failure.empty()) table.row({std::to_string(member.member), member.failure});
+    return table.html();
 }
 
 std::string study_sentence(const StudyInput& input, const StudyFacts& facts) {
@@ -114,6 +107,9 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     const std::string title = spec.output.title.value_or(scene_name(spec)) + ": a range of runs";
     HtmlPage page(directory.path(k_report_file), title,
                   std::string("Computed with ") + k_program + " " + k_version + ", study " + input.reading.study.file);
+    const std::vector<std::string> maps = pictures_in(directory.path("maps")),
+                                   charts = pictures_in(directory.path("charts"));
+    page.expect_pictures(maps.size() + charts.size());
     page.add_warnings(facts.warnings);
     page.add("<h2 id=\"study\">Study</h2>\n<p>" + std::to_string(result.finished_at.size()) + " members of " +
              std::to_string(result.members.size()) + " finished, " + study_sentence(input, facts) + keys_table(input));
@@ -121,10 +117,10 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     if (!result.figures().empty()) page.add("<h2 id=\"figures\">Figures</h2>\n" + figures_table(result));
     if (facts.median) page.add(median_paragraph(input, *facts.median, directory));
     page.add("<h2 id=\"maps\">Maps</h2>\n");
-    add_pictures(directory.path("maps"), page);
+    page.add_pictures(maps, "Map");
     if (!figures.empty()) page.add("<h2 id=\"sensitivity\">Sensitivity</h2>\n" + sensitivity_table(input, figures));
     if (!input.reading.study.per_polygon()) page.add("<h2 id=\"charts\">Charts</h2>\n");
-    add_pictures(directory.path("charts"), page);
+    page.add_pictures(charts, "Chart");
     if (result.failed() > 0) page.add("<h2 id=\"failures\">Failed members</h2>\n" + failures_list(result));
     page.finish();
 }

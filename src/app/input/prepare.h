@@ -28,6 +28,8 @@ struct Prepared {
     /// Identity of the data for --resume, if numerics.accuracy has chosen another grid than the scene's own; else
     /// empty.
     std::vector<std::string> identity;
+    /// Folder of the result, absolute, from which its scene.ini names the inputs; empty: by absolute paths.
+    std::string result_folder{};
 };
 
 /// Reads a scene's files. Throws Error(input) with every problem found in keys and files.

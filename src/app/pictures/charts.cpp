@@ -23,9 +23,8 @@ using render::Stroke;
 constexpr const auto& k_colours = render::k_chart_colours;
 constexpr Rgb k_blue = k_colours[0], k_vermilion = k_colours[1], k_green = k_colours[2], k_purple = k_colours[3],
               k_ground = k_colours[4];
-constexpr Stroke k_strokes[] = {Stroke::solid, Stroke::dashed, Stroke::dotted, Stroke::dash_dot};
-constexpr std::size_t k_most_curves = std::size(k_colours) * std::size(k_strokes);  // with distinct colour and stroke
-constexpr std::size_t k_longest_name = 40;                                          // letters, in the key
+constexpr std::size_t k_most_curves = 20;   // that look_apart() tells apart
+constexpr std::size_t k_longest_name = 40;  // letters, in the key
 
 /// A table of a result: texts and numbers by column.
 class Columns {
@@ -197,9 +196,8 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
         const std::vector<double> values = table.numbers(column);
         render::ChartPanel panel{name, "time [s]", label, {}, {0}};
         for (const std::string& kind : kinds) {
-            const Rgb colour = k_colours[panel.series.size() % std::size(k_colours)];
-            render::ChartSeries curve{elided(text_of_cell(kind), k_longest_name), colour, {}};
-            curve.stroke = k_strokes[panel.series.size() % std::size(k_strokes)];
+            render::ChartSeries curve{elided(text_of_cell(kind), k_longest_name), k_blue, {}};
+            render::look_apart(curve, panel.series.size());
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (table.text(i, place) == kind) curve.points.push_back({time[i], values[i]});
             panel.series.push_back(std::move(curve));

@@ -8,6 +8,7 @@
 
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/require_cells.h"
+#include "app/pictures/scenario.h"
 #include "app/store/error_estimate.h"
 #include "app/store/json_file.h"
 #include "app/store/layers.h"
@@ -24,10 +25,12 @@
 #include "gis/raster/raster_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
+#include "params/grammar/absolute_path.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/former_names.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/scene_parameters.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -133,7 +136,16 @@ Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) co
 std::optional<std::string> ResultReader::scene_value(const std::string& key) const {
     if (!has(k_scene_file)) return std::nullopt;
     for (const IniEntry& entry : read_ini(path(k_scene_file)))
-        if (present_name(entry.name) == key) return entry.value;
+        if (present_name(entry.name) == key) {
+            static const std::vector<Parameter> k_keys = scene_parameters();
+            const Parameter* const parameter = find_parameter(k_keys, key);
+            if (parameter == nullptr || !parameter->reads_files()) return entry.value;
+            SceneSpec scene;
+            if (parameter->read(scene, entry.value)) return entry.value;
+            const std::string folder = fs::absolute(directory_).string();
+            parameter->map_files(scene, [&](const std::string& file) { return absolute_path(file, folder); });
+            return parameter->write(scene);
+        }
     return std::nullopt;
 }
 
@@ -280,6 +292,12 @@ MapStyle ResultReader::style() const {
     style.continuous = scene_value("output.map-legend") == "continuous";
     style.background = scene_value("output.map-background").value_or("");
     style.attribution = scene_value("output.map-attribution").value_or("");
+    style.background_licence = scene_value("output.map-background-licence").value_or("");
+    if (const auto scale = scene_value("output.map-scale")) style.scale = number_from_text(*scale);
+    style.author = scene_value("output.map-author").value_or("");
+    style.organisation = scene_value("output.map-organisation").value_or("");
+    style.logo = scene_value("output.map-logo").value_or("");
+    style.date = date_on_maps(scene_value("output.map-date"), run_date());
     style.exaggeration = scene_number("output.view-exaggeration", style.exaggeration);
     style.sky = scene_value("output.view-background") != "plain";
     if (const auto camera = camera_from_text(scene_value("output.view-camera").value_or("")))
@@ -311,7 +329,10 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     const auto lines = [&](const std::string& file, const std::string& label, Rgb colour, bool is_dashed) {
         render::Outline outline{words_(label), {}, colour, 2, is_dashed};
         for (const gis::NamedLine& line : gis::read_marks(file, crs_wkt, label).lines)
-            if (line.name != "flow path") outline.lines.push_back(line.line);
+            if (line.name != "flow path") {
+                outline.lines.push_back(line.line);
+                outline.names.push_back(line.name);
+            }
         if (!outline.lines.empty()) all.push_back(std::move(outline));
     };
     // Files written by the run itself have not moved.
@@ -350,6 +371,9 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     source.release_names = release_names(grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
+    const auto dtm = scene_value("terrain.dtm");
+    source.terrain_source =
+        scene_value("terrain.source").value_or(dtm ? fs::path(*dtm).filename().string() : std::string());
     source.style = style();
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
     if (under_way()) {
@@ -365,6 +389,9 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
         const MapFacts known = facts(statistics);
         source.subtitle = map_subtitle(known, words_);
         source.notes = map_notes(known, words_);
+        source.scenario = scenario_words({[this](const std::string& key) { return scene_value(key); },
+                                          source.release_names, known.volume, known.simulated_seconds},
+                                         words_);
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);

@@ -2,62 +2,99 @@
 #include "app/publish/html_page.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 
-#include "app/text/text_file.h"
+#include "app/publish/page_style.h"
 #include "core/base64.h"
 #include "core/error.h"
+#include "core/folder_entries.h"
 #include "core/markup.h"
+#include "core/utf8.h"
+#include "gis/raster/page_picture.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
 
-// Plain on the screen, black on white on paper; no table row and no picture is divided by a page break.
-constexpr const char* k_style = R"(
-:root { color-scheme: light; }
-body { font: 15px/1.45 "DejaVu Sans", Verdana, sans-serif; color: #1a1a1a; background: #fff;
-  max-width: 60rem; margin: 1.5rem auto; padding: 0 1rem; }
-h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.2rem; margin-top: 2rem;
-  border-bottom: 1px solid #999; } h3 { font-size: 1rem; }
-table { border-collapse: collapse; width: 100%; font-size: .85rem; }
-th, td { text-align: left; vertical-align: top; padding: .2rem .5rem; border-bottom: 1px solid #ddd;
-  overflow-wrap: anywhere; }
-td.n { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-table.keys { table-layout: fixed; } table.keys th { width: 22%; } table.keys th:nth-child(2) { width: 27%; }
-table.keys th:nth-child(3) { width: 9%; } table.keys th:nth-child(4) { width: 11%; }
-table.keys th:last-child { width: auto; }
-tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal; } figure { margin: 0; }
- .small { font-size: .8rem; color: #444; }
-.warning { border-left: .4rem solid #d55e00; background: #fdf1e7; padding: .4rem .8rem; margin: .4rem 0; }
-.good { border-left: .4rem solid #009e73; background: #eaf7f2; padding: .4rem .8rem; }
-img, svg { width: 100%; height: auto; border: 1px solid #ccc; margin: .4rem 0; }
-svg { max-width: 46rem; }
-.swatch { display: inline-block; width: 1em; height: 1em; border: 1px solid #666; vertical-align: -.15em; }
-@media print { body { max-width: none; margin: 0; font-size: 10pt; } h2 { break-after: avoid; }
-  tr, img, svg, figure, .warning { break-inside: avoid; } a { color: inherit; text-decoration: none; } }
-@page { margin: 15mm; }
-)";
+namespace fs = std::filesystem;
+
+// Of all pictures of a page: with base64 a third more, so that with texts and charts it stays below 4 MB.
+constexpr std::size_t k_all_picture_bytes = 2'400'000;
+constexpr int k_picture_columns = 1600;
+constexpr std::size_t k_foot_letters = 60;
+
+/// A text as a string of CSS: whatever it contains, it ends neither the string nor the style.
+std::string css_text(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x80 || std::isalnum(byte) != 0 || c == ' ') {
+            quoted += c;
+        } else {
+            char code[8];
+            std::snprintf(code, sizeof code, "\\%02x ", static_cast<unsigned>(byte));
+            quoted += code;
+        }
+    }
+    return quoted + "\"";
+}
+
+std::string begin_of(const std::string& name) {
+    return "<!--part " + name + "-->";
+}
+std::string end_of(const std::string& name) {
+    return "<!--end of " + name + "-->";
+}
 
 }  // namespace
 
-HtmlPage::HtmlPage(const std::string& path, const std::string& title, const std::string& origin)
-    : aside_(path), file_(aside_.partial_path(), std::ios::binary) {
-    add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped_markup(title) +
-        "</title>\n<style>" + k_style + "</style>\n</head>\n<body>\n<h1>" + escaped_markup(title) +
-        "</h1>\n<p class=\"small\">" + escaped_markup(origin) + "</p>\n");
+HtmlPage::HtmlPage(const std::string& path, const std::string& title, const std::string& origin, const Words& words,
+                   Opening opening)
+    : aside_(path), file_(aside_.partial_path(), std::ios::binary), words_(words), picture_bytes_(k_picture_bytes) {
+    // The title at the foot of each printed page, where a browser can.
+    const std::string foot =
+        "@page { @bottom-left { content: " + css_text(elided(valid_utf8(title), k_foot_letters)) + "; } }\n";
+    add("<!DOCTYPE html>\n<html lang=\"" + language_code(words.language()) +
+        "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+        "initial-scale=1\">\n<title>" +
+        escaped_markup(title) + "</title>\n<style>" + k_page_style + foot + "</style>\n</head>\n<body>\n" +
+        (opening == Opening::title    ? ""
+         : opening == Opening::answer ? "<section class=\"answer plain\">\n"
+                                      : "<section class=\"answer\">\n") +
+        "<h1>" + escaped_markup(title) + "</h1>\n<p class=\"small\">" + escaped_markup(origin) + "</p>\n");
+}
+
+void HtmlPage::expect_pictures(std::size_t count) {
+    picture_bytes_ = std::min(k_picture_bytes, k_all_picture_bytes / std::max<std::size_t>(1, count));
+}
+
+void HtmlPage::add_heading(const std::string& id, const std::string& text) {
+    add("<h2 id=\"" + id + "\">" + escaped_markup(text) + "</h2>\n");
 }
 
 void HtmlPage::add_warnings(const std::vector<std::string>& warnings) {
-    add("<h2 id=\"warnings\">Warnings</h2>\n");
-    if (warnings.empty()) add("<p class=\"good\">The run gave no warnings.</p>\n");
-    for (const std::string& warning : warnings) add("<p class=\"warning\">" + escaped_markup(warning) + "</p>\n");
+    add_heading("warnings", words_("Warnings"));
+    if (warnings.empty()) add("<p class=\"good\">" + escaped_markup(words_("The run gave no warnings.")) + "</p>\n");
+    for (const std::string& warning : warnings)
+        add("<p class=\"warning\" lang=\"en\">" + escaped_markup(warning) + "</p>\n");
 }
 
-void HtmlPage::add_picture(const std::string& path, const std::string& caption) {
-    add("<figure>\n<img alt=\"" + escaped_markup(caption) + "\" src=\"data:image/png;base64,");
-    add(base64(read_text_file(path)));
-    add("\">\n</figure>\n");
+void HtmlPage::add_picture(const std::string& path, const std::string& caption, const std::string& alt) {
+    add(figure_html(path, caption, alt, picture_bytes_));
+}
+
+void HtmlPage::add_pictures(const std::vector<std::string>& paths, const std::string& kind) {
+    for (const std::string& path : paths) {
+        const std::string name = fs::path(path).stem().string(), layer = raster_of_map(name);
+        const ResultRaster* const row = find_result_raster(layer);
+        std::string title = row == nullptr ? name : text_for(*row, row->title, layer);
+        if (row == nullptr) std::replace(title.begin(), title.end(), '_', ' ');
+        add_picture(path, title, kind + ": " + title);
+    }
 }
 
 void HtmlPage::finish() {
@@ -70,11 +107,39 @@ void HtmlPage::finish() {
     aside_.rename_into_place();
 }
 
-std::string table_row(const std::vector<std::string>& cells, const char* cell) {
-    std::string html = "<tr>";
-    for (const std::string& text : cells)
-        html += std::string("<") + cell + ">" + escaped_markup(text) + "</" + cell + ">";
-    return html + "</tr>\n";
+std::string figure_html(const std::string& path, const std::string& caption, const std::string& alt,
+                        std::size_t most_bytes) {
+    const gis::PagePicture picture = gis::page_picture(path, k_picture_columns, most_bytes);
+    return "<figure>\n<img alt=\"" + escaped_markup(alt) + "\" width=\"" + std::to_string(picture.width) +
+           "\" height=\"" + std::to_string(picture.height) + "\" src=\"data:" + picture.mime + ";base64," +
+           base64(picture.bytes) + "\">\n<figcaption>" + escaped_markup(caption) + "</figcaption>\n</figure>\n";
+}
+
+std::vector<std::string> pictures_in(const std::string& folder) {
+    std::vector<std::string> paths;
+    for (const fs::directory_entry& entry : folder_entries(fs::path(folder)))
+        if (entry.path().extension() == ".png") paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::string page_part(const std::string& name, const std::string& html) {
+    return begin_of(name) + "\n" + html + end_of(name) + "\n";
+}
+
+std::optional<std::string> with_part(const std::string& page, const std::string& name, const std::string& html) {
+    const std::size_t begin = page.find(begin_of(name));
+    if (begin == std::string::npos) return std::nullopt;
+    const std::size_t content = begin + begin_of(name).size(), end = page.find(end_of(name), content);
+    if (end == std::string::npos) return std::nullopt;
+    return page.substr(0, content) + "\n" + html + page.substr(end);
+}
+
+Words words_of_page(const std::string& page) {
+    const std::string before = "<html lang=\"";
+    const std::size_t at = page.find(before);
+    if (at == std::string::npos) return {};
+    return Words(language_of_code(page.substr(at + before.size(), 2)).value_or(Language::english));
 }
 
 }  // namespace frana::app

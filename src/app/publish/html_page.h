@@ -1,37 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/file_aside.h"
+#include "core/words/words.h"
 
 namespace frana::app {
 
-/// A self-contained page, for the screen and for paper, written piece by piece, so that memory contains one picture at
-/// a time. It gets its name when it is finished.
+/// How a page begins: with its title alone; or with a section that contains the title and the answer, which with a
+/// picture fills the first page of paper.
+enum class Opening { title, answer, answer_with_picture };
+
+/// A self-contained page, for the screen and for paper (A4), written piece by piece, so that memory contains one
+/// picture at a time. It gets its name when it is finished.
 class HtmlPage {
   public:
     /// @param origin a small line below the title: what computed it, from what
-    HtmlPage(const std::string& path, const std::string& title, const std::string& origin);
+    HtmlPage(const std::string& path, const std::string& title, const std::string& origin, const Words& words = {},
+             Opening opening = Opening::title);
+
+    /// The pictures to come, which share the bytes that a page may have.
+    void expect_pictures(std::size_t count);
+
+    /// Ends the section that an answer opened.
+    void end_answer() { add("</section>\n"); }
 
     /// Adds HTML as it is.
     void add(const std::string& html) { file_ << html; }
+    /// Adds a heading; later ones of the same level begin new sections. The text is escaped.
+    void add_heading(const std::string& id, const std::string& text);
     /// Adds a section with the warnings of a run, or the sentence that there were none.
     void add_warnings(const std::vector<std::string>& warnings);
     /// Adds a PNG file, embedded.
-    void add_picture(const std::string& path, const std::string& caption);
+    /// @param caption below it  @param alt what it shows, for those who cannot see it
+    void add_picture(const std::string& path, const std::string& caption, const std::string& alt);
+    /// Adds PNG files under the titles of their rasters, or their names. @param kind "Map"
+    void add_pictures(const std::vector<std::string>& paths, const std::string& kind);
     /// Throws Error(environment).
     void finish();
 
   private:
     FileAside aside_;
     std::ofstream file_;
+    Words words_;
+    std::size_t picture_bytes_;
 };
 
-/// Returns a row of a table; texts are escaped.
-/// @param cell "td", or "th" for a head
-std::string table_row(const std::vector<std::string>& cells, const char* cell = "td");
+/// Greatest size of one picture's file; of many the part of each is smaller.
+inline constexpr std::size_t k_picture_bytes = 250'000;
+
+/// Returns a PNG file as a figure of a page, as a JPEG of at most these bytes if it is larger.
+std::string figure_html(const std::string& path, const std::string& caption, const std::string& alt,
+                        std::size_t most_bytes = k_picture_bytes);
+
+/// Returns the paths of the PNG files in a folder, sorted.
+std::vector<std::string> pictures_in(const std::string& folder);
+
+/// Returns a part of a page that another command can replace: HTML between two comments with its name.
+std::string page_part(const std::string& name, const std::string& html);
+/// Returns the page with that part replaced; none if it has no such part.
+std::optional<std::string> with_part(const std::string& page, const std::string& name, const std::string& html);
+/// Returns the language that a page of frana is written in.
+Words words_of_page(const std::string& page);
 
 }  // namespace frana::app

@@ -5,6 +5,7 @@
 
 #include "analysis/high_values.h"
 #include "app/store/layers.h"
+#include "core/words/words.h"
 #include "simulation/result.h"
 
 namespace frana::app {
@@ -20,9 +21,9 @@ struct PeakStatistic {
 };
 
 inline constexpr std::array<PeakStatistic, 3> k_peak_statistics{{
-    {"max_depth", "m", "depth, vertical"},
-    {"max_velocity", "ms", "speed, along the ground"},
-    {"max_pressure", "kpa", "dynamic pressure"},
+    {"max_depth", "m", worded("depth, vertical")},
+    {"max_velocity", "ms", worded("speed, along the ground")},
+    {"max_pressure", "kpa", worded("dynamic pressure")},
 }};
 
 /// One for each value, over the cells of a trace.

@@ -17,6 +17,7 @@
 #include "app/publish/publish_rasters.h"
 #include "app/publish/publish_series.h"
 #include "app/publish/report.h"
+#include "app/publish/report_answer.h"
 #include "app/publish/result_extent.h"
 #include "app/publish/timeseries.h"
 #include "app/store/layers.h"
@@ -25,6 +26,7 @@
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/today.h"
 #include "app/text/version.h"
 #include "core/shortest_text.h"
 #include "params/keys/scene_parameters.h"
@@ -34,7 +36,6 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_moving_volume = 0.01;   // fraction that may move at the end time, however thin, without a warning
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 
 ComparisonInput comparison_input(const Finished& run) {
@@ -82,10 +83,7 @@ std::string volume_that_moved(double fraction) {
 /// At the end time: the moving volume, and how fast the main results still grow.
 void warn_of_motion(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
-    if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return;
-    const bool moves =
-        result.series.back().max_speed > k_moving_speed || result.moving_fraction_limit > k_moving_volume;
-    if (!moves) return;
+    if (!moves_at_end(result)) return;
     std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_fraction_limit) +
                        " of its volume faster than " + number_text(run.prepared.scene.time.moving_speed) + " m/s";
     // The series contains the speed shown on maps.
@@ -205,6 +203,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.computed = prepared.scene.grid;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
+    facts.date = today();
     const SeparateFlows flows = separate_flows(result);
     facts.statistics = {threshold, masked_area(trace), runouts(flows, result.bed, result.release, trace)};
     note_flows(facts.statistics.run_outs, log);
@@ -228,7 +227,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 
     const Stopwatch render_watch;
     const PictureOutcome pictures =
-        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics}, log);
+        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
@@ -238,7 +237,12 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.warnings = log.warnings();
     facts.data_identity = data_identity(prepared);
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
-    if (prepared.spec.output.report) write_report({prepared, result, facts, comparison, facts.hazard}, directory);
+    if (prepared.spec.output.report) {
+        const Words words(language_of_code(prepared.spec.output.language).value_or(Language::english));
+        write_report(
+            {prepared, result, facts, comparison, facts.hazard, error_estimates(facts, directory.target()), words},
+            directory);
+    }
     write_text_file(directory.path(k_summary_file), summary_json(result, facts));
     log.note("wrote summary.json");
     write_text_file(directory.path(k_log_file), log.text());

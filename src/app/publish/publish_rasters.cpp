@@ -5,6 +5,7 @@
 #include "analysis/trace.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
+#include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
@@ -83,6 +84,7 @@ void publish_ground(const Prepared& prepared, const ResultDirectory& directory) 
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
     write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
     write_text_file(directory.path(k_scene_file), echoed_scene(prepared));
+    write_text_file(directory.path(k_inputs_file), recorded_inputs(prepared));
 }
 
 void publish_outlines(const Prepared& prepared, const RunResult& result, const SeparateFlows& flows,

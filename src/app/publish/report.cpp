@@ -5,14 +5,15 @@
 #include <filesystem>
 
 #include "app/publish/html_page.h"
+#include "app/publish/report_answer.h"
+#include "app/publish/report_charts.h"
+#include "app/publish/report_comparison.h"
+#include "app/publish/report_maps.h"
 #include "app/publish/report_tables.h"
-#include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
-#include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/markup.h"
-#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -20,58 +21,75 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a picture in the result, or one drawn for the page alone.
-std::optional<std::string> drawn(const ResultDirectory& directory, const std::string& folder, const std::string& name) {
-    for (const std::string& place : {folder, std::string(k_page_folder) + "/"})
-        if (std::string file = directory.path(place + name + ".png"); fs::exists(file)) return file;
-    return std::nullopt;
+std::string small(const std::string& text) {
+    return "<p class=\"small\">" + escaped_markup(text) + "</p>\n";
 }
 
-void add_maps(HtmlPage& page, const SceneSpec& spec, const ResultDirectory& directory) {
-    page.add("<h2 id=\"maps\">Maps</h2>\n");
-    bool any = false;
-    std::vector<std::string> names = map_names();
-    for (const std::string& name : names) {
-        const auto file = drawn(directory, "maps/", name);
-        if (!file) continue;
-        page.add_picture(*file, name);
-        any = true;
-    }
-    if (!any)
-        page.add(spec.output.maps.front() == "off" ? "<p>The scene asks for no maps.</p>\n"
-                                                   : "<p>No map could be drawn; see the warnings.</p>\n");
+std::string headed(const std::string& heading, const std::string& html) {
+    return "<div>\n<h3>" + escaped_markup(heading) + "</h3>\n" + html + "</div>\n";
+}
+
+void add_maps(HtmlPage& page, const ReportInput& input, const std::vector<ReportMap>& maps) {
+    const Words& words = input.words;
+    page.add_heading("maps", words("Maps"));
+    if (maps.empty())
+        page.add(small(input.prepared.spec.output.maps.front() == "off"
+                           ? words("The scene asks for no maps.")
+                           : words("No map could be drawn; see the warnings.")));
+    if (maps.size() == 1) page.add(small(words("The only map is on the first page.")));
+    for (std::size_t i = 1; i < maps.size(); ++i) page.add_picture(maps[i].file, maps[i].caption, maps[i].alt);
+    if (!input.hazard.empty())
+        page.add(headed(words("Intensity classes"), hazard_table(input.prepared.spec, input.hazard, words)));
+}
+
+void add_details(HtmlPage& page, const ReportInput& input) {
+    const Words& words = input.words;
+    page.add_heading("series", words("Course of the flow"));
+    page.add(series_charts(input));
+    page.add_heading("values", words("Values in detail"));
+    page.add(headed(words("High values"), high_values_table(input)));
+    if (!input.result.released.empty()) page.add(headed(words("Release areas"), release_table(input.result, words)));
+    if (input.facts.accuracy) page.add(headed(words("Accuracy"), accuracy_tables(*input.facts.accuracy, words)));
+    if (input.facts.release_ground || input.facts.path_ground)
+        page.add(headed(words("Ground"), ground_table(input.facts, words)));
+    page.add("<div class=\"columns\">\n" + headed(words("Mass budget"), budget_table(input.result, words)) +
+             headed(words("Numerical checks"), numerics_table(input)) + "</div>\n" + terms_note(input));
+}
+
+void add_keys(HtmlPage& page, const ReportInput& input) {
+    const Words& words = input.words;
+    page.add_heading("parameters", words("Keys used"));
+    page.add(small(words("Bold: given in the scene, on the command line or by the material preset. Keys that the scene "
+                         "does not use are left out.")) +
+             parameters_table(input.prepared, true, words) + "<details>\n<summary>" +
+             escaped_markup(words("All keys")) + "</summary>\n" + parameters_table(input.prepared, false, words) +
+             "</details>\n");
 }
 
 }  // namespace
 
 void write_report(const ReportInput& input, const ResultDirectory& directory) {
     const SceneSpec& spec = input.prepared.spec;
+    const Words& words = input.words;
     const std::string title = spec.output.title.value_or(scene_name(spec));
+    const std::vector<ReportMap> maps = report_maps(input, directory);
     HtmlPage page(directory.path(k_report_file), title,
-                  std::string("Computed with ") + k_program + " " + k_version + ", scene " + spec.file + ", hash " +
-                      provenance(input.prepared).at("SCENE_HASH"));
-    page.add_warnings(input.facts.warnings);
-    page.add("<h2 id=\"results\">Results</h2>\n" + results_table(input));
-    if (!input.result.released.empty())
-        page.add("<h2 id=\"release\">Release areas</h2>\n" + release_table(input.result));
-    if (input.facts.accuracy) page.add("<h2 id=\"accuracy\">Accuracy</h2>\n" + accuracy_tables(*input.facts.accuracy));
-    if (input.facts.release_ground || input.facts.path_ground)
-        page.add("<h2 id=\"ground\">Ground</h2>\n" + ground_table(input.facts));
-    page.add("<h2 id=\"budget\">Mass budget</h2>\n" + budget_table(input.result));
-    page.add("<h2 id=\"numerics\">Numerical checks</h2>\n" + numerics_table(input));
-    if (!input.hazard.empty())
-        page.add("<h2 id=\"hazard\">Intensity classes</h2>\n" + hazard_table(spec, input.hazard));
-    add_maps(page, spec, directory);
-    page.add("<h2 id=\"series\">Time series</h2>\n" + series_charts(input));
-    if (input.comparison) {
-        page.add("<h2 id=\"comparison\">Comparison with the survey</h2>\n" + comparison_tables(*input.comparison));
-        if (const auto file = drawn(directory, "", "comparison")) page.add_picture(*file, "comparison");
-    }
-    page.add("<h2 id=\"inputs\">Inputs</h2>\n" + inputs_table(input.prepared));
-    page.add(
-        "<h2 id=\"parameters\">Parameters</h2>\n<p class=\"small\">Bold: given in the scene, on the command "
-        "line or by the material preset.</p>\n" +
-        parameters_table(input.prepared));
+                  words("Computed with {1}, scene {2}, hash {3}", {std::string(k_program) + " " + k_version, spec.file,
+                                                                   provenance(input.prepared).at("SCENE_HASH")}),
+                  words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
+    page.expect_pictures(maps.size() + 1);
+    page.add(answer_sentences(input));
+    if (!maps.empty()) page.add_picture(maps.front().file, maps.front().caption, maps.front().alt);
+    page.add(answer_tables(input));
+    page.end_answer();
+    add_maps(page, input, maps);
+    page.add(page_part(k_comparison_section,
+                       comparison_section(input.comparison, drawn_picture(directory, "", "comparison"), words)));
+    add_details(page, input);
+    if (input.facts.warnings.size() > 0) page.add_warnings(input.facts.warnings);
+    page.add_heading("inputs", words("Inputs"));
+    page.add(inputs_table(input.prepared, words));
+    add_keys(page, input);
     page.finish();
     std::error_code ignored;
     fs::remove_all(directory.path(k_page_folder), ignored);  // in a folder still being written, so it belongs to frana

@@ -8,7 +8,9 @@
 #include "app/compare/comparison.h"
 #include "app/publish/publish.h"
 #include "app/publish/publish_hazard.h"
+#include "app/publish/report_errors.h"
 #include "app/publish/summary.h"
+#include "core/words/words.h"
 
 namespace frana::app {
 
@@ -19,10 +21,13 @@ struct ReportInput {
     const SummaryFacts& facts;
     const std::optional<Comparison>& comparison;
     const std::vector<HazardArea>& hazard;
+    ErrorEstimates errors;
+    Words words;
 };
 
-/// Writes report.html: one self-contained file, for the screen and for paper. The maps are those of `maps/` and
-/// comparison.png, embedded one after the other as they are written. Throws Error(environment).
+/// Writes report.html: one self-contained file, for the screen and for paper. On its first page are the scenario and
+/// the answer; then the maps of `maps/` and comparison.png, values in detail, inputs, and the keys that were used.
+/// Throws Error(environment).
 void write_report(const ReportInput& input, const ResultDirectory& directory);
 
 }  // namespace frana::app

@@ -14,6 +14,8 @@ std::string numbers_fingerprint(const SceneSpec& scene);
 /// Default place of the result of `frana converge`: beside the scene's own result.
 std::string convergence_directory(const std::string& result_directory);
 
+/// File in a study's folder that contains its values.
+inline constexpr const char* k_convergence_file = "convergence.json";
 /// File in a study's folder that contains its sentences.
 inline constexpr const char* k_error_estimate_file = "error_estimate.txt";
 

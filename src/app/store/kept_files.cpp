@@ -10,7 +10,10 @@
 
 #include "app/store/result_files.h"
 #include "gis/raster/picture_out.h"
+#include "params/grammar/absolute_path.h"
 #include "params/grammar/ini_file.h"
+#include "params/keys/former_names.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 namespace {
@@ -70,7 +73,17 @@ void KeptFiles::add_result(const std::string& folder, const std::vector<std::str
     }
     const fs::path scene = fs::path(folder) / k_scene_file;
     if (!fs::exists(scene, error)) return;
-    for (const IniEntry& entry : read_ini(scene.string())) add(entry.value);
+    static const std::vector<Parameter> k_keys = scene_parameters();
+    const std::string here = fs::absolute(folder).string();
+    for (const IniEntry& entry : read_ini(scene.string())) {
+        const Parameter* const key = find_parameter(k_keys, present_name(entry.name));
+        SceneSpec spec;
+        if (key == nullptr || !key->reads_files() || key->read(spec, entry.value)) continue;
+        key->map_files(spec, [&](const std::string& path) {
+            add(absolute_path(path, here));
+            return path;
+        });
+    }
 }
 
 bool KeptFiles::has(const std::string& path) const {

@@ -4,11 +4,28 @@
 #include "app/text/text_hash.h"
 #include "app/text/version.h"
 #include "core/utf8.h"
+#include "params/grammar/absolute_path.h"
+#include "params/keys/scene_parameters.h"
 #include "params/scene/write_scene.h"
 
 namespace frana::app {
 
+SceneSpec seen_from(SceneSpec scene, const std::string& folder) {
+    for (const Parameter& parameter : scene_parameters())
+        if (parameter.reads_files())
+            parameter.map_files(scene, [&](const std::string& path) { return relative_path(path, folder); });
+    return scene;
+}
+
 std::string echoed_scene(const Prepared& prepared) {
+    if (prepared.result_folder.empty()) return echoed_scene_here(prepared);
+    Prepared moved;
+    moved.spec = seen_from(prepared.spec, prepared.result_folder);
+    moved.resolved = prepared.resolved;
+    return echoed_scene_here(moved);
+}
+
+std::string echoed_scene_here(const Prepared& prepared) {
     SceneSpec spec = prepared.spec;
     // The echo is in another folder: values derived from the scene file's own name must be written out.
     spec.output.title = spec.output.title.value_or(scene_name(spec));

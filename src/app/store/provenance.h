@@ -11,7 +11,13 @@ namespace frana::app {
 /// Returns the provenance in every raster: PROGRAM, VERSION, SCENE, SCENE_HASH, TIFFTAG_SOFTWARE.
 std::map<std::string, std::string> provenance(const Prepared& prepared);
 
-/// Returns the scene as in the result's scene.ini.
+/// Returns the scene as in the result's scene.ini: its paths are relative to the result's folder, so that both can be
+/// moved.
 std::string echoed_scene(const Prepared& prepared);
+/// The same with absolute paths.
+std::string echoed_scene_here(const Prepared& prepared);
+
+/// Returns a scene whose files are named relative to a folder.
+SceneSpec seen_from(SceneSpec scene, const std::string& folder);
 
 }  // namespace frana::app

@@ -38,6 +38,8 @@ inline constexpr const char* k_style_endings[] = {".qml", ".sld"};
 inline constexpr const char* k_manifest_file = "manifest.json";
 inline constexpr const char* k_scene_file = "scene.ini";
 inline constexpr const char* k_summary_file = "summary.json";
+/// What the scene read: places and checksums.
+inline constexpr const char* k_inputs_file = "inputs.json";
 inline constexpr const char* k_log_file = "log.txt";
 inline constexpr const char* k_report_file = "report.html";
 inline constexpr const char* k_series_file = "timeseries.csv";

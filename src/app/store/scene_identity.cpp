@@ -6,11 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/input/share_directory.h"
 #include "app/store/json_file.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "core/shortest_text.h"
+#include "params/scene/read_scene.h"
+#include "params/scene/write_scene.h"
 
 namespace frana::app {
 namespace {
@@ -71,7 +74,7 @@ std::vector<std::string> data_identity(const Prepared& prepared) {
 }
 
 std::string scene_identity(const Prepared& prepared) {
-    return identity(echoed_scene(prepared), data_identity(prepared));
+    return identity(echoed_scene_here(prepared), data_identity(prepared));
 }
 
 std::optional<std::string> result_identity(const std::string& result_folder) {
@@ -84,7 +87,9 @@ std::optional<std::string> result_identity(const std::string& result_folder) {
         if (!fact.is_string()) return std::nullopt;
         data.push_back(fact.get<std::string>());
     }
-    return identity(scene, data);
+    // Its paths are relative; a run compares absolute ones.
+    const SceneReading reading = read_scene((folder / k_scene_file).string(), {}, materials_directory());
+    return identity(scene_text(reading.scene, {}), data);
 }
 
 std::vector<std::string> identity_differences(const std::string& here, const std::string& then) {

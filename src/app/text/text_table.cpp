@@ -2,69 +2,122 @@
 #include "app/text/text_table.h"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
+
+#include "app/text/display_width.h"
 
 namespace frana::app {
 namespace {
 
-std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
-    std::vector<std::string> lines;
-    std::istringstream paragraphs(text);
-    for (std::string paragraph; std::getline(paragraphs, paragraph);) {
-        std::istringstream words(paragraph);
-        std::string line;
-        for (std::string word; words >> word;) {
-            if (!line.empty() && line.size() + 1 + word.size() > width) {
-                lines.push_back(line);
-                line.clear();
-            }
-            line += (line.empty() ? "" : " ") + word;
-        }
-        lines.push_back(line);
-    }
-    return lines;
+constexpr std::size_t k_gap = 2, k_narrowest = 6;
+
+std::size_t widest_line(const std::vector<std::string>& lines) {
+    std::size_t widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, display_width(line));
+    return widest;
+}
+
+void end_line(std::string& line, std::string& text) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
 }
 
 }  // namespace
 
-void TextTable::add(const std::vector<std::string>& cells) {
-    std::vector<Lines> row;
-    for (std::size_t i = 0; i < columns_.size(); ++i) row.push_back(wrapped(cells.at(i), columns_[i].widest));
-    rows_.push_back(std::move(row));
-}
-
-std::string TextTable::text() const {
+std::vector<std::size_t> TextTable::widths(std::size_t width) const {
     std::vector<std::size_t> widths;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        widths.push_back(columns_[i].title.size());
+        widths.push_back(widest_line(wrapped(columns_[i].title, columns_[i].widest)));
         for (const auto& row : rows_)
-            for (const std::string& line : row[i]) widths[i] = std::max(widths[i], line.size());
+            widths[i] = std::max(widths[i], widest_line(wrapped(row.at(i), columns_[i].widest)));
     }
+    const std::size_t gaps = k_gap * (columns_.size() - 1);
+    for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
+        std::size_t& widest = *std::max_element(widths.begin(), widths.end());
+        if (widest <= k_narrowest) return {};
+        --widest;
+    }
+    return widths;
+}
+
+std::string TextTable::as_lists(std::size_t width) const {
     std::string text;
-    const auto put = [&](const std::vector<std::string>& cells) {
-        std::string line;
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            line += cells[i] + std::string(widths[i] - cells[i].size() + 2, ' ');
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + '\n';
-    };
-    std::vector<std::string> titles, rules;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        titles.push_back(columns_[i].title);
-        rules.emplace_back(widths[i], '-');
-    }
-    put(titles);
     for (const auto& row : rows_) {
-        put(rules);
-        std::size_t height = 1;
-        for (const Lines& cell : row) height = std::max(height, cell.size());
-        for (std::size_t k = 0; k < height; ++k) {
-            std::vector<std::string> cells;
-            for (const Lines& cell : row) cells.push_back(k < cell.size() ? cell[k] : "");
-            put(cells);
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            if (row[i].empty()) continue;
+            std::string cell = row[i];
+            std::replace(cell.begin(), cell.end(), '\n', ' ');
+            for (const std::string& line : wrapped(columns_[i].title + ": " + cell, width)) text += line + '\n';
         }
+        text += '\n';
     }
     return text;
+}
+
+std::string TextTable::text(std::size_t width) const {
+    const std::vector<std::size_t> wide = widths(width);
+    if (wide.empty()) return as_lists(width);
+    std::string text;
+    const auto put = [&](const std::vector<std::string>& cells) {
+        std::vector<std::vector<std::string>> lines;
+        std::size_t height = 1;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            lines.push_back(wrapped(cells[i], wide[i]));
+            height = std::max(height, lines.back().size());
+        }
+        for (std::size_t k = 0; k < height; ++k) {
+            std::string line;
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                line += padded(k < lines[i].size() ? lines[i][k] : "", wide[i], columns_[i].right) +
+                        std::string(k_gap, ' ');
+            end_line(line, text);
+        }
+    };
+    const auto rule = [&] {
+        std::string line;
+        for (const std::size_t columns : wide) line += std::string(columns, '-') + std::string(k_gap, ' ');
+        end_line(line, text);
+    };
+    std::vector<std::string> titles;
+    for (const Column& column : columns_) titles.push_back(column.title);
+    put(titles);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (ruled_ || i == 0) rule();
+        put(rows_[i]);
+    }
+    return text;
+}
+
+std::string fact_line(const std::string& name, const std::string& value, std::size_t width) {
+    constexpr std::size_t k_indent = 2, k_name = 16, k_least = 20;
+    const std::string head = std::string(k_indent, ' ') + padded(name, k_name) + " ";
+    const std::size_t left = display_width(head);
+    const std::vector<std::string> lines = wrapped(value, std::max(k_least, width > left ? width - left : 0));
+    std::string text;
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, lines.size()); ++i) {
+        std::string line = (i == 0 ? head : std::string(left, ' ')) + (i < lines.size() ? lines[i] : "");
+        end_line(line, text);
+    }
+    return text;
+}
+
+std::string folded(const std::string& text, std::size_t width) {
+    std::string all;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+        if (display_width(line) <= width || indent + k_narrowest > width) {
+            all += line + '\n';
+            continue;
+        }
+        bool first = true;
+        for (const std::string& part : wrapped(line.substr(indent), width - indent - k_gap)) {
+            all += std::string(indent + (first ? 0 : k_gap), ' ') + part + '\n';
+            first = false;
+        }
+    }
+    return all;
 }
 
 }  // namespace frana::app

@@ -1,28 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace frana::app {
 
-/// A table for a terminal: cells wrap at spaces, a newline in a cell starts another line of it.
+/// A table for a terminal: cells wrap at spaces, a newline in a cell starts another line of it. Letters count as they
+/// are displayed.
 class TextTable {
   public:
     struct Column {
         std::string title;
-        std::size_t widest;  ///< characters; a longer word is not broken
+        std::size_t widest;  ///< columns of the terminal
+        bool right = false;  ///< aligned there, as numbers are
     };
-    explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+    /// @param ruled a rule between all rows, for cells of several lines
+    explicit TextTable(std::vector<Column> columns, bool ruled = true) : columns_(std::move(columns)), ruled_(ruled) {}
 
     /// One cell per column.
-    void add(const std::vector<std::string>& cells);
-    [[nodiscard]] std::string text() const;
+    void add(const std::vector<std::string>& cells) { rows_.push_back(cells); }
+    /// Returns the table at most so wide: its widest columns are narrowed; if it cannot be as narrow, each row becomes
+    /// a list of titles and cells.
+    [[nodiscard]] std::string text(std::size_t width) const;
 
   private:
-    using Lines = std::vector<std::string>;
+    [[nodiscard]] std::vector<std::size_t> widths(std::size_t width) const;
+    [[nodiscard]] std::string as_lists(std::size_t width) const;
+
     std::vector<Column> columns_;
-    std::vector<std::vector<Lines>> rows_;
+    bool ruled_;
+    std::vector<std::vector<std::string>> rows_;
 };
+
+/// Returns "  name   value", the value wrapped beside the name.
+std::string fact_line(const std::string& name, const std::string& value, std::size_t width);
+
+/// Returns a text whose lines wider than this are wrapped, under their own indentation and two columns more.
+std::string folded(const std::string& text, std::size_t width);
 
 }  // namespace frana::app

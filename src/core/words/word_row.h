@@ -16,9 +16,13 @@ struct WordRow {
 };
 
 // The tables, one for each area. An English text is in one of them only.
-std::span<const WordRow> map_words();     ///< maps and views: furniture, notes, marks
-std::span<const WordRow> raster_words();  ///< titles of rasters
-std::span<const WordRow> class_words();   ///< classes of hazard schemes and comparisons
+std::span<const WordRow> map_words();      ///< maps and views: furniture, notes, marks
+std::span<const WordRow> raster_words();   ///< titles of rasters
+std::span<const WordRow> class_words();    ///< classes of hazard schemes and comparisons
+std::span<const WordRow> physics_words();  ///< laws, materials, ends of a run
+std::span<const WordRow> answer_words();   ///< the answer and the maps of a report
+std::span<const WordRow> table_words();    ///< tables of a report
+std::span<const WordRow> score_words();    ///< scores of a comparison
 
 /// Returns all tables.
 std::vector<std::span<const WordRow>> word_tables();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <functional>
 
 #include "params/grammar/value_text.h"
 
@@ -48,9 +49,12 @@ std::pair<std::size_t, std::size_t> named_file(const std::string& path, std::siz
 
 }  // namespace
 
-std::string absolute_path(const std::string& path, const std::string& directory) {
+namespace {
+
+/// Replaces the path within GDAL's syntax.
+std::string replaced(const std::string& path, const std::function<std::string(const std::string&)>& place) {
     if (const std::size_t prefix = archive_prefix(path); prefix > 0)
-        return path.substr(0, prefix) + counted_from(path.substr(prefix), directory);
+        return path.substr(0, prefix) + place(path.substr(prefix));
     const std::size_t colon = path.find(':');
     const bool driver = colon != std::string::npos && colon >= 2 &&
                         std::all_of(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(colon),
@@ -58,11 +62,36 @@ std::string absolute_path(const std::string& path, const std::string& directory)
     if (driver) {
         const auto [begin, end] = named_file(path, colon);
         if (end <= begin) return path;
-        return path.substr(0, begin) + counted_from(path.substr(begin, end - begin), directory) + path.substr(end);
+        return path.substr(0, begin) + place(path.substr(begin, end - begin)) + path.substr(end);
     }
     const std::size_t bar = path.find('|');
     const std::string suffix = bar == std::string::npos ? "" : path.substr(bar);
-    return counted_from(path.substr(0, bar), directory) + suffix;
+    return place(path.substr(0, bar)) + suffix;
+}
+
+}  // namespace
+
+std::string absolute_path(const std::string& path, const std::string& directory) {
+    return replaced(path, [&](const std::string& part) { return counted_from(part, directory); });
+}
+
+std::string relative_path(const std::string& path, const std::string& directory) {
+    return replaced(path, [&](const std::string& part) {
+        if (part.rfind('/', 0) != 0 || part.rfind("/vsi", 0) == 0) return part;
+        namespace fs = std::filesystem;
+        std::error_code error;
+        const fs::path base = fs::absolute(directory).lexically_normal();
+        const fs::path relative = fs::path(part).lexically_relative(base);
+        const fs::path there = fs::weakly_canonical(base / relative, error), here = fs::weakly_canonical(part, error);
+        return relative.empty() || error || there != here ? part : relative.string();
+    });
+}
+
+std::string plain_file(const std::string& path) {
+    if (archive_prefix(path) > 0) return "";
+    std::string file;
+    replaced(path, [&](const std::string& part) { return file = part; });
+    return file.rfind("/vsi", 0) == 0 ? "" : file;
 }
 
 }  // namespace frana

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -15,19 +16,7 @@
 
 namespace frana::declare {
 
-struct Range {
-    double lowest = 0;
-    double highest = 0;
-    bool lowest_excluded = false;
-
-    [[nodiscard]] bool has(double value) const {
-        return (lowest_excluded ? value > lowest : value >= lowest) && value <= highest;
-    }
-    [[nodiscard]] std::string text() const {
-        return (lowest_excluded ? "greater than " : "") + shortest_text(lowest) +
-               (lowest_excluded ? ", at most " : " to ") + shortest_text(highest);
-    }
-};
+using Range = NumberRange;
 
 template <class T>
 struct is_optional : std::false_type {};
@@ -84,6 +73,7 @@ Parameter number(const std::string& name, Member member, const std::string& unit
         [](double value) { return shortest_text(value); });
     result.unit = unit;
     result.limits = range.text();
+    result.range = range;
     result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;
     result.absent = absent;
@@ -102,6 +92,7 @@ Parameter on_off(const std::string& name, Member member, const std::string& mean
         },
         [](bool value) { return std::string(value ? "on" : "off"); });
     result.limits = "on, off";
+    result.choices = {"on", "off"};
     result.meaning = meaning;
     result.absent = absent;
     return result;
@@ -123,6 +114,7 @@ Parameter choice(const std::string& name, Member member, const std::vector<std::
         },
         [](const std::string& value) { return value; });
     result.limits = joined(choices, ", ");
+    result.choices = choices;
     if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
     result.meaning = meaning;
     return result;
@@ -151,6 +143,7 @@ Parameter option(const std::string& name, Member member, const Words<Value>& wor
     std::vector<std::string> choices;
     for (const auto& pair : words) choices.push_back(pair.first);
     result.limits = joined(choices, ", ");
+    result.choices = choices;
     result.meaning = meaning;
     return result;
 }
@@ -199,8 +192,13 @@ Parameter source(const std::string& name, Member member, const std::string& unit
     const auto allowed = [kinds](Kind kind) { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); };
     std::vector<std::string> forms;
     if (allowed(Kind::number)) forms.push_back("a number");
-    if (allowed(Kind::attribute)) forms.push_back("attribute:NAME");
-    if (allowed(Kind::raster)) forms.push_back("raster:FILE");
+    std::vector<std::string> beginnings;
+    for (const auto& [kind, beginning, rest] :
+         {std::tuple(Kind::attribute, "attribute:", "NAME"), std::tuple(Kind::raster, "raster:", "FILE")}) {
+        if (!allowed(kind)) continue;
+        forms.push_back(std::string(beginning) + rest);
+        beginnings.emplace_back(beginning);
+    }
     Parameter result = parameter(
         name, "text", member,
         [range, allowed](auto& target, const std::string& text) -> std::optional<ValueProblem> {
@@ -213,6 +211,8 @@ Parameter source(const std::string& name, Member member, const std::string& unit
         [](const SourceSpec& value) { return text_of(value); });
     result.unit = unit;
     result.limits = joined(forms, ", ") + "; values " + range.text();
+    result.forms = beginnings;
+    if (allowed(Kind::number)) result.range = range;
     result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;
     result.absent = absent;
@@ -249,6 +249,7 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
     std::vector<std::string> all = alone;
     all.insert(all.end(), words.begin(), words.end());
     result.limits = joined(all, ", ");
+    result.choices = all;
     result.meaning = meaning;
     return result;
 }

@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/words/words.h"
+
 namespace frana {
 namespace {
 
-using Words = std::vector<std::string>;
+using Texts = std::vector<std::string>;
 
-bool contains(const Words& list, const std::string& word) {
+bool contains(const Texts& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-Words operator+(Words a, const Words& b) {
+Texts operator+(Texts a, const Texts& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
 }
@@ -26,74 +28,74 @@ std::string quantity_of(const std::string& key) {
 std::vector<Law> table_of_laws() {
     using enum LawKind;
     // Keys that several laws read, and resistances of several laws.
-    const Words friction{"material.friction-angle", "material.friction-coefficient"};
-    const Words pore_pressure{"material.pore-pressure-ratio", "material.pore-dissipation-time"};
-    const Words yield{"material.yield-stress"}, viscous{"material.yield-stress", "material.viscosity"};
+    const Texts friction{"material.friction-angle", "material.friction-coefficient"};
+    const Texts pore_pressure{"material.pore-pressure-ratio", "material.pore-dissipation-time"};
+    const Texts yield{"material.yield-stress"}, viscous{"material.yield-stress", "material.viscosity"};
     const std::string solid = "friction of the solid", fluid = "resistance of the fluid";
     return {{.word = "coulomb",
-             .sentence = "Coulomb bed friction",
-             .reads = friction + pore_pressure + Words{"material.surface-pressure"},
+             .sentence = worded("Coulomb bed friction"),
+             .reads = friction + pore_pressure + Texts{"material.surface-pressure"},
              .resists_alike = {solid},
              .resists_with_friction = true},
-            {.word = "turbulence", .sentence = "turbulent bed friction", .reads = {"material.turbulence"}},
-            {.word = "cohesion", .sentence = "cohesion at the bed", .needs = {"material.cohesion"}},
+            {.word = "turbulence", .sentence = worded("turbulent bed friction"), .reads = {"material.turbulence"}},
+            {.word = "cohesion", .sentence = worded("cohesion at the bed"), .needs = {"material.cohesion"}},
             // Resists with (1 - mu) N_0, which decreases with mu.
             {.word = "ramms-yield",
-             .sentence = "RAMMS yield term",
+             .sentence = worded("RAMMS yield term"),
              .reads = friction,
              .needs = {"material.ramms-yield-stress"},
              .greatest_friction = 1},
             {.word = "bingham",
-             .sentence = "Bingham bed resistance",
-             .reads = yield + Words{"material.yield-ratio"},
+             .sentence = worded("Bingham bed resistance"),
+             .reads = yield + Texts{"material.yield-ratio"},
              .needs = {"material.viscosity"},
              .resists_alike = {fluid}},
             {.word = "herschel-bulkley",
-             .sentence = "Herschel-Bulkley bed resistance",
+             .sentence = worded("Herschel-Bulkley bed resistance"),
              .reads = yield,
              .needs = {"material.consistency", "material.flow-index"},
              .resists_alike = {fluid}},
             {.word = "obrien-julien",
-             .sentence = "O'Brien-Julien bed resistance",
-             .reads = viscous + Words{"material.manning", "material.laminar-resistance"},
+             .sentence = worded("O'Brien-Julien bed resistance"),
+             .reads = viscous + Texts{"material.manning", "material.laminar-resistance"},
              .resists_alike = {fluid}},
-            {.word = "manning", .sentence = "Manning bed resistance", .needs = {"material.manning"}},
-            {.word = "chezy", .sentence = "Chezy bed resistance", .needs = {"material.chezy"}},
+            {.word = "manning", .sentence = worded("Manning bed resistance"), .needs = {"material.manning"}},
+            {.word = "chezy", .sentence = worded("Chezy bed resistance"), .needs = {"material.chezy"}},
             // mu(I) is at least its value at rest.
             {.word = "pouliquen-forterre",
-             .sentence = "Pouliquen-Forterre bed friction",
-             .reads = friction + pore_pressure + Words{"material.friction-beta"},
+             .sentence = worded("Pouliquen-Forterre bed friction"),
+             .reads = friction + pore_pressure + Texts{"material.friction-beta"},
              .needs = {"material.fast-friction-angle", "material.friction-length"},
              .resists_alike = {solid, fluid},
              .resists_with_friction = true},
             {.word = "bingham",
              .kind = in_plane_stress,
-             .sentence = "in-plane viscosity",
-             .yield_sentence = "in-plane yield stress",
-             .reads = viscous + Words{"material.yield-regularisation", "material.yield-ratio"}},
+             .sentence = worded("in-plane viscosity"),
+             .yield_sentence = worded("in-plane yield stress"),
+             .reads = viscous + Texts{"material.yield-regularisation", "material.yield-ratio"}},
             {.word = "earth-pressure",
              .kind = in_plane_stress,
-             .sentence = "earth pressure",
+             .sentence = worded("earth pressure"),
              .reads = friction,
              .needs = {"material.internal-friction-angle"}},
             {.word = "shear-stress",
              .kind = erosion,
-             .sentence = "erosion by excess shear stress",
+             .sentence = worded("erosion by excess shear stress"),
              .reads = {"entrainment.erosion-rate", "entrainment.critical-shear-stress",
                        "entrainment.erosion-depth-per-stress"},
              .needs = {"entrainment.erodible-depth"}},
             {.word = "growth",
              .kind = erosion,
-             .sentence = "erosion by exponential growth",
+             .sentence = worded("erosion by exponential growth"),
              .needs = {"entrainment.erodible-depth", "entrainment.growth-rate"}},
             {.word = "mechanical",
              .kind = erosion,
-             .sentence = "mechanical erosion",
+             .sentence = worded("mechanical erosion"),
              .reads = {"entrainment.bed-cohesion", "entrainment.bed-pore-pressure-ratio", "entrainment.velocity-ratio"},
              .needs = {"entrainment.erodible-depth", "entrainment.bed-friction-angle"}},
             {.word = "on",
              .kind = deposition,
-             .sentence = "deposition under a critical shear stress",
+             .sentence = worded("deposition under a critical shear stress"),
              .needs = {"entrainment.deposition-rate", "entrainment.deposition-shear-stress"}}};
 }
 
@@ -130,7 +132,7 @@ const Law& find_law(LawKind kind, const std::string& word) {
 std::vector<const Law*> laws_of(const SceneSpec& scene) {
     std::vector<const Law*> some;
     if (scene.material.model == "structured") return some;
-    const Words terms = bed_friction_terms(scene.material);
+    const Texts terms = bed_friction_terms(scene.material);
     for (const Law& law : laws()) {
         const bool selected = (law.kind == LawKind::bed_friction && contains(terms, law.word)) ||
                               (law.kind == LawKind::in_plane_stress && law.word == in_plane_stress(scene.material)) ||
@@ -164,23 +166,23 @@ std::string selected_by(const std::vector<const Law*>& some) {
     return text;
 }
 
-Words law_keys() {
-    Words keys;
+Texts law_keys() {
+    Texts keys;
     for (const Law& law : laws())
         for (const std::string& key : law.reads + law.needs)
             if (!contains(keys, key)) keys.push_back(key);
     return keys;
 }
 
-Words law_words(const std::string& first, LawKind kind, const Words& last) {
-    Words words{first};
+Texts law_words(const std::string& first, LawKind kind, const Texts& last) {
+    Texts words{first};
     for (const Law& law : laws())
         if (law.kind == kind) words.push_back(law.word);
     return words + last;
 }
 
-Words bed_friction_terms(const MaterialSpec& material) {
-    Words terms;
+Texts bed_friction_terms(const MaterialSpec& material) {
+    Texts terms;
     const auto add = [&](const std::string& word) {
         if (!contains(terms, word)) terms.push_back(word);
     };

@@ -18,6 +18,7 @@ Parameter turbulence_parameter() {
     Parameter result = number("material.turbulence", FRANA_MEMBER(material.turbulence), "m/s2", Range{0, 1e9, true},
                               "Voellmy turbulence coefficient xi; off: friction alone.", "off");
     result.limits += ", or off";
+    result.choices = {"off"};
     const auto read_number = result.read;
     result.read = [read_number](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
         if (value != "off") return read_number(scene, value);

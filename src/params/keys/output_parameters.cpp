@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/output_parameters.h"
 
+#include <limits>
+
 #include "params/keys/declare.h"
 
 namespace frana {
@@ -39,6 +41,7 @@ Parameter rising_numbers(const std::string& name, Member member, const std::stri
         });
     result.unit = unit;
     result.limits = "rising numbers greater than 0";
+    result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
     result.meaning = meaning;
     result.absent = "none";
     return result;
@@ -56,6 +59,7 @@ Parameter scheme_parameter() {
         },
         [](const std::string& value) { return value; });
     result.limits = joined(schemes, ", ");
+    result.choices = schemes;
     result.meaning = "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.";
     result.absent = "no classes";
     return result;

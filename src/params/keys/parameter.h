@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/shortest_text.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -19,16 +20,34 @@ struct ValueProblem {
 /// Maps a path to another.
 using FileMap = std::function<std::string(const std::string&)>;
 
+/// Limits of a number.
+struct NumberRange {
+    double lowest = 0;
+    double highest = 0;
+    bool lowest_excluded = false;
+
+    [[nodiscard]] bool has(double value) const {
+        return (lowest_excluded ? value > lowest : value >= lowest) && value <= highest;
+    }
+    [[nodiscard]] std::string text() const {
+        return (lowest_excluded ? "greater than " : "") + shortest_text(lowest) +
+               (lowest_excluded ? ", at most " : " to ") + shortest_text(highest);
+    }
+};
+
 /// One key of a scene file. Declared once, in scene_parameters.cpp; the parser, --set, `frana params`, the echo and
 /// every message about the key are generated from it.
 struct Parameter {
     std::string section;
     std::string key;
-    std::string type;     ///< "number", "integer", "on | off", "choice", "file", "folder", "text", "list"
-    std::string unit;     ///< empty: none
-    std::string limits;   ///< allowed values, for messages
-    std::string absent;   ///< the effect if the key is not given and has no fixed default
-    std::string meaning;  ///< one sentence
+    std::string type;    ///< "number", "integer", "on | off", "choice", "file", "folder", "text", "list"
+    std::string unit;    ///< empty: none
+    std::string limits;  ///< allowed values, for messages
+    std::vector<std::string> choices{};  ///< words that are accepted, of a list: for each item
+    std::vector<std::string> forms{};    ///< beginnings of other texts that are accepted: "attribute:"
+    std::optional<NumberRange> range{};  ///< of a number that is accepted, of a list: of each item
+    std::string absent;                  ///< the effect if the key is not given and has no fixed default
+    std::string meaning;                 ///< one sentence
     std::string content;  ///< of a file: "raster", "polygons", "lines", "points", "lines or points", "raster or
                           ///< polygons", "table"
     std::function<std::optional<ValueProblem>(SceneSpec&, const std::string&)> read;

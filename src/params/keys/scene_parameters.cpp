@@ -35,6 +35,7 @@ Parameter particles_per_cell_parameter() {
         },
         [](std::int64_t value) { return std::to_string(value); });
     result.limits = "1, 4, 9, 16";
+    result.choices = {"1", "4", "9", "16"};
     result.meaning = "Particles per cell of the release at the start.";
     return result;
 }
@@ -57,6 +58,7 @@ Parameter accuracy_parameter() {
         },
         [](double value) { return shortest_text(value); });
     result.limits = "0.1 % to 100 %, or 0.001 to 1";
+    result.range = k_range;
     result.fits = [k_range](double value) { return k_range.has(value); };
     result.meaning =
         "Error allowed by estimate for area, run-out, greatest depth and speed, gauges and cross-sections, as a "
@@ -175,6 +177,7 @@ void add_scene(std::vector<Parameter>& list) {
         },
         [](std::int64_t value) { return std::to_string(value); });
     format.limits = "1 to " + std::to_string(k_scene_format);
+    format.range = NumberRange{1, static_cast<double>(k_scene_format)};
     format.meaning = "Format of the file, written into a result's scene.ini.";
     list.push_back(format);
 }

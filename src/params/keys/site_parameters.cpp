@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/site_parameters.h"
 
+#include <limits>
+
 #include "params/keys/zone_keys.h"
 
 namespace frana {
@@ -22,6 +24,7 @@ Parameter bounds_parameter() {
              "Part of the DTM to compute on: west south east north in the working CRS.", "the whole DTM");
     result.unit = "m";
     result.limits = "four numbers, west < east and south < north";
+    result.range = NumberRange{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
     result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
         std::vector<double> numbers;
         for (const std::string& word : words_of(value)) {
@@ -62,6 +65,9 @@ Parameter thickness_parameter() {
     result.limits =
         "a number greater than 0, attribute:NAME, raster:FILE, difference:PRE,POST, slip-surface:FILE, "
         "slip-surface, phases:SOLIDS,FLUID";
+    result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
+    result.choices = {"slip-surface"};
+    result.forms = {"attribute:", "raster:", "difference:", "slip-surface:", "phases:"};
     result.meaning =
         "Thickness of the release: one number, a column of the perimeter, a raster, a DTM before minus one after, the "
         "DTM minus a raster of the slip surface's elevation, or minus one fitted to each polygon; structured model: "
@@ -100,6 +106,7 @@ Parameter error_parameter() {
                    std::to_string(error.seed);
         });
     result.unit = "m";
+    result.range = NumberRange{0, std::numeric_limits<double>::max()};
     result.limits = "standard deviation " + k_deviation.text() + ", range " + k_range.text() + ", seed from 0";
     result.meaning =
         "Error added to the elevations of the DTM: a normal random field with this standard deviation, whose "
@@ -133,6 +140,9 @@ void add_terrain(std::vector<Parameter>& list) {
                           {"automatic", "nearest", "bilinear", "cubic", "average"},
                           "Resampling of the DTM to the working grid; automatic: copied if the cells coincide, "
                           "averaged to coarser cells, bilinear to finer ones."));
+    list.push_back(text("terrain.source", FRANA_MEMBER(terrain.source), "text",
+                        "Source of the elevations, named on maps: survey, owner, date, licence.",
+                        "the DTM's file name"));
     list.push_back(on_map(
         holds("polygons",
               text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",

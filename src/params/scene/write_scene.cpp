@@ -2,6 +2,7 @@
 #include "params/scene/write_scene.h"
 
 #include "core/utf8.h"
+#include "core/words/words.h"
 #include "params/keys/model_keys.h"
 #include "params/keys/scene_parameters.h"
 
@@ -10,15 +11,15 @@ namespace frana {
 std::string describe(Origin origin) {
     switch (origin) {
         case Origin::preset:
-            return "preset";
+            return worded("preset");
         case Origin::scene_file:
-            return "scene file";
+            return worded("scene file");
         case Origin::command_line:
-            return "command line";
+            return worded("command line");
         case Origin::default_value:
             break;
     }
-    return "default";
+    return worded("default");
 }
 
 std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::string>& resolved) {

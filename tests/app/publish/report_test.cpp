@@ -1,64 +1,148 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <set>
+
+#include "app/publish/html_page.h"
+#include "app/store/manifest.h"
 #include "params/keys/scene_parameters.h"
+#include "support/html_check.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
 namespace {
 
-std::size_t count(const std::string& text, const std::string& word) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
-    return n;
-}
+namespace fs = std::filesystem;
 
-using Report = TinyScene;
+class Report : public TinyScene {
+  protected:
+    [[nodiscard]] std::string page_of(const std::string& result = "result") const {
+        return read_text(path(result + "/report.html"));
+    }
+    void expect_well_formed(const std::string& page) const {
+        for (const std::string& problem : html_problems(page)) ADD_FAILURE() << problem;
+    }
+    void write_scar() const { write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}}); }
+};
 
 TEST_F(Report, ContainsEverythingInOneFile) {
-    write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    write_scar();
     write_scene(
         "frame-interval = 1\n[output]\nanimation = off\nmap-size = 800x600\nmaps = max_depth, max_velocity\n"
         "title = Slope <5> & \"more\"\n[hazard]\nscheme = swiss-flood\n[scar]\nperimeter = scar.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "numerics.cfl=0.4"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const std::string page = read_text(path("result/report.html"));
-    EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
+    const std::string page = page_of();
+    expect_well_formed(page);
     EXPECT_NE(page.find("<h1>Slope &lt;5&gt; &amp; &quot;more&quot;</h1>"), std::string::npos);
-    // Self-contained: pictures inside, nothing fetched.
-    EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 4U) << "intensity, two maps and the comparison";
-    EXPECT_EQ(count(page, "src="), 4U);
-    EXPECT_EQ(count(page, "href="), 0U);
-    EXPECT_EQ(count(page, "<script"), 0U);
-    EXPECT_EQ(count(page, "url("), 0U);
+    EXPECT_EQ(count_of(page, "src=\"data:image/"), 4U) << "intensity, two maps and the comparison";
+    EXPECT_EQ(count_of(page, "src="), 4U);
+    EXPECT_EQ(count_of(page, "url("), 0U);
     EXPECT_NE(page.find("@media print"), std::string::npos);
+    for (const std::string words : {"EPSG:32632", "dtm.asc", "perimeter.geojson", "scar.geojson", "Mass budget",
+                                    "still moving", "Jaccard index", "High intensity", "Depths clamped"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    EXPECT_NE(page.find("alt=\"Map. Maximum depth: at most "), std::string::npos);
+}
+
+// The answer comes first, then maps, then inputs, then the keys that were used; all keys are folded.
+TEST_F(Report, HasTheAnswerFirstAndOnlyTheKeysUsed) {
+    write_scene("[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, max_velocity\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "numerics.cfl=0.4"}).exit_code, 0);
+    const std::string page = page_of();
+    std::size_t before = 0;
+    for (const std::string id : {"answer", "maps", "series", "values", "inputs", "parameters"}) {
+        const std::size_t at = page.find("<h2 id=\"" + id + "\"");
+        ASSERT_NE(at, std::string::npos) << id;
+        EXPECT_GT(at, before) << id;
+        before = at;
+    }
+    EXPECT_LT(page.find("<img "), page.find("<h2 id=\"maps\"")) << "the main map is on the first page";
+    const std::size_t folded = page.find("<details>");
+    const std::string used = page.substr(before, folded - before), all = page.substr(folded);
     for (const Parameter& parameter : scene_parameters())
-        EXPECT_NE(page.find("<td>" + parameter.name() + "</td>"), std::string::npos) << parameter.name();
-    EXPECT_NE(page.find("<tr class=\"given\"><td>numerics.cfl</td><td>0.4</td><td></td><td>command line</td>"),
+        EXPECT_NE(all.find("<td>" + parameter.name() + "</td>"), std::string::npos) << parameter.name();
+    EXPECT_NE(used.find("<tr class=\"given\"><td>numerics.cfl</td><td>0.4</td><td></td><td>command line</td>"),
               std::string::npos);
-    EXPECT_NE(page.find("<tr class=\"given\"><td>material.friction-angle</td><td>15</td><td>degrees</td><td>scene "
+    EXPECT_NE(used.find("<tr class=\"given\"><td>material.friction-angle</td><td>15</td><td>degrees</td><td>scene "
                         "file</td>"),
               std::string::npos);
-    EXPECT_NE(page.find("<tr><td>material.density</td><td>2000</td><td>kg/m3</td><td>default</td>"), std::string::npos);
-    for (const std::string words : {"EPSG:32632", "dtm.asc", "perimeter.geojson", "scar.geojson", "Mass budget",
-                                    "still moves", "Jaccard index", "High intensity", "Depths clamped"})
-        EXPECT_NE(page.find(words), std::string::npos) << words;
-    // Every table and paragraph that is opened is closed.
-    for (const std::string tag : {"table", "tr", "td", "svg", "figure", "h2", "p"})
-        EXPECT_EQ(count(page, "<" + tag + ">") + count(page, "<" + tag + " "), count(page, "</" + tag + ">")) << tag;
+    EXPECT_NE(used.find("<tr><td>material.density</td><td>2000</td><td>kg/m3</td><td>default</td>"), std::string::npos);
+    EXPECT_NE(used.find("<td>numerics.gravity</td>"), std::string::npos);
+    for (const std::string key : {"structured.young-modulus", "material.chezy", "entrainment.growth-rate",
+                                  "zones.beyond-dtm", "output.map-legend", "output.depth-thresholds"})
+        EXPECT_EQ(used.find("<td>" + key + "</td>"), std::string::npos) << key;
+    // Sentences, with the origin of the friction.
+    EXPECT_NE(page.find("friction angle 15° (μ = 0.268) (scene file)"), std::string::npos);
+    EXPECT_NE(page.find("density 2000\u00A0kg/m³ (default)"), std::string::npos);
+    EXPECT_NE(page.find("there is no estimate of the error"), std::string::npos);
+    EXPECT_NE(page.find("Not compared with an observed outline"), std::string::npos);
+}
+
+// A value has the estimate that there is, and says so where there is none.
+TEST_F(Report, HasTheEstimateOfTheError) {
+    write_scene(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "plain", "--quiet"}).exit_code, 0);
+    EXPECT_NE(page_of("plain").find("<td class=\"soft\">no estimate</td>"), std::string::npos);
+    EXPECT_EQ(page_of("plain").find("<td class=\"soft\">± "), std::string::npos);
+    ASSERT_EQ(frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"}).exit_code, 0);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const std::string page = page_of(), study = read_text(path("result-convergence/convergence.json"));
+    const double error = json_number(study, "runout_m.estimated_error");
+    char text[40];
+    std::snprintf(text, sizeof text, "<td class=\"soft\">± %.2g", error);
+    const std::size_t row = page.find("<td>Run-out, in map view</td>");
+    ASSERT_NE(row, std::string::npos);
+    const std::size_t cell = page.find(text, row);
+    ASSERT_NE(cell, std::string::npos) << text;
+    EXPECT_LT(cell, page.find("</tr>", row));
+    EXPECT_NE(page.find("the error from their size is estimated"), std::string::npos);
+}
+
+// Gauges side by side are told apart without colours: no two curves of a chart have the same stroke and marker.
+TEST_F(Report, DrawsCurvesThatDifferWithoutColour) {
+    std::string points;
+    for (int i = 0; i < 10; ++i)
+        points += std::string(i == 0 ? "" : ",") + R"({"type":"Feature","properties":{"name":"g)" + std::to_string(i) +
+                  R"("},"geometry":{"type":"Point","coordinates":[)" + std::to_string(527060 + 8 * i) + ",5094075]}}";
+    write("gauges.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:32632"}},"features":[)" +
+              points + "]}");
+    write_scene("[output]\nanimation = off\ncharts = off\nmaps = off\nframes = off\ngauges = gauges.geojson\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const std::string page = page_of();
+    expect_well_formed(page);
+    std::size_t charts = 0;
+    for (std::size_t at = page.find("aria-label=\"Curves"); at != std::string::npos;
+         at = page.find("aria-label=\"Curves", at + 1)) {
+        const std::string chart = page.substr(at, page.find("</svg>", at) - at);
+        ++charts;
+        std::set<std::string> dashes;
+        for (std::size_t dash = chart.find("stroke-dasharray=\""); dash != std::string::npos;
+             dash = chart.find("stroke-dasharray=\"", dash + 1))
+            dashes.insert(chart.substr(dash, chart.find('"', dash + 18) - dash));
+        if (charts == 1) {  // eight curves: three dashed kinds, and again with markers
+            EXPECT_EQ(dashes.size(), 3U);
+            EXPECT_GE(count_of(chart, "<polygon"), 4U);
+        }
+    }
+    EXPECT_EQ(charts, 2U) << "ten gauges in two charts";
+    EXPECT_NE(page.find("First arrival at gauges:"), std::string::npos);
+    EXPECT_NE(page.find("<td>g9</td>"), std::string::npos);
 }
 
 // A browser displays PNG: pictures in other formats are also drawn for the page.
 TEST_F(Report, ShowsPicturesRequestedInOtherFormats) {
-    write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    write_scar();
     write_scene(
         "[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, "
         "max_depth_3d\nmap-formats = pdf\n"
         "[scar]\nperimeter = scar.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const std::string page = read_text(path("result/report.html"));
-    for (const std::string name : {"max_depth", "max_depth_3d", "comparison"})
-        EXPECT_EQ(count(page, "<img alt=\"" + name + "\" src=\"data:image/png;base64,iVBORw0KGgo"), 1U) << name;
-    EXPECT_EQ(page.find("No map could be drawn"), std::string::npos);
+    EXPECT_EQ(count_of(page_of(), "src=\"data:image/"), 3U);
+    EXPECT_EQ(page_of().find("No map could be drawn"), std::string::npos);
+    ASSERT_EQ(frana({"compare", "result", "--observed", "scar.geojson"}).exit_code, 0);
+    EXPECT_EQ(count_of(page_of(), "src=\"data:image/"), 3U) << "the comparison's map is drawn for the page";
     for (const std::string& name : files()) {
         EXPECT_FALSE(name.ends_with(".png")) << name;
         EXPECT_EQ(name.find("report_pictures"), std::string::npos) << name;
@@ -68,10 +152,90 @@ TEST_F(Report, ShowsPicturesRequestedInOtherFormats) {
 TEST_F(Report, IsWrittenOnlyOnRequest) {
     write_scene(k_numbers_only + "report = off\n");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
-    EXPECT_FALSE(std::filesystem::exists(path("result/report.html")));
+    EXPECT_FALSE(fs::exists(path("result/report.html")));
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "other", "--quiet"}).exit_code, 0);
-    EXPECT_NE(read_text(path("other/report.html")).find("The scene asks for no maps."), std::string::npos);
+    EXPECT_NE(page_of("other").find("The scene asks for no maps."), std::string::npos);
+}
+
+TEST_F(Report, IsRenewedByCompare) {
+    write_scar();
+    write_scene("[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth\nframes = off\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const std::string before = page_of();
+    EXPECT_EQ(before.find("<h2 id=\"comparison\""), std::string::npos);
+    const std::vector<std::string> report{path("result/report.html")};
+    ASSERT_EQ(frana({"compare", "result", "--observed", "scar.geojson"}).exit_code, 0);
+    const std::string after = page_of();
+    expect_well_formed(after);
+    EXPECT_EQ(count_of(after, "<h2 id=\"comparison\""), 1U);
+    EXPECT_EQ(count_of(after, "src=\"data:image/"), count_of(before, "src=\"data:image/") + 1);
+    EXPECT_EQ(after.find("Not compared"), std::string::npos);
+    EXPECT_NE(after.find("Of the observed area "), std::string::npos);
+    EXPECT_TRUE(app::changed_files(report).empty()) << "the manifest has the new page";
+    // The same run with the survey in its scene says the same.
+    write("with.ini", read_text(path("scene.ini")) + "[observed]\nperimeter = scar.geojson\n");
+    ASSERT_EQ(frana({"run", "with.ini", "--out", "with", "--quiet"}).exit_code, 0);
+    const auto section = [](const std::string& page) {
+        const std::size_t at = page.find("<!--part comparison-->");
+        return page.substr(at, page.find("<!--end of comparison-->") - at);
+    };
+    EXPECT_EQ(count_of(section(page_of("with")), "<tr>"), count_of(section(after), "<tr>"));
+    // Again: replaced, not added. A page that the user changed is kept.
+    write("result/report.html", after + "<!-- mine -->\n");
+    ASSERT_EQ(frana({"compare", "result", "--observed", "scar.geojson", "--threshold", "0.5"}).exit_code, 0);
+    EXPECT_EQ(count_of(page_of(), "<h2 id=\"comparison\""), 1U);
+    EXPECT_NE(page_of(), after);
+    EXPECT_NE(read_text(path("result/report.kept-1.html")).find("<!-- mine -->"), std::string::npos);
+    EXPECT_TRUE(app::changed_files(report).empty());
+    // One of an older frana stays, with a word.
+    write("result/report.html", "<!DOCTYPE html>\n<html lang=\"en\"></html>\n");
+    const Outcome outcome = frana({"compare", "result", "--observed", "scar.geojson"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("report.html is of an older frana"), std::string::npos) << outcome.err;
+    EXPECT_EQ(page_of(), "<!DOCTYPE html>\n<html lang=\"en\"></html>\n");
+}
+
+// Large maps are as good as paper needs.
+TEST_F(Report, StaysSmallWithLargeMaps) {
+    write_scene(
+        "[output]\nanimation = off\ncharts = off\nframes = off\nmap-size = 3600x2700\nmaps = max_depth, max_velocity, "
+        "max_depth_3d\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_LT(fs::file_size(path("result/report.html")), 4'000'000U);
+    EXPECT_EQ(count_of(page_of(), "width=\"1600\" height=\"1200\" src=\"data:image/jpeg"), 3U);
+}
+
+TEST_F(Report, SpeaksTheLanguageOfTheScene) {
+    write_scar();
+    for (const auto& [language, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+             {"it", {"Scenario e risposta", "angolo di attrito 15°", "Rispetto al rilievo."}},
+             {"de", {"Szenario und Antwort", "Reibungswinkel 15°", "Gegen die Aufnahme."}},
+             {"fr", {"Scénario et réponse", "angle de frottement 15°", "Par rapport au relevé."}},
+             {"es", {"Escenario y respuesta", "ángulo de fricción 15°", "Frente al levantamiento."}}}) {
+        write_scene(k_numbers_only + "language = " + language + "\n[observed]\nperimeter = scar.geojson\n");
+        ASSERT_EQ(frana({"run", "scene.ini", "--out", language, "--quiet"}).exit_code, 0);
+        const std::string page = page_of(language);
+        expect_well_formed(page);
+        EXPECT_NE(page.find("<html lang=\"" + language + "\">"), std::string::npos);
+        for (const std::string& word : words) EXPECT_NE(page.find(word), std::string::npos) << word;
+        EXPECT_EQ(page.find("What fails."), std::string::npos);
+        EXPECT_EQ(page.find("Keys used"), std::string::npos);
+        // Also what compare puts into it.
+        ASSERT_EQ(frana({"compare", language, "--observed", "scar.geojson"}).exit_code, 0);
+        EXPECT_NE(page_of(language).find(words[2]), std::string::npos);
+        EXPECT_EQ(page_of(language).find("Of the observed area"), std::string::npos);
+    }
+}
+
+TEST(PagePart, IsReplacedWhereItIs) {
+    const std::string page = "a" + app::page_part("one", "x") + "b" + app::page_part("two", "y") + "c";
+    const auto changed = app::with_part(page, "two", "z");
+    ASSERT_TRUE(changed);
+    EXPECT_EQ(*changed, "a" + app::page_part("one", "x") + "b" + app::page_part("two", "z") + "c");
+    EXPECT_FALSE(app::with_part(page, "three", "z"));
+    EXPECT_FALSE(app::with_part(app::page_part("one", "x").substr(0, 20), "one", "z"));
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "core/raster.h"
 #include "render/map/plate.h"
@@ -106,6 +109,31 @@ TEST(Plate, GrowsIfPartsWouldBeTooSmallToDraw) {
     EXPECT_EQ(least_height, 360);
     EXPECT_EQ(page.width, 960);
     EXPECT_GT(page.height, 720);
+}
+
+// Without its colour: stroke and marker.
+TEST(LineChart, CurvesLookApartInGrey) {
+    std::set<std::pair<Stroke, int>> looks;
+    for (std::size_t i = 0; i < 20; ++i) {
+        ChartSeries curve;
+        look_apart(curve, i);
+        looks.insert({curve.stroke, curve.marker ? static_cast<int>(*curve.marker) : -1});
+        EXPECT_EQ(curve.marker.has_value(), curve.marker_gap_px > 0) << "a curve of many points is not a smear";
+    }
+    EXPECT_EQ(looks.size(), 20U);
+}
+
+TEST(LineChart, MarkersOfACurveOfManyPointsAreFew) {
+    Chart content{"", "", "", 1, {}};
+    ChartSeries curve;
+    for (int i = 0; i <= 2000; ++i) curve.points.push_back({static_cast<double>(i), 0});
+    look_apart(curve, 4);
+    content.panels = {{"", "x", "y", {curve}, {-1, 1}}};
+    const std::string svg = chart_svg(content, 1600, 1200);
+    std::size_t markers = 0;
+    for (std::size_t at = svg.find("<polygon"); at != std::string::npos; at = svg.find("<polygon", at + 1)) ++markers;
+    EXPECT_GE(markers, 4U);
+    EXPECT_LE(markers, 12U);
 }
 
 }  // namespace

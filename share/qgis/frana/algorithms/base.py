@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What all algorithms share."""
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingParameterBoolean,
+                       QgsProcessingParameterDefinition, QgsProcessingParameterFolderDestination,
+                       QgsProcessingParameterNumber)
+from qgis.PyQt.QtGui import QIcon
+
+from ..fields import Values
+from ..inputs import inputs_folder
+from ..program import Program
+
+_ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "icon.svg")
+
+
+class FranaAlgorithm(QgsProcessingAlgorithm):
+    """One command of the program."""
+
+    COMMAND = ""  # of the program; empty: needs none
+    NAME = ""  # frana:NAME
+    TITLE = ""
+    GROUP = ""
+    HELP = ""
+    TAGS: tuple[str, ...] = ()
+    # What the program calls a field of the dialogue in its messages.
+    NAMES = {"--out": "Folder of the result", "--threads": "Threads"}
+
+    def __init__(self, program: Program) -> None:
+        super().__init__()
+        self.program = program
+
+    def createInstance(self) -> "FranaAlgorithm":  # noqa: N802
+        return type(self)(self.program)
+
+    def name(self) -> str:
+        return self.NAME
+
+    def displayName(self) -> str:  # noqa: N802
+        return self.TITLE
+
+    def group(self) -> str:
+        return self.GROUP
+
+    def groupId(self) -> str:  # noqa: N802
+        return self.GROUP.lower().replace(" ", "_")
+
+    def shortHelpString(self) -> str:  # noqa: N802
+        return self.HELP
+
+    def tags(self) -> list[str]:
+        return ["frana", "landslide", "run-out", *self.TAGS]
+
+    def icon(self) -> QIcon:
+        return QIcon(_ICON)
+
+    def canExecute(self) -> tuple[bool, str]:  # noqa: N802
+        if os.access(self.program.path, os.X_OK):
+            return True, ""
+        return False, f"The program {self.program.path} is not there any more. Install frana again, or correct its path"
+
+    def values(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Values:
+        return Values(self, parameters, context)
+
+    # Parameters that several algorithms have.
+
+    def add_advanced(self, parameter: QgsProcessingParameterDefinition, text: str) -> None:
+        parameter.setHelp(text)
+        parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+        self.addParameter(parameter)
+
+    def add_threads(self) -> None:
+        self.add_advanced(QgsProcessingParameterNumber("THREADS", "Threads (otherwise all processors)",
+                                                       QgsProcessingParameterNumber.Integer, None, True, 1, 1024),
+                          "Number of threads. The result is the same for any number.")
+
+    def add_result_folder(self, label: str = "Folder of the result") -> None:
+        self.addParameter(QgsProcessingParameterFolderDestination("OUTPUT", label))
+
+    def add_box(self, name: str, label: str, text: str, is_on: bool = False) -> None:
+        parameter = QgsProcessingParameterBoolean(name, label, is_on, True)
+        parameter.setHelp(text)
+        self.addParameter(parameter)
+
+    def add_resume(self) -> None:
+        self.add_box("RESUME", "Resume a stopped run",
+                     "Continues a run that was cancelled or killed, in the same folder and with the same values; the result "
+                     "is that of an undisturbed run, to the bit.")
+
+    def add_overwrite(self) -> None:
+        self.add_box("OVERWRITE", "Replace an existing result",
+                     "Replaces a result of frana in this folder. Files that are not frana's are never removed.")
+
+    def add_load(self) -> None:
+        self.add_box("LOAD", "Load the whole result into the project",
+                     "Adds a group with outlines, maps and frames, with their styles, and sets the temporal controller.", True)
+
+    def options(self, values: Values) -> list[str]:
+        """The words of the command line for THREADS, RESUME and OVERWRITE."""
+        words = ["--threads", str(values.whole("THREADS"))] if values.has("THREADS") else []
+        for name in ("RESUME", "OVERWRITE"):
+            if self.parameterDefinition(name) is not None and values.is_on(name):
+                words.append("--" + name.lower())
+        return words
+
+    @staticmethod
+    def resume_hint(folder: str) -> str:
+        return (f"What was computed so far is in {folder}. To continue, run again with the same values and this folder, and "
+                f"tick “Resume a stopped run”. The inputs are kept in {inputs_folder(folder)}")

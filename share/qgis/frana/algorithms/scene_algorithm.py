@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Algorithms whose dialogue is a scene: the keys as fields, or a scene file, or a file with some keys changed."""
+from __future__ import annotations
+
+import configparser
+import os
+import re
+import tempfile
+from typing import Any
+
+from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback, QgsProcessingParameterFile)
+
+from ..fields import Field, Values, fields_of
+from ..inputs import Given, result_of, settings, write_scene
+from ..messages import problems_of
+from ..process import run_program
+from .base import FranaAlgorithm
+
+
+class SceneAlgorithm(FranaAlgorithm):
+    TAKES_SCENE_FILE = True
+
+    def __init__(self, program) -> None:
+        super().__init__(program)
+        self.fields: list[Field] = fields_of(program.keys, program.presets)
+        self.given: Given | None = None
+
+    def add_scene(self) -> None:
+        """The fields of the keys; those that matter most first, the others under the advanced parameters."""
+        for field in self.fields:
+            if field.key.is_first:
+                self._add(field)
+        if self.TAKES_SCENE_FILE:
+            scene = QgsProcessingParameterFile("SCENE", "Scene file, instead of the fields or to change some of its values",
+                                               QgsProcessingParameterFile.File, "ini", None, True)
+            scene.setHelp("A scene file of frana. Fields that are given replace its values; a box to tick does so where it "
+                          "differs from its default.")
+            self.addParameter(scene)
+        for field in self.fields:
+            if not field.key.is_first:
+                self._add(field)
+
+    def _add(self, field: Field) -> None:
+        for parameter in field.parameters():
+            self.addParameter(parameter)
+
+    def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
+                         feedback: QgsProcessingFeedback) -> bool:
+        # In the main thread, where layers of the project may be read.
+        self.given = Given(self.fields, self.values(parameters, context))
+        return True
+
+    def scene_words(self, values: Values, folder: str, feedback: QgsProcessingFeedback | None = None) -> list[str]:
+        """Writes the inputs into the folder; returns the scene's path and the --set words."""
+        if not self.TAKES_SCENE_FILE or not values.has("SCENE"):
+            return [write_scene(folder, self.given, f"{self.TITLE}, from QGIS", self.scene_name(folder))]
+        words = [os.path.abspath(values.text("SCENE"))]
+        changed = settings(folder, self.given)
+        for name, text in changed:
+            words += ["--set", f"{name}={text}"]
+        if feedback is not None:
+            self._tell_switches(words[0], {name for name, _ in changed}, feedback)
+        return words
+
+    def scene_name(self, folder: str) -> str:
+        """The name of the scene, which its maps show: the result's, or the release layer's if the result is temporary."""
+        result = result_of(folder)
+        if result in ("", "OUTPUT"):
+            result = self.given.name_of("release.perimeter") if self.given else ""
+        return (re.sub(r"[^\w. -]", "_", result).strip(" .") or "scene") + ".ini"
+
+    def _tell_switches(self, scene: str, changed: set[str], feedback: QgsProcessingFeedback) -> None:
+        """Boxes show defaults; the file may say otherwise, and then it counts."""
+        text = configparser.RawConfigParser(strict=False, delimiters=("=",), comment_prefixes=("#",),
+                                            inline_comment_prefixes=("#",))
+        try:
+            text.read(scene, encoding="utf-8")
+        except (OSError, ValueError, configparser.Error):
+            return  # the program says what is wrong with it
+        for field in self.fields:
+            key = field.key
+            if not field.is_switch or key.name in changed or not text.has_option(key.section, key.key):
+                continue
+            value = text.get(key.section, key.key)
+            if value != key.default:
+                feedback.pushInfo(f"{key.title()}: {value}, as in the scene file")
+
+    def checkParameterValues(self, parameters: dict[str, Any],  # noqa: N802
+                             context: QgsProcessingContext) -> tuple[bool, str]:
+        """The program's own check, before anything runs; each problem names its field. QGIS's check, which names a
+        parameter only, comes after it."""
+        values = self.values(parameters, context)
+        try:
+            with tempfile.TemporaryDirectory(prefix="frana_check_") as folder:
+                self.given = Given(self.fields, values)
+                problems = self.problems(values, folder)
+        except QgsProcessingException as error:
+            return False, str(error)
+        finally:
+            self.given = None
+        return (False, "\n".join(problems)) if problems else super().checkParameterValues(parameters, context)
+
+    def problems(self, values: Values, folder: str) -> list[str]:
+        """Of the scene; written into a temporary folder."""
+        words = self.scene_words(values, folder)
+        done = run_program([self.program.path, "check", *words], QgsProcessingFeedback(False))
+        if done.code == 0:
+            return []
+        found = problems_of(done.lines, self.fields, self.NAMES) or [f"frana check ended with exit code {done.code}"]
+        return [problem.replace(folder + os.sep, "") for problem in found]

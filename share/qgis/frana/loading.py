@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A result into the project: a group with everything that the result's own QGIS project shows, its styles, its times."""
+from __future__ import annotations
+
+import os
+
+from qgis.core import (QgsInterval, QgsLayerTreeGroup, QgsLayerTreeLayer, QgsMapLayer, QgsProcessingContext,
+                       QgsProcessingFeedback, QgsProcessingLayerPostProcessorInterface, QgsProject,
+                       QgsTemporalNavigationObject)
+from qgis.PyQt.QtXml import QDomDocument
+
+PROJECT_FILE = "result.qgz"
+_waiting: list[QgsProcessingLayerPostProcessorInterface] = []  # QGIS does not keep them alive
+
+
+class _Processor(QgsProcessingLayerPostProcessorInterface):
+    """Runs in the main thread, when QGIS has added the layer."""
+
+    def __init__(self, folder: str) -> None:
+        super().__init__()
+        self.folder = folder
+
+    def postProcessLayer(self, layer: QgsMapLayer, context: QgsProcessingContext,  # noqa: N802
+                         feedback: QgsProcessingFeedback) -> None:
+        if self in _waiting:
+            _waiting.remove(self)
+        add_result(self.folder, layer, context.project())
+
+
+class _OwnStyle(QgsProcessingLayerPostProcessorInterface):
+    """The style beside the file again, in place of Processing's own for all results."""
+
+    def postProcessLayer(self, layer: QgsMapLayer, context: QgsProcessingContext,  # noqa: N802
+                         feedback: QgsProcessingFeedback) -> None:
+        if self in _waiting:
+            _waiting.remove(self)
+        layer.loadDefaultStyle()
+        layer.triggerRepaint()
+
+
+def load_result(folder: str, first: str, context: QgsProcessingContext) -> None:
+    """Asks QGIS to load `first`, a file of the result, when the algorithm has ended; the whole result follows it."""
+    if not os.path.isfile(os.path.join(folder, PROJECT_FILE)) or not os.path.isfile(first):
+        return
+    load_layer(first, os.path.basename(first), context, _Processor(folder))
+
+
+def load_layer(path: str, name: str, context: QgsProcessingContext,
+               processor: QgsProcessingLayerPostProcessorInterface | None = None) -> None:
+    if context.project() is None:
+        return
+    details = QgsProcessingContext.LayerDetails(name, context.project())
+    processor = processor or _OwnStyle()
+    _waiting.append(processor)
+    details.setPostProcessor(processor)
+    context.addLayerToLoadOnCompletion(path, details)
+
+
+def add_result(folder: str, layer: QgsMapLayer, project: QgsProject) -> None:
+    """Adds all layers of the result's project; `layer`, which is one of them, is in the project already."""
+    source = QgsProject()
+    if not source.read(os.path.join(folder, PROJECT_FILE)):
+        return
+    root = project.layerTreeRoot()
+    alone = root.findLayer(layer.id())
+    group = root.insertGroup(0, source.title() or os.path.basename(folder))
+    for child in source.layerTreeRoot().children():
+        _copy(child, group, layer, project)
+    if alone is not None and alone.parent() is not None:
+        alone.parent().removeChildNode(alone)
+    _show()
+    _set_time(source, project)
+
+
+def _show() -> None:
+    """The map canvas, where there is one, does not follow a whole group by itself."""
+    from qgis.utils import iface
+    if iface is not None and iface.layerTreeCanvasBridge() is not None:
+        iface.layerTreeCanvasBridge().setCanvasLayers()
+
+
+def _copy(node, target: QgsLayerTreeGroup, loaded: QgsMapLayer, project: QgsProject) -> None:
+    if isinstance(node, QgsLayerTreeGroup):
+        group = target.addGroup(node.name())
+        for child in node.children():
+            _copy(child, group, loaded, project)
+        copied = group
+    else:
+        layer = node.layer()
+        if layer is None:
+            return
+        if os.path.realpath(layer.source()) == os.path.realpath(loaded.source()):
+            own = loaded
+            own.setName(layer.name())
+        else:
+            own = layer.clone()
+            project.addMapLayer(own, False)
+        # A clone has no times, and Processing has given the loaded layer its own style.
+        style = QDomDocument()
+        layer.exportNamedStyle(style)
+        own.importNamedStyle(style)
+        own.triggerRepaint()
+        copied = target.addChildNode(QgsLayerTreeLayer(own)) or target.findLayer(own.id())
+    copied.setItemVisibilityChecked(node.itemVisibilityChecked())
+    copied.setExpanded(node.isExpanded())
+
+
+def _set_time(source: QgsProject, project: QgsProject) -> None:
+    """The project's time and, where there is a map, the temporal controller: the frames' span, in steps of a frame."""
+    span = source.timeSettings().temporalRange()
+    if not span.begin().isValid():
+        return
+    project.timeSettings().setTemporalRange(span)
+    from qgis.utils import iface
+    if iface is None or iface.mapCanvas() is None:
+        return
+    controller = iface.mapCanvas().temporalController()
+    if not isinstance(controller, QgsTemporalNavigationObject):
+        return
+    step = _step(source)
+    controller.setNavigationMode(QgsTemporalNavigationObject.Animated)
+    controller.setTemporalExtents(span)
+    if step > 0:
+        controller.setFrameDuration(QgsInterval(step))
+    controller.rewindToStart()
+
+
+def _step(source: QgsProject) -> float:
+    """The shortest time [s] that a frame is valid."""
+    ranges = [layer.temporalProperties().fixedTemporalRange() for layer in source.mapLayers().values()
+              if layer.temporalProperties() is not None and layer.temporalProperties().isActive()]
+    steps = [times.begin().msecsTo(times.end()) / 1000 for times in ranges]
+    return min((step for step in steps if step > 0), default=0)

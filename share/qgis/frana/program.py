@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The program frana: where it is, which commands, keys and presets it has. Everything is asked of it, nothing is known here."""
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+from dataclasses import dataclass, field
+
+from qgis.core import QgsSettings
+
+from .keys import Key, key_from_json
+
+SETTING = "FRANA_PROGRAM"  # of Processing's options
+_INSTALLED_BY = os.path.join(os.path.dirname(__file__), "program.txt")  # written by `frana qgis-plugin --install`
+_LIMIT = 60  # seconds for an answer, which takes a tenth of one
+
+MISSING = ("The program frana was not found. Install it, or give its path under Settings, Options, Processing, "
+           "Providers, frana")
+
+
+class ProgramError(Exception):
+    """The program is missing or does not answer; a sentence for the user."""
+
+
+@dataclass
+class Program:
+    path: str
+    version: str
+    commands: set[str]
+    keys: list[Key]
+    presets: list[str] = field(default_factory=list)
+
+    def has(self, command: str) -> bool:
+        return command in self.commands
+
+
+def _is_program(path: str) -> bool:
+    return os.path.isfile(path) and os.access(path, os.X_OK)
+
+
+def find_program() -> str:
+    """Returns the path: the setting, else PATH, else the program that installed the plugin. Throws ProgramError."""
+    setting = QgsSettings().value("Processing/Configuration/" + SETTING, "") or ""
+    if setting:
+        if not _is_program(setting):
+            raise ProgramError(f"{setting} is not a program that can be run. Correct the path under Settings, Options, "
+                               "Processing, Providers, frana, or empty it")
+        return setting
+    found = shutil.which("frana")
+    if found:
+        return found
+    if os.path.isfile(_INSTALLED_BY):
+        with open(_INSTALLED_BY, encoding="utf-8") as file:
+            path = file.read().strip()
+        if _is_program(path):
+            return path
+    raise ProgramError(MISSING)
+
+
+def _answer(path: str, *words: str) -> str:
+    try:
+        done = subprocess.run([path, *words], stdin=subprocess.DEVNULL, capture_output=True, timeout=_LIMIT, check=True)
+    except (OSError, subprocess.SubprocessError) as error:
+        raise ProgramError(f"{path} {' '.join(words)} does not answer: {error}") from error
+    return done.stdout.decode("utf-8", "replace")
+
+
+def ask_program() -> Program:
+    """Finds the program and asks what it can. Throws ProgramError."""
+    path = find_program()
+    commands = set(re.findall(r"^ {1,8}([a-z][a-z-]*)\b", _answer(path, "--help"), re.MULTILINE))
+    version = _answer(path, "--version").split("\n", 1)[0]
+    if not version.startswith("frana "):
+        raise ProgramError(f"{path} is not frana: it says it is {version!r}")
+    try:
+        keys = [key_from_json(row) for row in json.loads(_answer(path, "params", "--json"))]
+    except (ValueError, KeyError, TypeError) as error:
+        raise ProgramError(f"{path} params --json is not understood: {error}") from error
+    presets = re.findall(r"^([a-z][\w-]*)$", _answer(path, "materials"), re.MULTILINE) if "materials" in commands else []
+    return Program(path, version.removeprefix("frana "), commands, keys, presets)

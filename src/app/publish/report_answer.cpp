@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/report_answer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pictures/map_source.h"
+#include "app/publish/html_page.h"
+#include "app/publish/html_table.h"
+#include "app/publish/report_comparison.h"
+#include "app/publish/report_scenario.h"
+#include "app/text/number_text.h"
+#include "core/markup.h"
+#include "core/utf8.h"
+#include "params/grammar/value_text.h"
+#include "simulation/run_statistics.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_moving_volume = 0.01;  // fraction that moves at the end time, however thin
+constexpr std::size_t k_gauges = 4, k_name_letters = 30;
+constexpr std::size_t k_warnings = 4, k_warning_letters = 240;
+
+/// Numbers in the report's language.
+class Numbers {
+  public:
+    explicit Numbers(const Words& words) : words_(words) {}
+    [[nodiscard]] std::string operator()(double value, int digits = 4) const {
+        return words_.number(number_text(value, digits));
+    }
+    [[nodiscard]] std::string grouped(double value) const { return words_.number(app::grouped(value)); }
+
+  private:
+    const Words& words_;
+};
+
+double greatest(const PeakValues& high) {
+    return std::isnan(high.greatest) ? 0 : high.greatest;
+}
+
+std::string arrivals(const ReportInput& input) {
+    const Words& words = input.words;
+    const Numbers number(words);
+    const std::vector<GaugeAnswer> gauges = gauge_answers(input);
+    std::vector<std::string> told;
+    for (std::size_t i = 0; i < std::min(k_gauges, gauges.size()); ++i) {
+        const std::string name = elided(valid_utf8(gauges[i].name), k_name_letters);
+        told.push_back(gauges[i].arrival ? words("{1} after {2} s", {name, number(*gauges[i].arrival, 3)})
+                                         : words("{1} is not reached", {name}));
+    }
+    if (told.empty()) return "";
+    const std::string more = gauges.size() > k_gauges ? ", …" : "";
+    return " " + words("First arrival at gauges: {1}.", {joined(told, ", ") + more});
+}
+
+std::string where_sentences(const ReportInput& input) {
+    const Words& words = input.words;
+    const Numbers number(words);
+    const SummaryFacts& f = input.facts;
+    const Runout& run_out = f.statistics.run_out();
+    std::string text = words(
+        "The material comes {1} m far in map view and falls {2} m: an angle of reach of {3}°. {4} m² are deeper than "
+        "{5} m at some time; the greatest depth is {6} m, the greatest speed {7} m/s.",
+        {number.grouped(run_out.horizontal_m), number.grouped(run_out.drop_m), number(run_out.reach_angle_deg, 3),
+         number.grouped(f.statistics.covered_area_m2), number(f.statistics.threshold), number(greatest(f.high[0]), 3),
+         number(greatest(f.high[1]), 3)});
+    if (const std::size_t flows = f.statistics.run_outs.size(); flows > 1)
+        text += " " + words("{1} flows never met; the run-out is that of the longest.", {std::to_string(flows)});
+    return paragraph(words("Where it goes."), text + arrivals(input));
+}
+
+std::string cell_error_sentence(const ReportInput& input) {
+    const Words& words = input.words;
+    const std::string size = Numbers(words)(input.result.max_depth.grid.cell_size);
+    if (input.errors.of.empty())
+        return words(
+            "On cells of {1} m; there is no estimate of the error from their size (frana converge or "
+            "numerics.accuracy gives one).",
+            {size});
+    return words("On cells of {1} m; the error from their size is estimated and stands beside the values (±).", {size});
+}
+
+std::string balance_sentence(const ReportInput& input) {
+    const Words& words = input.words;
+    const Numbers number(words);
+    constexpr double k_least = 1e-4;  // [%]; less is rounding
+    const double error = 100 * std::abs(relative_volume_error(input.result));
+    const std::string volume = error < k_least ? "< " + number(k_least) : number(error, 2);
+    if (!input.result.energy_error) return words("The volume is conserved to {1} %.", {volume});
+    return words("The volume is conserved to {1} %, the energy rises without cause by at most {2} %.",
+                 {volume, number(100 * *input.result.energy_error, 2)});
+}
+
+std::string end_sentences(const ReportInput& input) {
+    const Words& words = input.words;
+    const Numbers number(words);
+    const RunResult& r = input.result;
+    std::string text =
+        words("The run ended after {1} s: {2}.", {number(r.simulated_seconds), words(describe(r.stop_reason))});
+    if (moves_at_end(r))
+        text += " " + words("Material was still moving: final depth and run-out are not those of the deposit.");
+    if (r.volume_left > 0 && r.volume_entered > 0)
+        text += " " + words("{1} m³ ({2} %) left the computed ground: the full run-out is not shown.",
+                            {number.grouped(r.volume_left), number(100 * r.volume_left / r.volume_entered, 2)});
+    if (!r.hard_events.none()) text += " " + words("There were numerical events that do not occur in a good run.");
+    return text;
+}
+
+std::string warnings_html(const ReportInput& input) {
+    const std::vector<std::string>& warnings = input.facts.warnings;
+    if (warnings.empty()) return paragraph("", input.words("The run gave no warnings."));
+    std::string html;
+    for (std::size_t i = 0; i < std::min(k_warnings, warnings.size()); ++i)
+        html += "<p class=\"warning\"><b>" + escaped_markup(input.words("Warning:")) + "</b> <span lang=\"en\">" +
+                escaped_markup(elided(valid_utf8(warnings[i]), k_warning_letters)) + "</span></p>\n";
+    if (warnings.size() > k_warnings)
+        html += paragraph("", input.words("{1} warnings in all, see below.", {std::to_string(warnings.size())}));
+    return html;
+}
+
+/// A row of the answer's tables.
+struct Row {
+    std::string name, value, unit, key;  ///< key: of its estimate
+};
+
+std::string values_table(const std::string& head, const std::vector<Row>& rows, const ReportInput& input) {
+    const Words& words = input.words;
+    HtmlTable table({head, "", "", words("± by cell size")});
+    for (const Row& row : rows) table.number(row.name, row.value, row.unit, {error_text(input.errors, row.key, words)});
+    return table.html();
+}
+
+}  // namespace
+
+std::vector<GaugeAnswer> gauge_answers(const ReportInput& input) {
+    std::vector<GaugeAnswer> answers;
+    for (const Gauge& gauge : input.prepared.scene.recording.gauges) answers.push_back({gauge.name, {}, 0, 0});
+    const double least = input.prepared.scene.numerics.minimum_depth;
+    for (const GaugeRow& row : input.result.gauges) {
+        GaugeAnswer& one = answers[row.gauge];
+        if (!one.arrival && row.depth > least) one.arrival = row.time;
+        one.depth = std::max(one.depth, row.depth);
+        one.speed = std::max(one.speed, row.speed);
+    }
+    return answers;
+}
+
+bool moves_at_end(const RunResult& result) {
+    if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return false;
+    return result.series.back().max_speed > k_moving_speed || result.moving_fraction_limit > k_moving_volume;
+}
+
+std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words) {
+    const auto estimate = errors.find(key);
+    if (!estimate) return words("no estimate");
+    const std::string text = "± " + words.number(number_text(estimate->error, 2));
+    return estimate->converging ? text : text + ", " + words("not converging");
+}
+
+std::string answer_tables(const ReportInput& input) {
+    const Words& words = input.words;
+    const Numbers number(words);
+    const SummaryFacts& f = input.facts;
+    const Runout& run_out = f.statistics.run_out();
+    const RunResult& r = input.result;
+    std::vector<Row> where{
+        {words("Volume that came in"), number.grouped(r.volume_entered), "m³", ""},
+        {words("Run-out, in map view"), number.grouped(run_out.horizontal_m), "m", k_run_out_key},
+        {words("Drop"), number.grouped(run_out.drop_m), "m", ""},
+        {words("Angle of reach"), number(run_out.reach_angle_deg, 3), "°", ""},
+        {words("Area deeper than {1} m", {number(f.statistics.threshold)}),
+         number.grouped(f.statistics.covered_area_m2), "m²", "covered_area_m2"},
+    };
+    std::vector<Row> strength;
+    for (std::size_t i = 0; i < f.high.size(); ++i) {
+        const PeakStatistic& what = k_peak_statistics[i];
+        const std::string unit = std::string("_") + what.key_unit;
+        strength.push_back({words(what.title), number(greatest(f.high[i]), 3), what.row().unit, what.name + unit});
+        if (!std::isnan(f.high[i].p999))
+            strength.push_back({words("on 99.9 % of the area"), number(f.high[i].p999, 3), what.row().unit,
+                                std::string(what.name) + "_p999" + unit});
+    }
+    return "<div class=\"columns\">\n" + values_table(words("Where it goes"), where, input) +
+           values_table(words("How strong, at most"), strength, input) + "</div>\n";
+}
+
+std::string answer_sentences(const ReportInput& input) {
+    const Words& words = input.words;
+    const std::string sure = cell_error_sentence(input) + " " + balance_sentence(input) + " " + end_sentences(input);
+    return "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n" + release_sentences(input) +
+           material_sentences(input) + where_sentences(input) + paragraph(words("How sure."), sure) +
+           page_part(k_comparison_answer, comparison_answer(input.comparison, words)) + warnings_html(input) +
+           paragraph(words("Not done."),
+                     words("This is one run with one set of values, not a range of what is possible: frana ensemble "
+                           "computes the range, frana calibrate fits the values to observed events."));
+}
+
+}  // namespace frana::app

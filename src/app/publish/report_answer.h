@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/publish/report.h"
+
+namespace frana::app {
+
+/// Recordings of a gauge in a few numbers.
+struct GaugeAnswer {
+    std::string name;
+    std::optional<double> arrival;  ///< first row deeper than numerics.minimum-depth [s]; none: not reached
+    double depth = 0, speed = 0;    ///< greatest [m], [m/s]
+};
+std::vector<GaugeAnswer> gauge_answers(const ReportInput& input);
+
+/// Whether material still moved when the end time was reached.
+bool moves_at_end(const RunResult& result);
+
+/// The first page: what fails, friction and material, where it goes, how sure, what was not done.
+std::string answer_sentences(const ReportInput& input);
+/// The main values with their estimated errors.
+std::string answer_tables(const ReportInput& input);
+
+/// Returns "± 12", a word if the estimate does not converge, or the words for none.
+std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words);
+
+}  // namespace frana::app

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/report_charts.h"
+
+#include <algorithm>
+
+#include "app/publish/report_answer.h"
+#include "app/text/number_text.h"
+#include "core/markup.h"
+#include "core/utf8.h"
+
+namespace frana::app {
+namespace {
+
+constexpr int k_width = 380, k_height = 200;
+constexpr std::size_t k_curves = 8, k_name_letters = 30;
+
+std::string figure(const std::string& svg, const std::string& alt) {
+    // The element gets a role and a name, by which it is one picture for those who cannot see it.
+    const std::string tag = "<svg ";
+    const std::size_t at = svg.find(tag);
+    const std::string named = at == std::string::npos ? svg
+                                                      : svg.substr(0, at + tag.size()) + "role=\"img\" aria-label=\"" +
+                                                            escaped_markup(alt) + "\" " + svg.substr(at + tag.size());
+    return "<figure>\n" + named + "</figure>\n";
+}
+
+double greatest(const std::vector<Point>& points) {
+    double value = 0;
+    for (const Point p : points) value = std::max(value, p.y);
+    return value;
+}
+
+/// Two charts beside each other, where there is room.
+std::string in_columns(const std::string& figures) {
+    return "<div class=\"columns\">\n" + figures + "</div>\n";
+}
+
+}  // namespace
+
+std::string chart_figures(const render::ChartPanel& panel, const std::string& alt) {
+    std::string html;
+    for (std::size_t first = 0; first < std::max<std::size_t>(1, panel.series.size()); first += k_curves) {
+        render::ChartPanel part = panel;
+        part.series.clear();
+        for (std::size_t i = first; i < std::min(first + k_curves, panel.series.size()); ++i) {
+            part.series.push_back(panel.series[i]);
+            part.series.back().width_px = 3;
+            render::look_apart(part.series.back(), i - first);
+        }
+        html += figure(render::chart_svg({"", "", "", 1, {std::move(part)}}, k_width, k_height), alt);
+    }
+    return html;
+}
+
+std::string series_charts(const ReportInput& input) {
+    const Words& words = input.words;
+    const std::string seconds = words("time [s]");
+    std::string charts;
+    const auto add = [&](const std::string& label, double SeriesRow::*value) {
+        render::ChartSeries series;
+        for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
+        const std::string most = words.number(number_text(greatest(series.points), 3));
+        render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
+        charts += chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}));
+    };
+    add(words("front from the release [m]"), &SeriesRow::front_distance);
+    add(words("greatest speed [m/s]"), &SeriesRow::max_speed);
+    add(words("greatest depth [m]"), &SeriesRow::max_depth);
+    add(words("covered area [m²]"), &SeriesRow::covered_area);
+    const auto named = [](const auto& places) {
+        std::vector<render::ChartSeries> series;
+        for (const auto& place : places)
+            series.push_back({elided(valid_utf8(place.name), k_name_letters), render::k_chart_colours[0], {}});
+        return series;
+    };
+    const auto add_places = [&](const std::string& label, std::vector<render::ChartSeries> series) {
+        if (series.empty()) return;
+        std::string alt = words("Curves over time: {1}", {label});
+        for (const render::ChartSeries& one : series)
+            alt += "; " + one.label + ": " + words("at most {1}", {words.number(number_text(greatest(one.points), 3))});
+        charts += chart_figures({"", seconds, label, std::move(series), {0}}, alt);
+    };
+    const Recording& recording = input.prepared.scene.recording;
+    std::vector<render::ChartSeries> gauges = named(recording.gauges), sections = named(recording.sections);
+    for (const GaugeRow& row : input.result.gauges) gauges[row.gauge].points.push_back({row.time, row.depth});
+    for (const SectionRow& row : input.result.sections)
+        sections[row.section].points.push_back({row.time, row.discharge});
+    add_places(words("depth at the gauges [m]"), std::move(gauges));
+    add_places(words("discharge through the cross-sections [m³/s]"), std::move(sections));
+    return in_columns(charts);
+}
+
+std::string score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words) {
+    render::ChartSeries jaccard, hit, alarm;
+    jaccard.label = "Jaccard";
+    hit.label = words("true positive rate");
+    alarm.label = words("false positive rate");
+    for (const ComparisonStatistics& f : curve) {
+        jaccard.points.push_back({f.threshold_m, f.jaccard});
+        hit.points.push_back({f.threshold_m, f.true_positive_rate});
+        alarm.points.push_back({f.threshold_m, f.false_positive_rate});
+    }
+    const std::string alt = words("Scores over the depth threshold; the greatest Jaccard index is {1}",
+                                  {words.number(number_text(greatest(jaccard.points), 3))});
+    render::ChartPanel panel{"", words("depth threshold [m]"), words("score"), {jaccard, hit, alarm}, {0}};
+    panel.x = render::Scale::logarithmic;
+    return chart_figures(panel, alt);
+}
+
+}  // namespace frana::app

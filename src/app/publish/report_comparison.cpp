@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/report_comparison.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/publish/html_page.h"
+#include "app/publish/html_table.h"
+#include "app/publish/report_charts.h"
+#include "app/publish/report_scenario.h"
+#include "app/store/manifest.h"
+#include "app/store/own_files.h"
+#include "app/store/result_files.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "core/markup.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string signed_number_text(double value) {
+    return (value > 0 ? "+" : "") + number_text(value, 3);
+}
+
+void add_statistics(HtmlTable& table, const ComparisonStatistics& f, const Words& words) {
+    const auto area = [&](const std::string& name, double value) {
+        table.number(name, words.number(grouped(value)), "m²");
+    };
+    const auto score = [&](const std::string& name, double value, const std::string& unit) {
+        table.number(name, words.number(number_text(value, 3)), unit);
+    };
+    score(words("Depth that counts as covered"), f.threshold_m, "m");
+    area(words("Observed area"), f.observed_area_m2);
+    area(words("Simulated area"), f.simulated_area_m2);
+    score(words("Area difference |simulated − observed| / observed"), f.area_difference_percent, "%");
+    area(words("Hit"), f.hit_m2);
+    area(words("False alarm"), f.false_alarm_m2);
+    area(words("Miss"), f.miss_m2);
+    score(words("Jaccard index (critical success index), best 1"), f.jaccard, "");
+    score(words("Dice coefficient, best 1"), f.dice, "");
+    score(words("True positive rate, best 1"), f.true_positive_rate, "");
+    score(words("False positive rate, best 0"), f.false_positive_rate, "");
+    score(words("Distance to perfect classification, best 0"), f.d2pc, "");
+    score(words("Area under the ROC curve, best 1"), f.auroc, "");
+}
+
+std::string scores_table(const Comparison& c, const Words& words) {
+    HtmlTable table;
+    const auto number = [&](double value) { return words.number(number_text(value, 3)); };
+    const auto signed_number = [&](double value) { return words.number(signed_number_text(value)); };
+    if (c.statistics) add_statistics(table, *c.statistics, words);
+    if (c.outline) {
+        table.number(words("Distance of the outlines, mean"), number(c.outline->mean_m), "m")
+            .number(words("Distance of the outlines, 95 %"), number(c.outline->percentile_95_m), "m")
+            .number(words("Distance of the outlines, greatest (Hausdorff)"), number(c.outline->hausdorff_m), "m");
+    }
+    if (c.runout_difference_m)
+        table.number(words("Run-out, simulated minus observed, straight"), signed_number(*c.runout_difference_m), "m");
+    if (c.path_runout) {
+        table
+            .number(words("Run-out along the flow path, simulated"), words.number(grouped(c.path_runout->simulated_m)),
+                    "m")
+            .number(words("Run-out along the flow path, observed"), words.number(grouped(c.path_runout->observed_m)),
+                    "m");
+    }
+    for (const FrontComparison& front : c.fronts) {
+        table
+            .number(words("Front {1}: mean distance, + beyond, − short", {front.name}), signed_number(front.mean_m),
+                    "m")
+            .number(words("Front {1}: reached, of its length", {front.name}), number(front.reached_percent), "%");
+    }
+    for (const TipComparison& tip : c.tips)
+        table.number(words("Tip {1}: distance, + beyond, − short", {tip.name}), signed_number(tip.distance_m), "m");
+    return table.html();
+}
+
+std::string deposit_table(const Comparison& c, const Words& words) {
+    HtmlTable table;
+    const auto number = [&](double value) { return words.number(number_text(value, 3)); };
+    add_statistics(table, *c.deposit_overlap, words);
+    if (const auto& d = c.deposit_depth) {
+        table.number(words("Volume of the deposit, observed"), words.number(grouped(d->observed_volume_m3)), "m³")
+            .number(words("Volume of the deposit, simulated"), words.number(grouped(d->simulated_volume_m3)), "m³")
+            .number(words("Mean error of depth"), words.number(signed_number_text(d->bias_m)), "m")
+            .number(words("Mean absolute error of depth"), number(d->mean_absolute_error_m), "m")
+            .number(words("Root mean square error of depth"), number(d->rmse_m), "m")
+            .number(words("Correlation of the depths"), number(d->correlation), "");
+    }
+    return "<h3>" + escaped_markup(words("Deposit")) + "</h3>\n" + table.html();
+}
+
+/// comparison.png of a result; if its pictures have other formats, one for the page alone, which it removes.
+class PictureForPage {
+  public:
+    PictureForPage(const std::string& folder, const Comparison& comparison, const MapSource& source)
+        : path_((fs::path(folder) / k_picture).string()) {
+        const std::vector<std::string>& formats = source.style.formats;
+        if (!comparison.statistics || std::find(formats.begin(), formats.end(), "png") != formats.end()) return;
+        scratch_ = fs::temp_directory_path() / ("frana_page_" + std::to_string(::getpid()));
+        fs::create_directories(scratch_);
+        MapSource drawn = source;
+        drawn.style.formats = {"png"};
+        LayerDrawer drawer(drawn);
+        draw_comparison(comparison, drawer, scratch_.string());
+        path_ = (scratch_ / k_picture).string();
+    }
+    ~PictureForPage() {
+        std::error_code ignored;
+        if (!scratch_.empty()) fs::remove_all(scratch_, ignored);
+    }
+    PictureForPage(const PictureForPage&) = delete;
+    PictureForPage& operator=(const PictureForPage&) = delete;
+
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+  private:
+    static constexpr const char* k_picture = "comparison.png";
+    std::string path_;
+    fs::path scratch_;
+};
+
+}  // namespace
+
+std::string comparison_answer(const std::optional<Comparison>& comparison, const Words& words) {
+    const std::string lead = words("Against the survey.");
+    if (!comparison) return paragraph(lead, words("Not compared with an observed outline (frana compare does it)."));
+    std::string text;
+    if (const auto& f = comparison->statistics) {
+        text = words(
+            "Of the observed area {1} % is hit; {2} m² are covered beyond it. Jaccard index {3} (1: perfect), areas "
+            "differ by {4} %.",
+            {words.number(number_text(100 * f->true_positive_rate, 3)), words.number(grouped(f->false_alarm_m2)),
+             words.number(number_text(f->jaccard, 3)), words.number(number_text(f->area_difference_percent, 3))});
+    }
+    if (comparison->runout_difference_m)
+        text += std::string(text.empty() ? "" : " ") +
+                words("Run-out, simulated minus observed: {1} m.",
+                      {words.number(signed_number_text(*comparison->runout_difference_m))});
+    if (text.empty()) text = words("The distances are in the table of the comparison.");
+    return paragraph(lead, text);
+}
+
+std::string comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
+                               const Words& words) {
+    if (!comparison) return "";
+    const Comparison& c = *comparison;
+    std::string html = "<h2 id=\"comparison\">" + escaped_markup(words("Comparison with the survey")) + "</h2>\n";
+    if (c.statistics && fs::exists(picture)) {
+        const std::string alt =
+            words("Map of the comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
+                  {words.number(grouped(c.statistics->hit_m2)), words.number(grouped(c.statistics->false_alarm_m2)),
+                   words.number(grouped(c.statistics->miss_m2))});
+        html += figure_html(picture, words("Simulated against observed area"), alt);
+    }
+    html += "<div class=\"columns\">\n<div>" + scores_table(c, words) + "</div>\n";
+    if (!c.curve.empty())
+        html += "<div><h3>" + escaped_markup(words("Scores over the depth threshold")) + "</h3>\n" +
+                score_chart(c.curve, words) + "</div>\n";
+    html += "</div>\n";
+    return c.deposit_overlap ? html + deposit_table(c, words) : html;
+}
+
+bool renew_report(const std::string& folder, const Comparison& comparison, const MapSource& source) {
+    const std::string path = (fs::path(folder) / k_report_file).string();
+    if (!fs::exists(path)) return true;
+    const std::string page = read_text_file(path);
+    const Words words = words_of_page(page);
+    const auto answered = with_part(page, k_comparison_answer, comparison_answer(comparison, words));
+    if (!answered) return false;
+    const PictureForPage picture(folder, comparison, source);
+    const auto renewed =
+        with_part(*answered, k_comparison_section, comparison_section(comparison, picture.path(), words));
+    if (!renewed) return false;
+    begin_own(folder, {path});
+    write_text_file(path, *renewed);
+    record_files({path});
+    return true;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/compare/comparison.h"
+#include "app/pictures/map_source.h"
+#include "core/words/words.h"
+
+namespace frana::app {
+
+// The parts of a report that `frana compare` replaces.
+inline constexpr const char* k_comparison_answer = "comparison answer";
+inline constexpr const char* k_comparison_section = "comparison";
+
+/// The sentence of the first page; also if nothing was compared.
+std::string comparison_answer(const std::optional<Comparison>& comparison, const Words& words);
+/// The section: the map (if that file exists), the scores, their curve; empty without a comparison.
+/// @param picture comparison.png, or one drawn for the page
+std::string comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
+                               const Words& words);
+
+/// Puts a comparison into report.html of a result, which gets its name when it is complete, and into the manifest. A
+/// page that was changed since is kept under another name. Returns false if there is a report of an older frana,
+/// without these parts, which stays as it is. Throws Error(environment).
+/// @param source that comparison.png was drawn from, if it was drawn
+bool renew_report(const std::string& folder, const Comparison& comparison, const MapSource& source);
+
+}  // namespace frana::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/publish/report.h"
+
+namespace frana::app {
+
+/// A map of a report.
+struct ReportMap {
+    std::string name;  ///< "max_depth_3d"
+    std::string file;
+    std::string caption, alt;
+};
+
+/// Returns the maps that were drawn, the main one (greatest depth, if there is one) first.
+std::vector<ReportMap> report_maps(const ReportInput& input, const ResultDirectory& directory);
+
+/// Returns the path of a picture in the result, or of one drawn for the page alone; it may not exist.
+std::string drawn_picture(const ResultDirectory& directory, const std::string& folder, const std::string& name);
+
+}  // namespace frana::app

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/recorded_inputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/store/json_file.h"
+#include "app/store/manifest.h"
+#include "app/store/result_files.h"
+#include "core/json.h"
+#include "params/grammar/absolute_path.h"
+#include "params/keys/scene_parameters.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t k_largest_read = 1'000'000'000;  // a checksum would take as long as the run's own reading
+
+/// A file, and those beside it that belong to it: of a shapefile, the CRS and the position of a raster.
+std::vector<fs::path> parts_of(const fs::path& file) {
+    std::vector<fs::path> parts{file};
+    for (const char* ending : {".shx", ".dbf", ".prj", ".cpg", ".tfw", ".wld"}) {
+        fs::path part = file;
+        part.replace_extension(ending);
+        std::error_code error;
+        if (part != file && fs::is_regular_file(part, error)) parts.push_back(part);
+    }
+    return parts;
+}
+
+/// One file as recorded.
+struct Recorded {
+    std::string key;
+    fs::path relative, then;  ///< from the result; the absolute place at the time
+    std::uint64_t bytes = 0;
+    std::string checksum;  ///< empty: too large
+
+    [[nodiscard]] std::string mark() const {
+        return std::to_string(bytes) + " bytes" + (checksum.empty() ? "" : ", xxh128 " + checksum);
+    }
+};
+
+FileMark mark_at(const fs::path& file) {
+    std::error_code error;
+    const auto bytes = fs::file_size(file, error);
+    if (error) return {};
+    return bytes > k_largest_read ? FileMark{bytes, ""} : mark_of(file.string());
+}
+
+bool has_content(const fs::path& file, const Recorded& recorded) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return false;
+    const FileMark mark = mark_at(file);
+    return mark.bytes == recorded.bytes && mark.checksum == recorded.checksum;
+}
+
+std::vector<Recorded> read_recorded(const fs::path& folder) {
+    std::vector<Recorded> all;
+    const auto json = read_json_file((folder / k_inputs_file).string());
+    if (!json || !json->contains("files")) return all;
+    try {
+        for (const Json& one : json->at("files"))
+            all.push_back({one.at("key").get<std::string>(), unescaped_name(one.at("file").get<std::string>()),
+                           unescaped_name(one.at("place").get<std::string>()), one.at("bytes").get<std::uint64_t>(),
+                           one.at("xxh128").is_null() ? "" : one.at("xxh128").get<std::string>()});
+    } catch (const std::exception&) {
+        return {};  // not of frana
+    }
+    return all;
+}
+
+/// Lets a key name a file at another place.
+void move_file(SceneReading& reading, const std::string& key, const fs::path& from, const fs::path& to) {
+    static const std::vector<Parameter> k_keys = scene_parameters();
+    find_parameter(k_keys, key)->map_files(reading.scene, [&](const std::string& path) {
+        const auto at = path.find(from.string());
+        return at == std::string::npos ? path
+                                       : path.substr(0, at) + to.string() + path.substr(at + from.string().size());
+    });
+}
+
+}  // namespace
+
+std::string recorded_inputs(const Prepared& prepared) {
+    Json json = Json::object();
+    json["files"] = Json::array();
+    for (const NamedFile& named : named_files(prepared.spec)) {
+        const fs::path file = plain_file(named.path);
+        std::error_code error;
+        if (file.empty() || !fs::is_regular_file(file, error)) continue;
+        for (const fs::path& part : parts_of(file)) {
+            const FileMark mark = mark_at(part);
+            json["files"].push_back({{"key", named.key},
+                                     {"file", escaped_name(relative_path(part.string(), prepared.result_folder))},
+                                     {"place", escaped_name(part.string())},
+                                     {"bytes", mark.bytes},
+                                     {"xxh128", mark.checksum.empty() ? Json() : Json(mark.checksum)}});
+        }
+    }
+    return json_text(json);
+}
+
+void find_recorded_inputs(SceneReading& reading, RunLog& log) {
+    const fs::path scene = reading.scene.file;
+    if (scene.filename() != k_scene_file) return;
+    const fs::path folder = scene.parent_path();
+    Problems missing;
+    for (const Recorded& recorded : read_recorded(folder)) {
+        if (reading.scene.origin_of(recorded.key) == Origin::command_line) continue;
+        const fs::path here = (folder / recorded.relative).lexically_normal();
+        const auto belongs_to_key = [&](const fs::path& file, bool main_only) {
+            const auto files = named_files(reading.scene);
+            return std::any_of(files.begin(), files.end(), [&](const NamedFile& named) {
+                if (named.key != recorded.key) return false;
+                if (main_only) return file == plain_file(named.path);
+                const auto parts = parts_of(plain_file(named.path));
+                return std::find(parts.begin(), parts.end(), file) != parts.end();
+            });
+        };
+        const auto named = named_files(reading.scene);
+        const auto stem = [](fs::path file) { return file.replace_extension(); };
+        if (std::none_of(named.begin(), named.end(), [&](const NamedFile& file) {
+                const fs::path main = plain_file(file.path);
+                return file.key == recorded.key && (stem(main) == stem(here) || stem(main) == stem(recorded.then));
+            }))
+            continue;  // the scene was changed and names another file
+        std::error_code error;
+        if (fs::exists(here, error)) {
+            if (belongs_to_key(here, false) && !has_content(here, recorded)) {
+                const FileMark mark = mark_at(here);
+                log.warn(reading.where(recorded.key) + ": " + here.string() +
+                         " is not as it was when this result was computed (then " + recorded.mark() + "; now " +
+                         std::to_string(mark.bytes) + " bytes" +
+                         (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum) +
+                         "): the run repeats the scene, not the result");
+            }
+        } else if (here != recorded.then && has_content(recorded.then, recorded) &&
+                   (belongs_to_key(here, true) || belongs_to_key(recorded.then, false))) {
+            if (!belongs_to_key(here, true)) continue;  // beside a file that was found there
+            log.info(reading.where(recorded.key) + ": " + recorded.then.string() +
+                     " is used, which has the content of the missing " + here.string());
+            move_file(reading, recorded.key, here, recorded.then);
+        } else {
+            std::string places = here.string();
+            if (here != recorded.then)
+                places += fs::exists(recorded.then, error)
+                              ? " and as " + recorded.then.string() + ", which has another content"
+                              : " and as " + recorded.then.string();
+            missing.add({"an input of this result is missing; it had " + recorded.mark(), reading.where(recorded.key),
+                         recorded.relative.string(), "",
+                         "Sought as " + places + ". Put it there, or name its place: --set " + recorded.key + "=FILE"});
+        }
+    }
+    missing.throw_if_any();
+}
+
+}  // namespace frana::app

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+class Completion : public TinyScene {
+  protected:
+    /// What bash offers for these words of a command line, of which the last is completed.
+    std::vector<std::string> offered(const std::vector<std::string>& words) {
+        std::string script = "source completion.bash\nCOMP_WORDS=(frana";
+        for (const std::string& word : words) script += " '" + word + "'";
+        script += ")\nCOMP_CWORD=" + std::to_string(words.size()) +
+                  "\n_frana_complete 2> /dev/null\nprintf '%s\\n' \"${COMPREPLY[@]}\" > offered\n";
+        write("ask.sh", script);
+        EXPECT_EQ(std::system(("cd '" + folder_.string() + "' && bash ask.sh").c_str()), 0);
+        std::vector<std::string> lines;
+        std::istringstream text(read_text(path("offered")));
+        for (std::string line; std::getline(text, line);)
+            if (!line.empty()) lines.push_back(line);
+        return lines;
+    }
+    static bool has(const std::vector<std::string>& list, const std::string& word) {
+        return std::find(list.begin(), list.end(), word) != list.end();
+    }
+};
+
+TEST_F(Completion, OfBashKnowsCommandsOptionsKeysAndValues) {
+    write("completion.bash", frana({"completion", "bash"}).out);
+    write("other.txt", "");
+    EXPECT_TRUE(has(offered({"ch"}), "check"));
+    EXPECT_EQ(offered({"conv"}), std::vector<std::string>{"converge"});
+    EXPECT_TRUE(has(offered({"run", "--over"}), "--overwrite"));
+    EXPECT_TRUE(has(offered({"check", "--js"}), "--json"));
+    EXPECT_EQ(offered({"run", "sc"}), std::vector<std::string>{"scene.ini"});
+    EXPECT_EQ(offered({"run", "oth"}), std::vector<std::string>{});  // not a scene
+    EXPECT_EQ(offered({"render", "--view", ""}), (std::vector<std::string>{"2d", "3d"}));
+    EXPECT_TRUE(has(offered({"render", "--map", "max_"}), "max_depth"));
+    EXPECT_EQ(offered({"run", "scene.ini", "--set", "material.model"}), std::vector<std::string>{"material.model="});
+    // readline parts the words at "=".
+    EXPECT_EQ(offered({"run", "--set", "material.model", "=", "vo"}), std::vector<std::string>{"voellmy-bingham"});
+    EXPECT_TRUE(has(offered({"run", "--set", "material.preset", "="}), "debris-flow"));
+    EXPECT_TRUE(has(offered({"run", "--set", "terrain.dtm", "=", "dt"}), "dtm.asc"));
+    // Where "=" does not part words.
+    EXPECT_EQ(offered({"run", "--set", "output.report=of"}), std::vector<std::string>{"output.report=off"});
+    EXPECT_TRUE(has(offered({"bench", "acc"}), "accuracy"));
+    EXPECT_TRUE(has(offered({"man", "conv"}), "converge"));
+}
+
+TEST_F(Completion, KnowsEveryCommandAndOptionOfTheHelp) {
+    write("completion.bash", frana({"completion", "bash"}).out);
+    const std::vector<std::string> commands = offered({""});
+    EXPECT_GE(commands.size(), 12U);
+    for (const std::string& command : commands) {
+        if (command.rfind("--", 0) == 0) continue;
+        const std::vector<std::string> options = offered({command, "--"});
+        std::istringstream help(frana({command, "--help"}).out);
+        for (std::string line; std::getline(help, line);) {
+            const auto at = line.find("--");
+            if (line.rfind("  ", 0) != 0 || at == std::string::npos || at > 7) continue;
+            const std::string option = line.substr(at, line.find_first_of(" \n", at) - at);
+            EXPECT_TRUE(has(options, option)) << command << ' ' << option;
+        }
+    }
+}
+
+TEST_F(Completion, OfZshIsValid) {
+    if (std::system("command -v zsh > /dev/null") != 0) GTEST_SKIP() << "no zsh";
+    write("_frana", frana({"completion", "zsh"}).out);
+    EXPECT_EQ(std::system(("zsh -n '" + path("_frana") + "'").c_str()), 0);
+}
+
+TEST_F(Completion, OfAnotherShellIsRefused) {
+    const Outcome outcome = frana({"completion", "fish"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("allowed bash, zsh"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace frana::test

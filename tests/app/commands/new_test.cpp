@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using New = TinyScene;
+
+TEST_F(New, ASceneOfTheSamplePassesTheCheck) {
+    const std::string sample = std::string(FRANA_SOURCE_DIR) + "/sample_data/bindo/";
+    const Outcome made =
+        frana({"new", sample + "dtm.tif", sample + "perimeter.shp", "--thickness", "4", "--out", "my.ini"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_EQ(made.out, "");
+    const Outcome checked = frana({"check", "my.ini"});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    const std::string text = read_text(path("my.ini"));
+    EXPECT_NE(text.find("\nthickness = 4\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n# dtm-contains-release = on\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("# Found: 1 polygon in the layer perimeter"), std::string::npos) << text;
+    // Twenty keys, each a line with " = ", active or not.
+    int keys = 0;
+    std::size_t begin = 0;
+    for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+        std::string line = text.substr(begin, end - begin);
+        if (line.rfind("# ", 0) == 0) line.erase(0, 2);
+        const auto equals = line.find(" =");
+        keys += equals != std::string::npos && line.find(' ') == equals ? 1 : 0;
+    }
+    EXPECT_EQ(keys, 20) << text;
+}
+
+TEST_F(New, AnOpenThicknessIsAskedForAndRefusedByTheCheck) {
+    ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "my.ini"}).exit_code, 0);
+    const std::string text = read_text(path("my.ini"));
+    EXPECT_NE(text.find("\nthickness =\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("# Is the column depth (2 to 2) the thickness in metres?"), std::string::npos) << text;
+    const Outcome checked = frana({"check", "my.ini"});
+    EXPECT_EQ(checked.exit_code, 2);
+    EXPECT_NE(checked.err.find("my.ini: release.thickness: has no value"), std::string::npos) << checked.err;
+}
+
+TEST_F(New, ReplacesNothingAndRefusesWhatDoesNotFit) {
+    write("my.ini", "mine");
+    EXPECT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "my.ini"}).exit_code, 2);
+    EXPECT_EQ(read_text(path("my.ini")), "mine");
+    EXPECT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "my.ini", "--overwrite"}).exit_code, 0);
+    write_polygon("far", {{5000, 0}, {5100, 0}, {5100, 100}});
+    const Outcome far = frana({"new", "dtm.asc", "far.geojson", "--out", "far.ini"});
+    EXPECT_EQ(far.exit_code, 2);
+    EXPECT_NE(far.err.find("lies outside the DTM"), std::string::npos) << far.err;
+    EXPECT_EQ(frana({"new", "dtm.asc"}).exit_code, 2);
+    EXPECT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "-1", "--out", "b.ini"}).exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(path("far.ini")) || std::filesystem::exists(path("b.ini")));
+}
+
+TEST_F(New, NamesFilesFromTheFolderOfTheScene) {
+    std::filesystem::create_directory(folder_ / "scenes");
+    ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "attribute:depth", "--out", "scenes/my.ini"})
+                  .exit_code,
+              0);
+    const std::string text = read_text(path("scenes/my.ini"));
+    EXPECT_NE(text.find("\ndtm = ../dtm.asc\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nperimeter = ../perimeter.geojson\n"), std::string::npos) << text;
+    EXPECT_EQ(frana({"check", "scenes/my.ini"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace frana::test

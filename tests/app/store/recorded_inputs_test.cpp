@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A project folder with inputs and a result, of which copies are moved.
+class Moved : public TinyScene {
+  protected:
+    Moved() {
+        fs::create_directories(folder_ / "project/data");
+        for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson"})
+            fs::rename(folder_ / file, folder_ / "project/data" / file);
+        write(
+            "project/scene.ini",
+            "[terrain]\ndtm = data/dtm.asc\n[release]\nperimeter = data/perimeter.geojson\nthickness = 2\n[material]\n"
+            "friction-coefficient = 0.2\n[time]\nend = 5\n" +
+                k_numbers_only);
+        EXPECT_EQ(frana({"run", "project/scene.ini", "--out", "project/results/one", "--quiet"}).exit_code, 0);
+    }
+    void move_project() {
+        fs::create_directories(folder_ / "elsewhere/far");
+        fs::rename(folder_ / "project", folder_ / "elsewhere/far/moved");
+    }
+    [[nodiscard]] std::string raster(const std::string& result) const {
+        return read_text(path(result + "/max_depth.tif"));
+    }
+};
+
+TEST_F(Moved, ResultsNameTheirInputsRelatively) {
+    const std::string scene = read_text(path("project/results/one/scene.ini"));
+    EXPECT_NE(scene.find("\ndtm = ../../data/dtm.asc\n"), std::string::npos) << scene;
+    const Json inputs = parse_json(read_text(path("project/results/one/inputs.json"))).at("files");
+    ASSERT_EQ(inputs.size(), 3U);  // the .prj too
+    EXPECT_EQ(inputs.at(0).at("key"), "terrain.dtm");
+    EXPECT_EQ(inputs.at(0).at("file"), "../../data/dtm.asc");
+    EXPECT_EQ(inputs.at(0).at("place"), path("project/data/dtm.asc"));
+    EXPECT_EQ(inputs.at(0).at("bytes"), fs::file_size(path("project/data/dtm.asc")));
+    EXPECT_EQ(inputs.at(0).at("xxh128").get<std::string>().size(), 32U);
+}
+
+TEST_F(Moved, AMovedResultIsRepeated) {
+    const std::string before = raster("project/results/one");
+    move_project();
+    const Outcome again = frana({"run", "elsewhere/far/moved/results/one/scene.ini", "--out", "again", "--quiet"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(again.err, "");
+    // The same cells; the metadata differ, whose scene names the inputs from another place.
+    EXPECT_EQ(json_number(read_text(path("again/summary.json")), "max_depth_m"),
+              json_number(read_text(path("elsewhere/far/moved/results/one/summary.json")), "max_depth_m"));
+    EXPECT_EQ(read_text(path("again/timeseries.csv")),
+              read_text(path("elsewhere/far/moved/results/one/timeseries.csv")));
+    // Into a place as deep: the same bytes.
+    const Outcome beside = frana(
+        {"run", "elsewhere/far/moved/results/one/scene.ini", "--out", "elsewhere/far/moved/results/two", "--quiet"});
+    ASSERT_EQ(beside.exit_code, 0) << beside.err;
+    EXPECT_EQ(raster("elsewhere/far/moved/results/two").size(), before.size());
+}
+
+TEST_F(Moved, AMissingInputIsOneClearError) {
+    const std::string sum =
+        json_text(parse_json(read_text(path("project/results/one/inputs.json"))).at("files").at(2).dump(), "xxh128");
+    move_project();
+    fs::remove(folder_ / "elsewhere/far/moved/data/perimeter.geojson");
+    const Outcome outcome = frana({"run", "elsewhere/far/moved/results/one/scene.ini", "--out", "again"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    for (const std::string& words :
+         {std::string("scene.ini: release.perimeter: an input of this result is missing"), "xxh128 " + sum,
+          std::string("../../data/perimeter.geojson"), path("elsewhere/far/moved/data/perimeter.geojson"),
+          path("project/data/perimeter.geojson"), std::string("--set release.perimeter=FILE")})
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "again"));
+    // The file at another place, named on the command line.
+    write_polygon("other", {{20, 55}, {70, 55}, {70, 95}, {20, 95}});
+    EXPECT_EQ(frana({"check", "elsewhere/far/moved/results/one/scene.ini", "--set",
+                     "release.perimeter=" + path("other.geojson")})
+                  .exit_code,
+              0);
+}
+
+TEST_F(Moved, AResultMovedAloneFindsItsInputsWhereTheyWere) {
+    fs::rename(folder_ / "project/results/one", folder_ / "one");
+    const Outcome outcome = frana({"run", "one/scene.ini", "--out", "again"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find(path("project/data/dtm.asc") + " is used"), std::string::npos) << outcome.err;
+    EXPECT_EQ(read_text(path("again/timeseries.csv")), read_text(path("one/timeseries.csv")));
+}
+
+TEST_F(Moved, AnotherContentIsWarnedOf) {
+    move_project();
+    write("elsewhere/far/moved/data/perimeter.geojson",
+          read_text(path("elsewhere/far/moved/data/perimeter.geojson")) + "\n");
+    const Outcome outcome = frana({"run", "elsewhere/far/moved/results/one/scene.ini", "--out", "again"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("release.perimeter: " + path("elsewhere/far/moved/data/perimeter.geojson") +
+                               " is not as it was when this result was computed"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(read_text(path("again/log.txt")).find("is not as it was"), std::string::npos);
+}
+
+TEST_F(Moved, AFinishedResultIsRecognisedAfterTheMove) {
+    move_project();
+    const Outcome outcome =
+        frana({"run", "elsewhere/far/moved/scene.ini", "--out", "elsewhere/far/moved/results/one", "--resume"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace frana::test

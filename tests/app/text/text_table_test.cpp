@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/text/text_table.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "app/text/display_width.h"
+
+namespace frana::app {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST(DisplayWidth, CountsLettersAsTheyAreShown) {
+    EXPECT_EQ(display_width("Rutschung"), 9U);
+    EXPECT_EQ(display_width("Müren"), 5U);
+    EXPECT_EQ(display_width("Mu\xcc\x88ren"), 5U);  // a combining diaeresis
+    EXPECT_EQ(display_width("滑坡"), 4U);           // two wide letters
+    EXPECT_EQ(display_width("a\xff"), 2U);          // not UTF-8
+    EXPECT_EQ(padded("滑坡", 6), "滑坡  ");
+    EXPECT_EQ(padded("é", 3, true), "  é");
+}
+
+TEST(DisplayWidth, WrapsAtSpacesAndBreaksLongWords) {
+    EXPECT_EQ(wrapped("große Mure am Hang", 8), (std::vector<std::string>{"große", "Mure am", "Hang"}));
+    EXPECT_EQ(wrapped("müßiggang", 5), (std::vector<std::string>{"müßig", "gang"}));
+    EXPECT_EQ(wrapped("滑坡灾害", 5), (std::vector<std::string>{"滑坡", "灾害"}));
+    EXPECT_EQ(wrapped("", 5), std::vector<std::string>{});
+}
+
+TEST(TextTable, IsAsNarrowAsAsked) {
+    TextTable table({{"Bezeichnung", 30}, {"Wert", 20, true}});
+    table.add({"Mächtigkeit der Rutschmasse am Hang", "12.5 m"});
+    table.add({"滑坡体的最大厚度", "1"});
+    for (const std::size_t width : {100U, 40U, 24U, 18U, 10U}) {
+        const std::string text = table.text(width);
+        for (const std::string& line : lines_of(text)) EXPECT_LE(display_width(line), width) << text;
+    }
+    // The columns of numbers end in the same place, also beside wide letters.
+    const auto lines = lines_of(table.text(100));
+    for (const std::string& line : lines) {
+        const bool ends_with_number = line.ends_with("12.5 m") || line.ends_with(" 1");
+        EXPECT_TRUE(!ends_with_number || display_width(line) == display_width(lines[1])) << table.text(100);
+    }
+}
+
+TEST(TextTable, FactsAreWrappedBesideTheirName) {
+    EXPECT_EQ(fact_line("terms", "friction and turbulence of the bed, everywhere", 45),
+              "  terms            friction and turbulence of\n                   the bed, everywhere\n");
+}
+
+TEST(TextTable, FoldedLinesKeepTheirIndentation) {
+    EXPECT_EQ(folded("short\n    a long line of some words here\n", 22),
+              "short\n    a long line of\n      some words here\n");
+}
+
+}  // namespace
+}  // namespace frana::app

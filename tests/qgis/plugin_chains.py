@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Outputs, models, loading, keys that the plugin does not know: plugin_chains.py TEST FRANA SAMPLE PLUGINS."""
+from plugin_ground import (FRANA, SCAR, Told, folder, main, polygons, processing, provider, run, scene)
+import json
+import os
+import stat
+
+import numpy
+from osgeo import gdal
+from qgis.core import (QgsLayerTreeGroup, QgsProcessingFeatureSourceDefinition, QgsProcessingModelAlgorithm,
+                       QgsProcessingModelChildAlgorithm, QgsProcessingModelChildParameterSource,
+                       QgsProcessingModelOutput, QgsProcessingModelParameter, QgsProcessingParameterDefinition,
+                       QgsProcessingParameterFeatureSource, QgsProcessingParameterFolderDestination,
+                       QgsProcessingParameterNumber, QgsProcessingParameterRasterLayer, QgsProject, QgsRasterLayer,
+                       QgsSettings, QgsVectorLayer)
+
+OBSERVED = {"observed_perimeter": SCAR, "hazard_scheme": "swiss-flood", "output_report": True}
+
+
+def check_outputs(name, found, without=()):
+    """Every declared output is there and opens as what it is declared."""
+    for output in provider.algorithm(name).outputDefinitions():
+        if output.name() in without:
+            continue
+        assert output.name() in found, f"frana:{name} has no {output.name()}"
+        value, kind = found[output.name()], output.type()
+        if kind == "outputRaster":
+            assert QgsRasterLayer(value, "raster").isValid(), (output.name(), value)
+        elif kind == "outputVector":
+            layer = QgsVectorLayer(value, "layer", "ogr")
+            assert layer.isValid() and layer.featureCount() > 0, (output.name(), value)
+        elif kind == "outputNumber":
+            float(value)
+        elif kind == "outputFolder":
+            assert os.path.isdir(value), (output.name(), value)
+        elif kind in ("outputFile", "outputHtml"):
+            assert os.path.getsize(value) > 0, (output.name(), value)
+        else:
+            assert kind == "outputString" and isinstance(value, str), (output.name(), kind, value)
+
+
+def test_outputs_of_one_run():
+    first = run("run", scene("first", output_maps=["max_depth"], **OBSERVED))
+    check_outputs("run", first)
+    checked = run("check", {**scene("checked"), "OUTPUT": os.path.join(folder, "check.html")})
+    check_outputs("check", checked)
+    assert "45" in checked["TEXT"] and "UTM zone 32N" in checked["TEXT"], checked["TEXT"]
+    compared = run("compare", {"RESULT": first["OUTPUT"], "OBSERVED": SCAR, "THRESHOLD": 0.5})
+    check_outputs("compare", compared)
+    raster = run("compare", {"RASTER": first["MAX_DEPTH"], "OBSERVED": SCAR, "OUTPUT": os.path.join(folder, "raster")})
+    check_outputs("compare", raster, {"RUNOUT_DIFFERENCE_M"})  # a raster alone has no path
+    drawn = run("render", {"RESULT": first["OUTPUT"], "MAPS": "max_depth, max_velocity", "SIZE": "640x480",
+                           "FORMATS": ["png", "pdf"], "OUTPUT": os.path.join(folder, "drawn")})
+    check_outputs("render", drawn, {"ANIMATION"})
+    assert drawn["COUNT"] == 4 and all(os.path.isfile(path) for path in drawn["FILES"].split("\n")), drawn
+    film = os.path.join(folder, "film.gif")
+    check_outputs("render", run("render", {"RESULT": first["OUTPUT"], "ANIMATION": film, "SIZE": "640x480"}))
+    check_outputs("converge", run("converge", {**scene("levels"), "terrain_cell_size": 10, "time_end": 2}))
+    check_outputs("newscene", run("newscene", {**scene("new"), "OUTPUT": os.path.join(folder, "new", "slope.ini")}))
+
+
+def test_outputs_of_many_runs():
+    vary = ["Material: friction angle", "uniform(8, 16)", "release.volume", "uniform(3e4, 5e4)"]
+    range_of_runs = run("ensemble", {**scene("range"), "VARY": vary, "SAMPLES": 4, "output_report": True})
+    check_outputs("ensemble", range_of_runs)
+    assert range_of_runs["FINISHED"] == 4
+    event = run("newscene", {**scene("event", **OBSERVED), "OUTPUT": os.path.join(folder, "event", "event.ini")})
+    check_outputs("calibrate", run("calibrate", {
+        "SCENES": [event["OUTPUT"]], "VARY": ["material.friction-angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
+        "SAMPLES": 4, "REFINE": 4, "OUTPUT": os.path.join(folder, "calibrated")}))
+
+
+def test_probability():
+    """Two of three runs: cells that two of three exceed have 2/3, error sqrt(2/27); where none came, 0."""
+    depths = [run("run", scene(f"run{angle}", material_friction_angle=angle, output_extent="reached"))["MAX_DEPTH"]
+              for angle in (5, 15, 30)]
+    found = run("probability", {"RASTERS": depths, "THRESHOLD": 0.5, "OUTPUT": os.path.join(folder, "probability.tif")})
+    check_outputs("probability", found)
+    data = gdal.Open(found["OUTPUT"])
+    west, cell, _, north, _, _ = data.GetGeoTransform()
+    expected = numpy.zeros((data.RasterYSize, data.RasterXSize))
+    for path in depths:
+        grid = gdal.Open(path)
+        place = grid.GetGeoTransform()
+        column, row = round((place[0] - west) / cell), round((north - place[3]) / cell)
+        expected[row:row + grid.RasterYSize, column:column + grid.RasterXSize] += grid.ReadAsArray() > 0.5
+    expected /= 3
+    bands = data.ReadAsArray()
+    assert numpy.allclose(bands[0], expected, atol=1e-7) and len(numpy.unique(bands[0])) == 4
+    assert numpy.allclose(bands[1], numpy.sqrt(expected * (1 - expected) / 3), atol=1e-7)
+    # The same for the program: it scores the map against an outline.
+    check_outputs("compare", run("compare", {"RASTER": found["OUTPUT"], "OBSERVED": SCAR,
+                                             "OUTPUT": os.path.join(folder, "scored")}), {
+        "COMPARISON", "COMPARISON_PICTURE", "JACCARD", "AREA_DIFFERENCE_PERCENT", "TRUE_POSITIVE_RATE",
+        "RUNOUT_DIFFERENCE_M"})
+
+
+def test_probability_style():
+    """The plugin's classes of probability are the program's."""
+    from frana.styles import style_probability
+    range_of_runs = run("ensemble", {**scene("styled"), "VARY": ["release.volume", "uniform(3e4, 5e4)"], "SAMPLES": 2})
+    theirs, ours = (QgsRasterLayer(range_of_runs["PROBABILITY"], "styled") for _ in range(2))
+    style_probability(ours)
+    classes = [[(item.value, item.color.name(), item.color.alpha()) for item in
+                layer.renderer().shader().rasterShaderFunction().colorRampItemList()] for layer in (theirs, ours)]
+    assert classes[0] == classes[1], classes
+
+
+def source(kind, *place):
+    return [getattr(QgsProcessingModelChildParameterSource, kind)(*place)]
+
+
+def child(name, algorithm, **parameters):
+    step = QgsProcessingModelChildAlgorithm(algorithm)
+    step.setChildId(name)
+    for parameter, sources in parameters.items():
+        step.addParameterSources(parameter, sources)
+    return step
+
+
+def test_model():
+    """Three steps: the release from a layer by its column, a run of it, a comparison of the run."""
+    model = QgsProcessingModelAlgorithm("slope", "tests", "")
+    for definition in (QgsProcessingParameterFeatureSource("areas", "Areas"), QgsProcessingParameterRasterLayer("dtm", "DTM"),
+                       QgsProcessingParameterFeatureSource("survey", "Survey"),
+                       QgsProcessingParameterNumber("thickness", "Thickness", QgsProcessingParameterNumber.Double)):
+        model.addModelParameter(definition, QgsProcessingModelParameter(definition.name()))
+    given, value, output = "fromModelParameter", "fromStaticValue", "fromChildOutput"
+    model.addChildAlgorithm(child("pick", "native:extractbyattribute", INPUT=source(given, "areas"),
+                                  FIELD=source(value, "thick"), OPERATOR=source(value, 0), VALUE=source(value, "3")))
+    fixed = {name: source(value, text) for name, text in scene("model").items()
+             if name not in ("terrain_dtm", "release_perimeter", "release_thickness", "OUTPUT")}
+    slide = child("slide", "frana:run", terrain_dtm=source(given, "dtm"), release_perimeter=source(output, "pick", "OUTPUT"),
+                  release_thickness=source("fromExpression", "to_string(@thickness)"), **fixed)
+    result = QgsProcessingModelOutput("result", "result")
+    result.setChildId("slide")
+    result.setChildOutputName("OUTPUT")
+    slide.setModelOutputs({"result": result})
+    model.addChildAlgorithm(slide)
+    last = child("score", "frana:compare", RESULT=source(output, "slide", "OUTPUT"), OBSERVED=source(given, "survey"))
+    model.addChildAlgorithm(last)
+    stored = os.path.join(folder, "slope.model3")
+    assert model.toFile(stored)
+    again = QgsProcessingModelAlgorithm()
+    assert again.fromFile(stored)
+    areas = polygons("POLYGON((529330 5094500, 529480 5094500, 529480 5094600, 529330 5094600, 529330 5094500))",
+                     "POLYGON((529400 5094250, 529500 5094250, 529500 5094300, 529400 5094300, 529400 5094250))")
+    told = Told()
+    found = processing.run(again, {"areas": QgsProcessingFeatureSourceDefinition(areas.id(), False),
+                                   "dtm": scene("model")["terrain_dtm"], "survey": SCAR, "thickness": 2,
+                                   "slide:result": os.path.join(folder, "model"),
+                                   "result": os.path.join(folder, "model")}, feedback=told)
+    results = found["CHILD_RESULTS"]
+    assert abs(results["slide"]["VOLUME_M3"] - 2 * 5000) < 1, results["slide"]
+    check_outputs("compare", results["score"])
+    assert results["score"]["OUTPUT"] == results["slide"]["OUTPUT"]
+
+
+def load(name, parameters):
+    """As the toolbox does: the algorithm, then what it asked QGIS to load."""
+    from processing.gui.Postprocessing import handleAlgorithmResults
+    algorithm = provider.algorithm(name).create()
+    context = processing.createContext()
+    context.setProject(QgsProject.instance())
+    found, done = algorithm.run(parameters, context, Told())
+    assert done
+    assert handleAlgorithmResults(algorithm, context, Told(), False)
+    return found
+
+
+def test_loading():
+    """The result's layers come in one group, styled, in order, the frames with their times."""
+    project = QgsProject.instance()
+    project.removeAllMapLayers()
+    found = load("run", scene("loaded", **OBSERVED, output_title="My slope"))
+    root = project.layerTreeRoot()
+    groups = [child for child in root.children() if isinstance(child, QgsLayerTreeGroup)]
+    assert [group.name() for group in groups] == ["My slope"], root.dump()
+    inside = [child.name().split(" – ")[0] for child in groups[0].children()]
+    assert inside == ["Outlines", "Maps", "Flow depth over time", "Flow velocity over time", "Terrain"], inside
+    layers = [node.layer() for node in root.findLayers()]
+    assert len(layers) == len({layer.id() for layer in layers}) and all(layer.isValid() for layer in layers)
+    by_file = {}
+    for layer in layers:
+        by_file.setdefault(os.path.basename(layer.source().split("|")[0]), []).append(layer)
+    assert len(by_file["max_depth.tif"]) == 1, "max_depth.tif is there twice"
+    assert len([node for node in root.findLayers() if node.parent() is root]) == 1, "only the drawn layer is outside"
+    alone = QgsRasterLayer(found["MAX_DEPTH"], "alone")
+    colours = [[item.color.name() for item in layer.renderer().shader().rasterShaderFunction().colorRampItemList()]
+               for layer in (alone, by_file["max_depth.tif"][0])]
+    assert colours[0] == colours[1] and len(colours[0]) > 3
+    frames = [layer for layer in layers if os.path.basename(layer.source()).startswith("depth_")]
+    assert len(frames) >= 4, [layer.source() for layer in layers]
+    assert all(layer.temporalProperties().isActive() for layer in frames)
+    assert project.timeSettings().temporalRange().begin() == frames[0].temporalProperties().fixedTemporalRange().begin()
+    load("run", {**scene("quiet"), "LOAD": False})
+    assert len([child for child in root.children() if isinstance(child, QgsLayerTreeGroup)]) == 1
+
+
+def test_new_key():
+    """A key that a newer program has appears by itself; a command that an older one lacks has no algorithm."""
+    row = {"name": "material.stickiness", "section": "material", "key": "stickiness", "type": "number", "unit": "N",
+           "default": None, "when_absent": "not sticky", "limits": "0.5 to 9", "meaning": "How sticky it is."}
+    choice = {**row, "name": "novel.colour", "section": "novel", "key": "colour", "type": "choice", "unit": "",
+              "limits": "red, dark-blue"}
+    layer = {**row, "name": "novel.trees", "section": "novel", "key": "trees", "type": "file", "content": "points",
+             "limits": ""}
+    program = os.path.join(folder, "newer")
+    keys = json.dumps([row, choice, layer])
+    with open(program, "w", encoding="utf-8") as file:
+        file.write(f"""#!/usr/bin/python3
+import json, subprocess, sys
+answer = subprocess.run([{FRANA!r}, *sys.argv[1:]], capture_output=True)
+text = answer.stdout.decode()
+if sys.argv[1:] == ["params", "--json"]:
+    text = json.dumps(json.loads(text) + {keys.replace("null", "None")})
+if sys.argv[1:] == ["--help"]:
+    text = "\\n".join(line for line in text.split("\\n") if not line.startswith("  calibrate"))
+sys.stdout.write(text)
+sys.stderr.write(answer.stderr.decode())
+sys.exit(answer.returncode)
+""")
+    os.chmod(program, os.stat(program).st_mode | stat.S_IXUSR)
+    assert provider.algorithm("calibrate") is not None
+    QgsSettings().setValue("Processing/Configuration/FRANA_PROGRAM", program)
+    provider.refreshAlgorithms()
+    assert provider.algorithm("calibrate") is None and provider.algorithm("run") is not None
+    algorithm = provider.algorithm("run")
+    number = algorithm.parameterDefinition("material_stickiness")
+    assert number.type() == "number" and (number.minimum(), number.maximum()) == (0.5, 9)
+    assert number.description() == "Material: stickiness [N] (0.5 to 9; otherwise not sticky)", number.description()
+    assert number.defaultValue() is None and number.flags() & QgsProcessingParameterDefinition.FlagAdvanced
+    assert algorithm.parameterDefinition("novel_colour").options() == ["red", "dark-blue"]
+    assert algorithm.parameterDefinition("novel_trees").type() == "source"
+    from frana.fields import Values, fields_of
+    from frana.program import ask_program
+    fields = {field.key.name: field for field in fields_of(ask_program().keys, [])}
+    from qgis.core import QgsProcessingContext
+    values = Values(algorithm, {"material_stickiness": 2.5, "novel_colour": "dark-blue"}, QgsProcessingContext())
+    assert fields["material.stickiness"].value(values) == "2.5" and fields["novel.colour"].value(values) == "dark-blue"
+    QgsSettings().setValue("Processing/Configuration/FRANA_PROGRAM", "/nowhere/frana")
+    provider.refreshAlgorithms()
+    assert not provider.algorithms() and "/nowhere/frana" in provider.warningMessage(), provider.warningMessage()
+
+
+def test_every_key():
+    """Every key of the program but the folder of the result and fixed values has a parameter of its kind."""
+    import subprocess
+    keys = json.loads(subprocess.run([FRANA, "params", "--json"], capture_output=True, check=True).stdout)
+    algorithm = provider.algorithm("run")
+    kinds = {"raster": "raster", "polygons": "source", "lines": "source", "points": "source", "lines or points": "source",
+             "raster or polygons": "layer", "table": "file"}
+    first = [definition.name() for definition in algorithm.parameterDefinitions()
+             if not definition.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
+    assert first[0] == "terrain_dtm" and len([name for name in first if name.islower()]) <= 25, first
+    for key in keys:
+        if key["name"] in ("scene.format", "output.directory"):
+            continue
+        name = key["name"].replace(".", "_").replace("-", "_")
+        parameter = algorithm.parameterDefinition(name)
+        assert parameter is not None, key["name"]
+        assert parameter.flags() & QgsProcessingParameterDefinition.FlagOptional
+        if key["type"] == "file":
+            assert parameter.type() == kinds[key["content"]], (key["name"], parameter.type())
+        elif key["type"] == "choice":
+            assert parameter.type() == "enum", key["name"]
+        elif key["type"] == "on | off":
+            assert parameter.type() == ("boolean" if key["default"] else "enum"), key["name"]
+        if parameter.type() != "boolean":
+            assert parameter.defaultValue() is None, (key["name"], parameter.defaultValue())
+
+
+main({name[len("test_"):]: test for name, test in list(globals().items()) if name.startswith("test_")})
