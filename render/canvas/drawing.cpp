@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/canvas/drawing.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 #include "core/utf8.h"
 
@@ -11,6 +13,20 @@ namespace {
 
 constexpr std::size_t k_most_letters = 2000;  // of a paragraph
 constexpr std::size_t k_longest_line = 500;   // bytes; longer lines need not be measured
+
+/// Whether a word must not begin a line after another: groups of a number's digits, and the unit of a number.
+bool belongs_to(const std::string& before, const std::string& word) {
+    static const std::array<std::string, 16> k_units{"m",   "m\u00B2",    "m\u00B3", "m/s", "m\u00B2/s", "m/s\u00B2",
+                                                     "s",   "%",          "kPa",     "Pa",  "km",        "cm",
+                                                     "min", "kg/m\u00B3", "\u00B0",  "h"};
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (before.empty() || !is_digit(before.back())) return false;
+    std::string bare = word;  // without the sign that ends a clause
+    while (!bare.empty() && (bare.back() == ',' || bare.back() == ';' || bare.back() == '.')) bare.pop_back();
+    const bool group = bare.size() >= 3 && std::all_of(bare.begin(), bare.begin() + 3, is_digit) &&
+                       (bare.size() == 3 || bare[3] == '.');
+    return group || std::find(k_units.begin(), k_units.end(), bare) != k_units.end();
+}
 
 }  // namespace
 
@@ -45,7 +61,11 @@ std::vector<std::string> Drawing::wrapped(const std::string& words, const TextSt
     std::vector<std::string> lines, parts;
     std::istringstream stream(elided(valid_utf8(words), k_most_letters));
     for (std::string word; stream >> word;) {
-        parts.push_back(fits(word) ? std::move(word) : cut(word));
+        const std::string joint = parts.empty() ? word : parts.back() + " " + word;
+        if (!parts.empty() && belongs_to(parts.back(), word) && fits(joint))
+            parts.back() = joint;
+        else
+            parts.push_back(fits(word) ? std::move(word) : cut(word));
     }
     // The number of words that fit on each line, likewise.
     for (std::size_t first = 0; first < parts.size();) {

@@ -45,6 +45,9 @@ struct MapLayout {
     PageBox map;                  ///< inside of the frame
     Bounds window;                ///< map coordinates shown inside the frame
     double metres_per_pixel = 0;  ///< the same in both directions
+    double scale = 0;             ///< n of 1 : n when printed; 0: not printed
+    PageBox title_block;          ///< empty: none, or its lines are at the foot
+    PageBox logo;                 ///< empty: none, or there is no room
     PageBox scale_bar;
     double scale_bar_metres = 0;
     double north_arrow_deg = 0;  ///< clockwise from straight up on the page

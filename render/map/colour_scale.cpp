@@ -71,7 +71,10 @@ ColourScale::ColourScale(const ScaleRequest& request) : words_(request.words) {
     }
     const bool rising = std::adjacent_find(request.classes.begin(), request.classes.end(),
                                            [](double a, double b) { return !(a < b); }) == request.classes.end();
-    const bool only_open = request.classes.size() == 2 && request.classes.back() == k_infinity;
+    const auto finite = std::count_if(request.classes.begin(), request.classes.end(),
+                                      [](double bound) { return std::isfinite(bound); });
+    const bool only_open =
+        !request.classes.empty() && finite < static_cast<std::ptrdiff_t>(request.classes.size()) && finite < 2;
     if (request.classes.size() == 1 || !rising || only_open) {
         problems.add({"class bounds must be at least two and rise", "", "", "", "for example 0, 0.5, 1, 2, 5"});
     }
@@ -85,11 +88,13 @@ ColourScale::ColourScale(const ScaleRequest& request) : words_(request.words) {
     std::vector<double> bounds = usual_bounds(request, range);
     const bool fixed_open = bounds.back() == k_infinity;
     if (fixed_open) bounds.pop_back();
+    const bool fixed_open_below = bounds.front() == -k_infinity;
+    if (fixed_open_below) bounds.erase(bounds.begin());
     const bool given = !request.classes.empty() || request.maximum;
     const bool unseen = request.for_unseen_values && given;
     // A raster that is given as well has their greatest values: a class that none is in would change all colours.
     const bool beyond = unseen && range.empty();
-    const bool open_below = range.least < bounds.front() || (unseen && bounds.front() > 0);
+    const bool open_below = fixed_open_below || range.least < bounds.front() || (unseen && bounds.front() > 0);
     const bool open_above = fixed_open || range.greatest > bounds.back() || beyond;
     bounds_ = bounds;
     if (request.continuous) slices_ = k_slices;
@@ -109,11 +114,12 @@ std::string ColourScale::number_of(double bound) const {
 
 void ColourScale::set_bounds(bool open_below, bool open_above, const Palette& palette) {
     const double first = bounds_.front(), end = bounds_.back();
+    const char* const to = first < 0 ? " \u2026 " : " \u2013 ";  // a dash beside a minus is hard to read
     if (open_below) classes_.push_back({-k_infinity, first, "< " + number_of(first), {}});
     for (std::size_t i = 0; i + 1 < bounds_.size(); ++i) {
         const double lower = bounds_[i], upper = bounds_[i + 1];
         if (slices_ == 1) {
-            classes_.push_back({lower, upper, number_of(lower) + " \u2013 " + number_of(upper), {}});
+            classes_.push_back({lower, upper, number_of(lower) + to + number_of(upper), {}});
             continue;
         }
         const double thick = (upper - lower) / slices_;

@@ -33,6 +33,7 @@ struct Outline {
     double width_px = 2.5;  ///< on a page 1200 pixels high; scales with the page
     bool dashed = false;
     std::vector<Polyline> lines{};     ///< open ones
+    std::vector<std::string> names{};  ///< of the lines, in their order; empty: none; not in a perspective view
     std::vector<NamedPlace> places{};  ///< small triangles; no names in a perspective view
 };
 
@@ -60,6 +61,26 @@ struct ClassLabel {
     Rgb colour;
 };
 
+/// Size of a map when it is printed, from which its scale follows.
+struct Print {
+    double dots_per_inch = 0;     ///< 0: not printed (a film), no scale is written
+    std::string sheet;            ///< "A4": the page is a sheet of paper; empty: it has the size of its pixels
+    std::optional<double> scale;  ///< n of 1 : n, exactly; none: on a sheet a round one, if the map hardly shrinks
+};
+
+/// Who made a map, and when: in the corner above its legend.
+struct TitleBlock {
+    std::shared_ptr<const Image> logo;  ///< null: none
+    std::vector<std::string> lines;     ///< organisation, author, date
+};
+
+/// What all maps of a series share. The frame leaves room for the other texts of any of them, so that it is the same on
+/// all pages of a size.
+struct SeriesText {
+    std::string title, subtitle;     ///< their common beginning
+    std::vector<std::string> notes;  ///< beside most of them
+};
+
 /// Everything on a map. Rasters are borrowed and must outlive the call; all coordinates are in one CRS.
 struct MapSpec {
     std::string title;
@@ -76,7 +97,7 @@ struct MapSpec {
     const Dots* dots = nullptr;          ///< over the layer, in the same colours; may be absent
     std::string palette = "depth";       ///< name of a palette in core/colour.h
     std::optional<double> maximum;       ///< end of the colour scale; values above it get a separate open class
-    std::vector<double> classes;         ///< rising bounds, the last may be infinite; empty: up to the maximum
+    std::vector<double> classes;         ///< rising bounds, first and last may be infinite; empty: up to the maximum
     bool continuous = false;             ///< colours are continuous between the bounds
     std::vector<ClassLabel> categories;  ///< not empty: the raster's values are classes, exactly these
     std::vector<Outline> outlines;
@@ -85,7 +106,10 @@ struct MapSpec {
     std::string crs_label;                ///< "EPSG:32632 (WGS 84 / UTM zone 32N)"
     int width = 1600;                     ///< pixels
     int height = 1200;
-    std::optional<Bounds> window;  ///< must be visible; default: flow and outlines with a margin
+    Print print;
+    TitleBlock block;
+    std::optional<SeriesText> series;  ///< none: the page is arranged for its own texts alone
+    std::optional<Bounds> window;      ///< must be visible; default: flow and outlines with a margin
     bool contours = true;
     bool inset = false;     ///< a small map with the position of the window in the terrain, if there is room
     Background background;  ///< replaces the relief; may be absent
@@ -94,9 +118,18 @@ struct MapSpec {
     Words words{};  ///< of the furniture; the texts above are in its language already
 };
 
+/// The scales at which a map's content fits its frame.
+struct FittingScale {
+    double least = 0;  ///< the content fits with a small margin at this n of 1 : n and all greater ones
+    double round = 0;  ///< the least round one of these
+};
+/// Returns them for a spec with `print.dots_per_inch`. Throws as map_page does, but not for a scale that does not fit.
+FittingScale fitting_scale(const MapSpec& spec);
+
 /// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing), outlines, frame
 /// with coordinates, legend, scale bar, north arrow. An empty raster is drawn with a note. Fills `layout`, if given.
-/// Throws Error(input) if the spec contradicts itself or the page is too small for its texts, and Error(environment) if
+/// Throws Error(input) if the spec contradicts itself or the page is too small for its texts or for the content at its
+/// scale, and Error(environment) if
 /// the picture cannot be drawn (missing font, broken OpenGL).
 Page map_page(const MapSpec& spec, MapLayout* layout = nullptr);
 /// The same as pixels.

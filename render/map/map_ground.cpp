@@ -6,6 +6,7 @@
 
 #include "render/map/graticule.h"
 #include "render/map/map_lines.h"
+#include "render/map/map_names.h"
 #include "render/map/map_window.h"
 
 namespace frana::render {
@@ -25,7 +26,7 @@ bool same(const Outline& a, const Outline& b) {
                           [](const Polyline& p, const Polyline& q) { return same(p, q); });
     };
     return a.label == b.label && a.colour == b.colour && a.width_px == b.width_px && a.dashed == b.dashed &&
-           same_lines(a.lines, b.lines) &&
+           a.names == b.names && same_lines(a.lines, b.lines) &&
            std::equal(a.polygons.begin(), a.polygons.end(), b.polygons.begin(), b.polygons.end(),
                       [&](const Polygon& p, const Polygon& q) {
                           return same(p.outer, q.outer) && same_lines(p.holes, q.holes);
@@ -64,7 +65,7 @@ void cover_outside(Sheet& sheet, const PageBox& page, const PageBox& map) {
 void draw_lines(const MapSpec& spec, const PageStyle& style, MapGround& ground) {
     Sheet sheet(ground.width, ground.height);
     const MapFrame& frame = ground.frame;
-    draw_place_names(sheet, style, frame, spec.outlines);
+    draw_names(sheet, style, frame, spec.outlines);
     if (spec.terrain != nullptr && spec.contours)
         ground.contour_interval =
             draw_contours(sheet, style, frame, *spec.terrain, ground.kept_clear, spec.outlines, spec.words);

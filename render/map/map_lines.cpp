@@ -205,37 +205,6 @@ void draw_place(Drawing& drawing, const PageStyle& style, Point at, Rgb colour) 
     triangle(reach, colour);
 }
 
-void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
-                      const std::vector<Outline>& outlines) {
-    TextStyle name = style.small;
-    name.colour = k_ink;
-    name.halo_px = std::max(1.5, style.length(2.5));
-    const double away = 0.8 * style.label.size_px;
-    for (const Outline& outline : outlines) {
-        for (const NamedPlace& one : outline.places) {
-            if (one.name.empty()) continue;
-            const Point at = frame.page(one.place);
-            const struct {
-                Point shift;
-                Across across;
-                Upright upright;
-            } tries[] = {{{away, 0}, Across::left, Upright::middle},
-                         {{-away, 0}, Across::right, Upright::middle},
-                         {{0, -away}, Across::centre, Upright::baseline},
-                         {{0, away}, Across::centre, Upright::top}};
-            for (const auto& one_try : tries) {
-                const Point to{at.x + one_try.shift.x, at.y + one_try.shift.y};
-                const PageBox box = sheet.lettering().place(one.name, to, name, one_try.across, one_try.upright).box;
-                const bool occupied = std::any_of(sheet.texts().begin(), sheet.texts().end(),
-                                                  [&](const TextBox& text) { return text.box.overlaps(box); });
-                if (occupied || !box.inside(frame.box())) continue;
-                sheet.text(one.name, to, name, one_try.across, one_try.upright);
-                break;
-            }
-        }
-    }
-}
-
 void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected, const Words& words) {
     const Lettering& lettering = sheet.lettering();
     const PageBox box = frame.box();

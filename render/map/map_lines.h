@@ -21,10 +21,6 @@ void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, 
 /// Draws the symbol of a place: a triangle on a light rim.
 void draw_place(Drawing& drawing, const PageStyle& style, Point at, Rgb colour);
 
-/// Writes the names of places beside them where there is room; call before the contours, whose labels avoid them.
-void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
-                      const std::vector<Outline>& outlines);
-
 /// Draws coordinates: ticks and labels along the frame's lower and left side, small crosses inside. The caller draws
 /// the frame itself. `projected`: eastings and northings, otherwise plain metres.
 void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected, const Words& words);

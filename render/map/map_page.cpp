@@ -12,14 +12,17 @@
 #include "render/canvas/raster_window.h"
 #include "render/canvas/sheet.h"
 #include "render/canvas/ticks.h"
-#include "render/map/graticule.h"
 #include "render/map/inset.h"
 #include "render/map/legend.h"
 #include "render/map/map_lines.h"
 #include "render/map/map_window.h"
+#include "render/map/page_plan.h"
+#include "render/map/print_scale.h"
 
 namespace frana::render {
 namespace {
+
+constexpr double k_rounding = 0.5;  // of a pixel
 
 void check(const MapSpec& spec) {
     Problems problems;
@@ -44,34 +47,6 @@ void check(const MapSpec& spec) {
     problems.throw_if_any();
 }
 
-/// Parts of the page beside the map frame, measured before anything is placed.
-struct Column {
-    double left, top, width, bottom;
-};
-
-/// Draws scale bar, north arrow and its text upwards from the column's foot; returns the y of their upper edge.
-double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapFrame& frame,
-                        const Column& column, bool words_at_foot, MapLayout& layout) {
-    double y = column.bottom - scale_bar_height(style);
-    const ScaleBar bar =
-        draw_scale_bar(sheet, style, {column.left, y}, column.width, frame.metres_per_pixel(), spec.words);
-    layout.scale_bar = bar.box;
-    layout.scale_bar_metres = bar.metres;
-    y -= style.gap;
-    const std::string words = convergence_words(spec.convergence_deg, spec.words);
-    if (!words.empty() && !words_at_foot) {
-        const std::vector<std::string> lines = sheet.wrapped(words, style.small, column.width);
-        y -= Sheet::line_height(style.small) * static_cast<double>(lines.size());
-        sheet.lines(lines, {column.left, y}, style.small, Across::left);
-        y -= style.gap / 2;
-    }
-    const double reach = north_arrow_height(style) / 2;
-    y -= 2 * reach;
-    layout.north_arrow = draw_north_arrow(sheet, style, {column.left + reach, y + reach}, spec.convergence_deg);
-    layout.north_arrow_deg = spec.convergence_deg;
-    return y;
-}
-
 }  // namespace
 
 MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground) {
@@ -86,103 +61,102 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const Map
 }
 
 void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& kept) {
-    const PageBox page{0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
-    const std::vector<std::string> nothing;
+    if (spec.series) {
+        const auto shared = plan_series_page(spec, for_frames);
+        if (shared && place(spec, *shared, for_frames, kept) <= 0) return;
+    }
     // The parts of the page are reduced further until the legend fits above scale bar and arrow.
-    double lacking = 0;
+    const PageText text = own_text(spec, scale_);
+    double lacking = 60;
     for (const Crowding& crowding : k_crowdings) {
-        const double density = crowding.density;
-        const bool notes_at_foot = crowding.notes_at_foot;
-        const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines,
-                                    notes_at_foot ? &nothing : &spec.side_notes};
-        const PageStyle style(spec.width, spec.height, density);
-        Sheet sheet(spec.width, spec.height);
-        layout_ = MapLayout{};
-        layout_.page = page;
-        layout_.font_px = style.label.size_px;
-
-        const TitleResult titles = draw_titles(sheet, style, spec.title, spec.subtitle, for_frames,
-                                               {style.margin, style.margin}, page.width() - 2 * style.margin);
-        subtitle_at_ = titles.subtitle_at;
-
-        constexpr double k_most_of_page = 0.32, k_least_of_page = 0.2;
-        // In steps, so that the maps of a series have the same frame although their legends differ slightly.
-        const double step = 0.04 * page.width();
-        const double wanted = legend_width(content, style, sheet, k_most_of_page * page.width());
-        const double column_width =
-            std::clamp(step * std::ceil(wanted / step), k_least_of_page * page.width(), k_most_of_page * page.width());
-        const double band = tick_band(style), graticule_band = spec.longitude_latitude ? band : 0;
-        // The contours' interval is determined later; every interval needs about the same room.
-        const auto foot_parts = [&](double interval) {
-            const std::string remark =
-                interval > 0 ? spec.words("contour interval {1} m", {spec.words.number(number(interval))}) : "";
-            std::vector<std::string> parts = notes_at_foot ? spec.side_notes : nothing;
-            if (notes_at_foot) parts.push_back(convergence_words(spec.convergence_deg, spec.words));
-            parts.insert(parts.end(), {spec.source, spec.crs_label, remark, spec.attribution});
-            return parts;
-        };
-        const double inner = page.width() - 2 * style.margin;
-        const bool contours = spec.terrain != nullptr && spec.contours;
-        const double foot_top =
-            page.bottom - style.margin - foot_height(sheet, style, foot_parts(contours ? 1000 : 0), inner);
-
-        frame_.left = static_cast<int>(std::lround(style.margin + band));
-        frame_.top = static_cast<int>(std::lround(titles.bottom + style.gap + graticule_band));
-        frame_.width =
-            static_cast<int>(page.right - style.margin - column_width - 1.6 * style.gap - graticule_band) - frame_.left;
-        frame_.height = static_cast<int>(foot_top - band - style.gap / 2) - frame_.top;
-        if (frame_.width < 80 || frame_.height < 60) {
-            lacking = 60;
-            continue;
-        }
-        frame_.window = map_window(spec, static_cast<double>(frame_.width) / frame_.height);
-        layout_.map = frame_.box();
-        layout_.window = frame_.window;
-        layout_.metres_per_pixel = frame_.metres_per_pixel();
-
-        // In the last attempts the legend begins beside the coordinates above the frame, where there is slightly more
-        // room.
-        const bool last = density == std::end(k_crowdings)[-1].density;
-        const double column_top = frame_.top - (last ? graticule_band : 0);
-        const Column column{page.right - style.margin - column_width, column_top, column_width,
-                            static_cast<double>(frame_.top + frame_.height)};
-        const double legend_bottom =
-            draw_legend(content, style, {column.left, column.top}, column.width, sheet, layout_.legend);
-        const double arrow_top = draw_orientation(sheet, style, spec, frame_, column, notes_at_foot, layout_);
-        lacking = legend_bottom + style.gap - arrow_top;
-        if (lacking > 0) continue;
-        const MapGround& ground = ground_for(spec, frame_, density, kept);
-        ground_ = kept;
-        draw_foot(sheet, style, foot_parts(ground.contour_interval), style.margin, page.bottom - style.margin, inner);
-        std::optional<MapFrame> inset;
-        if (spec.inset && spec.terrain != nullptr) {
-            inset = inset_frame(
-                spec.terrain->grid.bounds(), frame_.window, style,
-                {column.left, legend_bottom + style.gap, column.left + column_width, arrow_top - style.gap});
-        }
-        if (inset) {
-            inset_ = std::make_shared<const Image>(draw_inset(sheet, style, *inset, *spec.terrain, frame_.window));
-            layout_.inset = inset->box();
-            layout_.inset_window = inset->window;
-        }
-
-        if (scale_.classes().empty() && (spec.layer != nullptr || spec.dots != nullptr)) {
-            TextStyle note = style.heading;
-            note.halo_px = std::max(2.0, style.length(4));
-            const std::string nothing_shown = spec.words("nothing to show: the raster has no values");
-            sheet.text(nothing_shown, {frame_.left + frame_.width / 2.0, frame_.top + frame_.height / 2.0},
-                       shrunk_to_fit(sheet.lettering(), nothing_shown, note, 0.9 * frame_.width, 0.5), Across::centre,
-                       Upright::middle);
-        }
-        layout_.texts = sheet.texts();
-        layout_.texts.insert(layout_.texts.end(), ground.texts.begin(), ground.texts.end());
-        words_ = sheet.take();
-        return;
+        const auto plan = plan_page(spec, text, crowding, for_frames);
+        if (!plan) continue;
+        lacking = place(spec, *plan, for_frames, kept);
+        if (lacking <= 0) return;
     }
     throw Error(ErrorKind::input, Problem{"the page is too small for the map's legend and notes", "",
                                           std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
                                           "about " + number(std::ceil(lacking)) + " pixels more in height",
                                           "draw a larger picture, or fewer classes, outlines or notes"});
+}
+
+double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames,
+                      std::shared_ptr<const MapGround>& kept) {
+    const std::vector<std::string> nothing;
+    const bool notes_at_foot = plan.crowding.notes_at_foot;
+    const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines,
+                                notes_at_foot ? &nothing : &spec.side_notes};
+    const double inner = spec.width - 2 * plan.style.margin;
+    frame_ = plan.frame;
+    frame_.window = map_window(spec, frame_.width, frame_.height);
+    double lacking = 0;
+    for (const Crowding& crowding : k_crowdings) {
+        // The letters of the column become smaller, the rest of the page stays.
+        if (crowding.density > plan.crowding.density || crowding.notes_at_foot != notes_at_foot) continue;
+        const PageStyle style(spec.width, spec.height, crowding.density);
+        Sheet sheet(spec.width, spec.height);
+        layout_ = MapLayout{};
+        layout_.page = {0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
+        layout_.map = frame_.box();
+        layout_.window = frame_.window;
+        layout_.metres_per_pixel = frame_.metres_per_pixel();
+        layout_.font_px = style.label.size_px;
+        const double titles_bottom = draw_page_head(sheet, plan, spec, for_frames, subtitle_at_);
+        lacking = titles_bottom - plan.titles_bottom;
+        if (lacking > k_rounding) return lacking;
+
+        const bool last = crowding.density == std::end(k_crowdings)[-1].density;
+        const double legend_bottom =
+            draw_legend(content, style, {plan.column.left, last ? plan.column_start : plan.column.top},
+                        plan.column.width(), sheet, layout_.legend);
+        const double arrow_top = draw_orientation(sheet, style, spec, frame_, plan.column, notes_at_foot, layout_);
+        lacking = legend_bottom + style.gap - arrow_top;
+        if (lacking > 0) continue;
+
+        const MapGround& ground = ground_for(spec, frame_, plan.crowding.density, kept);
+        PageText text = own_text(spec, scale_);
+        text.foot[2] = contour_words(ground.contour_interval, spec.words);
+        const std::vector<std::string> foot = plan.foot(spec, text);
+        const double bottom = spec.height - plan.style.margin;
+        lacking = plan.foot_top - (bottom - foot_height(sheet, plan.style, foot, inner));
+        if (lacking > k_rounding) return lacking;
+        ground_ = kept;
+        draw_foot(sheet, plan.style, foot, plan.style.margin, bottom, inner);
+        furnish(spec, plan, style,
+                {plan.column.left, legend_bottom + style.gap, plan.column.right, arrow_top - style.gap}, sheet);
+        layout_.texts = sheet.texts();
+        layout_.texts.insert(layout_.texts.end(), ground.texts.begin(), ground.texts.end());
+        words_ = sheet.take();
+        return 0;
+    }
+    return lacking;
+}
+
+void MapPage::furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle& style, const PageBox& free,
+                      Sheet& sheet) {
+    if (!plan.block.lines.empty() || plan.block.logo.width() > 0)
+        layout_.title_block = {plan.column.left, plan.style.margin, plan.column.right,
+                               plan.style.margin + plan.block.height};
+    layout_.logo = plan.block.logo;
+    logo_ =
+        plan.block.logo.width() > 0
+            ? std::make_shared<const Image>(logo_picture(*spec.block.logo, static_cast<int>(plan.block.logo.width()),
+                                                         static_cast<int>(plan.block.logo.height())))
+            : nullptr;
+    std::optional<MapFrame> inset;
+    if (spec.inset && spec.terrain != nullptr)
+        inset = inset_frame(spec.terrain->grid.bounds(), frame_.window, style, free);
+    if (inset) {
+        inset_ = std::make_shared<const Image>(draw_inset(sheet, style, *inset, *spec.terrain, frame_.window));
+        layout_.inset = inset->box();
+        layout_.inset_window = inset->window;
+    }
+    if (!scale_.classes().empty() || (spec.layer == nullptr && spec.dots == nullptr)) return;
+    TextStyle note = style.heading;
+    note.halo_px = std::max(2.0, style.length(4));
+    const std::string words = spec.words("nothing to show: the raster has no values");
+    sheet.text(words, {frame_.left + frame_.width / 2.0, frame_.top + frame_.height / 2.0},
+               shrunk_to_fit(sheet.lettering(), words, note, 0.9 * frame_.width, 0.5), Across::centre, Upright::middle);
 }
 
 Page MapPage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const {
@@ -194,10 +168,22 @@ Page MapPage::draw(const Raster* layer, const Dots* dots, const std::string& sub
     if (dots != nullptr) paint_dots(face, frame_.alone(), *dots, scale_);
     page.put(std::move(face), frame_.left, frame_.top);
     page.put(ground_->above);
+    if (logo_) page.put(logo_, static_cast<int>(layout_.logo.left), static_cast<int>(layout_.logo.top));
     if (layout_.inset) page.put(inset_, static_cast<int>(layout_.inset->left), static_cast<int>(layout_.inset->top));
     page.put(words_);
     if (!subtitle.empty()) page.put(late_subtitle(page.width(), page.height(), style, subtitle, subtitle_at_));
     return page;
+}
+
+FittingScale fitting_scale(const MapSpec& spec) {
+    MapSpec free = spec;
+    free.print.scale.reset();
+    MapLayout layout;
+    std::shared_ptr<const MapGround> ground;
+    const MapPage page(free, false, ground);
+    const double least = least_scale(spec.print, required_window(spec), static_cast<int>(page.layout().map.width()),
+                                     static_cast<int>(page.layout().map.height()));
+    return {least, round_scale_above(least)};
 }
 
 }  // namespace frana::render

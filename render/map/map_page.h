@@ -9,6 +9,7 @@
 #include "render/map/colour_scale.h"
 #include "render/map/map2d.h"
 #include "render/map/map_ground.h"
+#include "render/map/page_plan.h"
 
 namespace frana::render {
 
@@ -28,6 +29,10 @@ class MapPage {
 
   private:
     void arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground);
+    /// Draws everything on a planned page; returns the height that is lacking [px], 0 if it fits.
+    double place(const MapSpec& spec, const PagePlan& plan, bool for_frames, std::shared_ptr<const MapGround>& ground);
+    /// Logo, inset in the free part of the column, and the note on an empty map.
+    void furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle& style, const PageBox& free, Sheet& sheet);
 
     ColourScale scale_;
     MapFrame frame_;
@@ -35,6 +40,7 @@ class MapPage {
     std::shared_ptr<const MapGround> ground_;
     Overlay words_;                       ///< title, legend, scale, foot
     std::shared_ptr<const Image> inset_;  ///< null: none
+    std::shared_ptr<const Image> logo_;   ///< null: none
     Point subtitle_at_;
 };
 

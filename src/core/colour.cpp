@@ -12,8 +12,8 @@ namespace {
 
 // Anchors of viridis, inferno and plasma (all CC0) at equal steps, from the light end. Inferno's palest tone would be
 // invisible on a white hillside and is replaced.
-const std::array<Palette, 3>& palettes() {
-    static const std::array<Palette, 3> all{
+const std::array<Palette, 4>& palettes() {
+    static const std::array<Palette, 4> all{
         Palette{"depth",
                 {{253, 231, 37},
                  {173, 220, 48},
@@ -42,6 +42,17 @@ const std::array<Palette, 3>& palettes() {
                  {139, 10, 165},
                  {84, 2, 163},
                  {13, 8, 135}}},
+        // Dark blue over a pale middle to vermilion; the blue end is far darker, so that signs differ in grey as well.
+        Palette{"difference",
+                {{3, 15, 60},
+                 {26, 70, 140},
+                 {90, 145, 200},
+                 {185, 212, 235},
+                 {247, 246, 240},
+                 {252, 222, 178},
+                 {250, 180, 95},
+                 {238, 130, 40},
+                 {200, 80, 5}}},
     };
     return all;
 }

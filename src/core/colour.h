@@ -15,7 +15,7 @@ struct Rgb {
 };
 
 /// Colours at equal distances from the start (0) to the end (1) of the scale. Perceptually uniform, safe for the
-/// colour-blind and of monotonically falling lightness, so that it can be printed in grey.
+/// colour-blind; of monotonically falling lightness, so that it can be printed in grey, unless it diverges.
 struct Palette {
     std::string name;
     std::vector<Rgb> anchors;
@@ -25,7 +25,8 @@ struct Palette {
 Rgb colour_at(const Palette& palette, double t);
 
 /// Returns the palette "depth" (yellow to violet), "velocity" (yellow over red to black-violet) or "time" (yellow over
-/// magenta to blue). Throws Error(input) for any other name.
+/// magenta to blue), or "difference", which diverges: dark blue, pale in the middle, vermilion. Throws Error(input) for
+/// any other name.
 const Palette& palette(const std::string& name);
 
 /// Returns rising class bounds 0, s, 2s, ... for values up to `maximum`, with s = 1, 2 or 5 times a power of ten, at

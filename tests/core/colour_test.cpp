@@ -37,6 +37,17 @@ TEST(Colour, EveryPaletteDarkensSteadilySoThatGreyPrintsKeepTheOrder) {
     }
 }
 
+TEST(Colour, ADifferenceIsPaleInTheMiddleAndItsSignsDifferInGrey) {
+    const Palette& both = palette("difference");
+    EXPECT_GT(lightness(colour_at(both, 0.5)), 95);
+    for (int i = 0; i < 5; ++i) {
+        const double below = lightness(colour_at(both, i / 10.0)), above = lightness(colour_at(both, 1 - i / 10.0));
+        EXPECT_LT(below, lightness(colour_at(both, (i + 1) / 10.0)) - 2) << i;
+        EXPECT_LT(above, lightness(colour_at(both, 1 - (i + 1) / 10.0)) - 2) << i;
+        EXPECT_LT(below, above - (i < 4 ? 8 : 2)) << i;
+    }
+}
+
 TEST(Colour, UnknownPaletteIsRefusedByName) {
     try {
         palette("rainbow");

@@ -65,6 +65,17 @@ void make_raster(const std::string& path, const TestRaster& raster) {
               CE_None);
 }
 
+void copy_as(const std::string& from, const std::string& to, const std::string& driver) {
+    const GdalSession session;
+    const NoSideFiles no_side_files;
+    const GDALDatasetUniquePtr source(GDALDataset::Open(from.c_str(), GDAL_OF_RASTER));
+    ASSERT_TRUE(source);
+    const GDALDatasetUniquePtr copy(GetGDALDriverManager()
+                                        ->GetDriverByName(driver.c_str())
+                                        ->CreateCopy(to.c_str(), source.get(), FALSE, nullptr, nullptr, nullptr));
+    ASSERT_TRUE(copy) << to;
+}
+
 void make_vector(const std::string& path, const std::string& driver_name, const std::string& crs_text,
                  const std::vector<std::string>& wkt, const std::string& layer_name) {
     const GdalSession session;

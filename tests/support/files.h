@@ -39,6 +39,8 @@ struct TestRaster {
     bool bytes = false;
 };
 void make_raster(const std::string& path, const TestRaster& raster);
+/// Copies a raster as a file of another GDAL driver: "PNG", "JPEG".
+void copy_as(const std::string& from, const std::string& to, const std::string& driver);
 
 /// Writes a vector file of one layer from WKT geometries, with a number "thick" (10, 20, ...) and a text "name".
 void make_vector(const std::string& path, const std::string& driver, const std::string& crs,

@@ -15,7 +15,7 @@ namespace {
 // Removes values about the computation rather than the result.
 void leave_out_cost(Json& summary) {
     for (const char* key :
-         {"threads", "wall_seconds", "particle_steps_per_second", "peak_memory_bytes", "members_per_hour"})
+         {"date", "threads", "wall_seconds", "particle_steps_per_second", "peak_memory_bytes", "members_per_hour"})
         summary.erase(key);
 }
 

@@ -8,8 +8,10 @@
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
 #include "app/commands/refuse_scene.h"
+#include "app/commands/render_style.h"
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
+#include "app/pictures/difference_layer.h"
 #include "app/pictures/foreign_map.h"
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/plates.h"
@@ -20,7 +22,6 @@
 #include "app/store/result_files.h"
 #include "core/error.h"
 #include "gis/raster/picture_in.h"
-#include "params/keys/picture_parameters.h"
 
 namespace frana::app {
 
@@ -44,13 +45,7 @@ CommandForm render_form() {
         "fly", "animation, 3d: the camera moves along the flow")("charts",
                                                                  "draw the charts of a result instead of maps")(
         "plates", "draw the plates instead: initial state, snapshots, stresses, profile and comparison")(
-        "size", one("SIZE"), k_sizes)(
-        "format", many("png|pdf|svg|tif"),
-        "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
-        "legend", one("classed|continuous"), "classed (default) or continuous")(
-        "background", one("FILE"), "orthophoto or topographic raster instead of the relief")(
-        "attribution", one("TEXT"), "sources of the data and author, at the foot")("title", one("TEXT"),
-                                                                                   "title of the maps")(
+        "difference", one("RESULT_DIR"), "another result: draw the difference of --map, this result minus the other")(
         "language", one("en|it|de|fr|es"),
         "of the texts: en, it, de, fr, es (default: the result's output.language; for a RASTER the locale's)")(
         "camera", one("ANGLES"), k_cameras)("exaggeration", one("FACTOR"),
@@ -59,6 +54,7 @@ CommandForm render_form() {
         "unit", one("UNIT"), "unit of the values of a RASTER, if the file does not state it")(
         "above", one("VALUE"), "draw only the values of a RASTER above this one")(
         "out", one("FOLDER"), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
+    add_style_options(form);
     return form;
 }
 
@@ -68,54 +64,11 @@ namespace fs = std::filesystem;
 
 using Values = boost::program_options::variables_map;
 
-Problem not_one_of(const std::string& option, const std::string& value, const std::string& choices) {
-    return {"is not one of the choices", "--" + option, value, choices, ""};
-}
-
-/// Overrides the style by the options; adds their problems.
-void read_style(const Values& values, MapStyle& style, Problems& problems) {
-    const auto given = [&](const std::string& name) { return text_option(values, name); };
-    try {
-        if (const auto size = size_option(values)) style.size = *size;
-    } catch (const Error& error) {
-        problems.add(error);
-    }
-    if (const auto formats = text_options(values, "format"); !formats.empty()) {
-        for (const std::string& one : formats) {
-            const auto& known = picture_formats();
-            if (std::find(known.begin(), known.end(), one) == known.end())
-                problems.add(not_one_of("format", one, joined(known, ", ")));
-        }
-        style.formats = formats;
-    }
-    if (const auto legend = given("legend")) {
-        if (*legend != "classed" && *legend != "continuous")
-            problems.add(not_one_of("legend", *legend, "classed, continuous"));
-        style.continuous = *legend == "continuous";
-    }
-    if (const auto camera = given("camera")) {
-        const auto place = camera_from_text(*camera);
-        if (!place)
-            problems.add({"is not a camera", "--camera", *camera, k_cameras, "Write for example 210,30,1.5"});
-        else
-            style.camera = render::Camera{place->azimuth, place->elevation, place->zoom};
-    }
-    if (const auto factor = given("exaggeration")) {
-        const auto number = number_from_text(*factor);
-        if (!number || *number < 0.1 || *number > 20)
-            problems.add({"is not a vertical exaggeration", "--exaggeration", *factor, "0.1 to 20", ""});
-        style.exaggeration = number.value_or(1);
-    }
-    if (values.count("plain") > 0) style.sky = false;
-    style.background = given("background").value_or(style.background);
-    style.attribution = given("attribution").value_or(style.attribution);
-}
-
 /// The requested outputs, as far as they do not depend on the files.
 struct Request {
     std::optional<Language> language;  ///< none: the result's own
     bool view_3d = false, fly = false, charts = false, plates = false;
-    std::optional<std::string> animation, beside, out;
+    std::optional<std::string> animation, beside, out, difference;
     std::vector<std::string> maps;
     std::string animation_of = "depth";
 };
@@ -135,7 +88,13 @@ Request read_request(const Values& values, Problems& problems) {
         if (!request.language) problems.add(not_one_of("language", *language, language_codes()));
     }
     request.out = text_option(values, "out");
+    request.difference = text_option(values, "difference");
     request.maps = text_options(values, "map");
+    if (request.difference && (request.animation || request.view_3d || request.charts || request.plates))
+        problems.add({"is for maps only", "--difference", *request.difference, "", "Omit the other kind of picture"});
+    if (request.difference && request.maps.empty())
+        problems.add({"needs the raster to compare", "--difference", *request.difference, "",
+                      "Name it, for example --map max_depth"});
     const bool pages = request.charts || request.plates;
     if (pages &&
         (request.animation || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
@@ -282,6 +241,25 @@ void check_request_under_way(const ResultReader& result, const Request& request,
     }
 }
 
+/// The maps of differences; `source` becomes theirs.
+std::vector<MapLayer> difference_layers(const ResultReader& result, const Request& request, MapSource& source,
+                                        Problems& problems) {
+    std::vector<MapLayer> layers;
+    try {
+        const ResultReader other(*request.difference);
+        for (const std::string& name : request.maps) {
+            DifferenceMap map = difference_map(result, other, name);
+            map.source.style = source.style;
+            map.source.title = source.title;
+            source = std::move(map.source);
+            layers.push_back(std::move(map.layer));
+        }
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    return layers;
+}
+
 void render_result(const Values& values, const Request& request, Problems& problems) {
     const ResultReader result((values)["operand"].as<std::string>(), request.language);
     for (const char* option : {"dtm", "unit", "above"}) {
@@ -301,7 +279,9 @@ void render_result(const Values& values, const Request& request, Problems& probl
         }
     }
     std::vector<MapLayer> layers;
-    if (!request.animation && !request.charts && !request.plates) {
+    if (request.difference) {
+        layers = difference_layers(result, request, source, problems);
+    } else if (!request.animation && !request.charts && !request.plates) {
         for (const std::string& name : request.maps.empty() ? result.drawable() : request.maps) {
             try {
                 layers.push_back(result.map_layer(name));
@@ -315,9 +295,13 @@ void render_result(const Values& values, const Request& request, Problems& probl
     const Size animation = values.count("size") > 0 ? source.style.size : animation_size(source.style.size);
     refuse_too_large(values, request, source.style.size, animation,
                      std::max(source.extent.values.stored_cells(), source.terrain.values.stored_cells()));
+    if (!layers.empty() && !request.view_3d)
+        refuse_scale_that_does_not_fit(source, layers.front(), values.count("scale") > 0);
     KeptFiles kept;
     kept.add_result(result.directory());
     kept.add(source.style.background);
+    kept.add(source.style.logo);
+    if (request.difference) kept.add_result(ResultReader(*request.difference).directory());
     if (request.animation) {
         render_animation(result, source, request, animation, kept);
     } else if (request.charts || request.plates) {
@@ -336,7 +320,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
 
 void render_raster(const Values& values, const Request& request, Problems& problems) {
     const std::string file = values["operand"].as<std::string>();
-    for (const char* option : {"map", "animation", "charts", "plates"}) {
+    for (const char* option : {"map", "animation", "charts", "plates", "difference"}) {
         if (values.count(option) > 0)
             problems.add({"is for a result, not for a raster", std::string("--") + option, "", "", ""});
     }
@@ -355,7 +339,9 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     map.source.style = style;
     map.source.title = text_option(values, "title").value_or(map.source.title);
     if (!style.background.empty()) gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");
+    if (!request.view_3d) refuse_scale_that_does_not_fit(map.source, map.layer, values.count("scale") > 0);
     KeptFiles kept;
+    kept.add(style.logo);
     kept.add(file);
     kept.add(text_option(values, "dtm").value_or(""));
     kept.add(style.background);

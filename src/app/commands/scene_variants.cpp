@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/scene_variants.h"
 
+#include <algorithm>
+
 #include "app/commands/progress.h"
 #include "app/input/share_directory.h"
 #include "app/process/signals.h"
@@ -9,7 +11,13 @@
 namespace frana::app {
 
 Prepared SceneVariants::read(const std::vector<std::string>& more) {
+    // A variant's value counts in place of the user's for the same key.
     std::vector<std::string> all = overrides_;
+    std::erase_if(all, [&](const std::string& given) {
+        return std::any_of(more.begin(), more.end(), [&](const std::string& text) {
+            return given.starts_with(text.substr(0, text.find('=') + 1));
+        });
+    });
     all.insert(all.end(), more.begin(), more.end());
     const SceneReading reading = read_scene(file_, all, materials_directory());
     Prepared prepared = prepare(reading, log_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/input/survey_input.h"
 
+#include "gis/raster/logo_in.h"
 #include "gis/raster/picture_in.h"
 
 #include <algorithm>
@@ -188,6 +189,12 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
             files.push_back(
                 used_picture("Map background", *picture,
                              gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background"))));
+        });
+    }
+    if (const auto& logo = output.map_logo) {
+        attempt([&] {
+            const std::string where = reading.where("output.map-logo");
+            files.push_back(used_picture("Logo", *logo, gis::read_logo(*logo, where).checksum));
         });
     }
     if (const auto& front = reading.scene.observed.front) {

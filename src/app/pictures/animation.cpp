@@ -116,7 +116,7 @@ template <class Spec>
 Spec animation_spec(const AnimationSource& animation, Size size, double seconds) {
     Spec spec;
     if constexpr (std::is_same_v<Spec, render::MapSpec>)
-        spec = map_spec(animation.source, animation.layer);
+        spec = unprinted(map_spec(animation.source, animation.layer));
     else
         spec = view_spec(animation.source, animation.layer);
     spec.width = size.width;

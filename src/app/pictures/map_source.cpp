@@ -14,6 +14,7 @@
 #include "core/utf8.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
+#include "gis/raster/logo_in.h"
 #include "gis/raster/picture_in.h"
 #include "gis/raster/picture_out.h"
 #include "params/grammar/value_text.h"
@@ -23,6 +24,8 @@ namespace {
 
 // A dark red on classes, whose colours are as bright as that of the survey elsewhere.
 constexpr Rgb k_scar_on_classes{120, 0, 80};
+
+constexpr std::size_t k_longest_source = 200, k_longest_line = 80;  // letters
 
 /// "Release: North, South" if its areas have names, and few.
 std::string release_words(const MapSource& source) {
@@ -38,8 +41,8 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
     if (!source.release.empty())
         outlines.push_back({release_words(source), source.release, k_release_colour, 2.5, true});
     if (!source.scar.empty()) {
-        outlines.push_back(
-            {source.style.words("Surveyed scar"), source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
+        outlines.push_back({source.style.words("Observed outline"), source.scar,
+                            classes ? k_scar_on_classes : k_scar_colour, 3, false});
     }
     return outlines;
 }
@@ -47,8 +50,39 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
 std::string attribution(const MapSource& source) {
     const std::string own = source.style.words(source.foreign ? "Drawn with {1}" : "Simulated with {1}",
                                                {std::string(k_program) + " " + k_version});
-    const std::string by = page_attribution(source);
-    return by.empty() ? own : own + "; " + by;
+    const Words& words = source.style.words;
+    std::vector<std::string> parts;
+    if (!source.terrain_source.empty())
+        parts.push_back(words.labelled(words("Terrain"), elided(valid_utf8(source.terrain_source), k_longest_source)));
+    if (!source.style.background.empty()) {
+        const std::string& licence = source.style.background_licence;
+        const std::string file = std::filesystem::path(source.style.background).filename().string();
+        parts.push_back(
+            words.labelled(words("Base map"), elided(valid_utf8(licence.empty() ? file : licence), k_longest_source)));
+    }
+    if (const std::string by = page_attribution(source); !by.empty()) parts.push_back(by);
+    parts.push_back(own);
+    return joined(parts, "; ");
+}
+
+std::string own_title(const MapSource& source) {
+    constexpr std::size_t k_longest = 120;  // letters: two lines on a small page
+    return elided(valid_utf8(source.title), k_longest);
+}
+
+/// Organisation, author and date, and the logo, whose file has been checked.
+render::TitleBlock title_block(const MapStyle& style) {
+    render::TitleBlock block;
+    for (const std::string& line : {style.organisation, style.author, style.words.date(style.date)})
+        if (!line.empty()) block.lines.push_back(elided(valid_utf8(line), k_longest_line));
+    if (style.logo.empty()) return block;
+    gis::Logo logo = gis::read_logo(style.logo, "logo");
+    render::Image image;
+    image.width = logo.width;
+    image.height = logo.height;
+    image.rgb = std::move(logo.rgb);
+    block.logo = std::make_shared<const render::Image>(std::move(image));
+    return block;
 }
 
 std::string time_words(double seconds, const Words& words) {
@@ -61,8 +95,9 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     Spec spec;
     spec.words = source.style.words;
     spec.title = page_title(source, layer.title);
-    spec.subtitle = layer.time ? time_words(*layer.time, spec.words) : source.subtitle;
-    if (layer.time && !source.subtitle.empty()) spec.subtitle += ", " + source.subtitle;
+    const std::string& scenario = source.scenario.empty() ? source.subtitle : source.scenario;
+    spec.subtitle = layer.time ? time_words(*layer.time, spec.words) : scenario;
+    if (layer.time && !scenario.empty()) spec.subtitle += ", " + scenario;
     spec.legend_title = layer.title;
     spec.unit = layer.unit;
     spec.attribution = attribution(source);
@@ -145,9 +180,13 @@ render::Image face_of(const render::Image& page, const render::PageBox& map) {
 
 }  // namespace
 
+std::string date_on_maps(const std::optional<std::string>& chosen, const std::string& of_run) {
+    if (!chosen) return of_run;
+    return *chosen == "none" ? "" : *chosen;
+}
+
 std::string page_title(const MapSource& source, const std::string& shown) {
-    constexpr std::size_t k_longest = 120;  // letters: two lines on a small page
-    return source.style.words.labelled(elided(valid_utf8(source.title), k_longest), shown);
+    return source.style.words.labelled(own_title(source), shown);
 }
 
 std::string page_attribution(const MapSource& source) {
@@ -185,7 +224,18 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     render::MapSpec spec = furnished<render::MapSpec>(source, layer);
     spec.inset = true;
+    spec.print = {source.style.size.dots_per_inch, source.style.size.paper, source.style.scale};
+    spec.block = title_block(source.style);
+    spec.series = render::SeriesText{own_title(source), source.scenario.empty() ? source.subtitle : source.scenario,
+                                     source.notes};
     spec.longitude_latitude = source.longitude_latitude;
+    return spec;
+}
+
+render::MapSpec unprinted(render::MapSpec spec) {
+    spec.print = {};
+    spec.block = {};
+    spec.series.reset();
     return spec;
 }
 

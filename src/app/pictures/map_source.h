@@ -36,20 +36,25 @@ inline constexpr double k_moving_speed = 0.1;
 /// Appearance of pictures: the keys output.map-... of a scene, or the options of `frana render`.
 struct MapStyle {
     Size size{1600, 1200};
-    std::vector<std::string> formats{"png"};  ///< of png, pdf, svg, tif
-    bool continuous = false;                  ///< legend
-    std::string background;                   ///< orthophoto or topographic raster; empty: the relief
-    std::string attribution;                  ///< of data and author, at the foot
-    double exaggeration = 1;                  ///< of heights in views
-    bool sky = true;                          ///< in views; else white
-    std::optional<render::Camera> camera;     ///< of views; none: derived from the flow's path
-    Words words{};                            ///< the language of all texts
+    std::vector<std::string> formats{"png"};       ///< of png, pdf, svg, tif
+    bool continuous = false;                       ///< legend
+    std::string background;                        ///< orthophoto or topographic raster; empty: the relief
+    std::string attribution;                       ///< of data and author, at the foot
+    std::string background_licence;                ///< the same, of the background
+    std::optional<double> scale;                   ///< of maps on paper, n of 1 : n
+    std::string author, organisation, logo, date;  ///< title block of maps; empty: none
+    double exaggeration = 1;                       ///< of heights in views
+    bool sky = true;                               ///< in views; else white
+    std::optional<render::Camera> camera;          ///< of views; none: derived from the flow's path
+    Words words{};                                 ///< the language of all texts
 };
 
 /// Common data of all maps of one result, its texts in the language of its style. Made from a result directory alone.
 struct MapSource {
     std::string title;               ///< the scene's name
     std::string subtitle;            ///< model, scheme, simulated time
+    std::string scenario;            ///< in its place on maps and views; empty: the subtitle
+    std::string terrain_source;      ///< of the elevations; empty: unknown
     std::vector<std::string> notes;  ///< values beside the map
     std::string crs_label;
     double convergence_deg = 0;
@@ -65,6 +70,9 @@ struct MapSource {
     MapStyle style;
 };
 
+/// Returns the date on maps: as chosen ("none": no date), else that of the run.
+std::string date_on_maps(const std::optional<std::string>& chosen, const std::string& of_run);
+
 /// Returns a page's title: the result's own title, shortened if long, and the quantity shown.
 std::string page_title(const MapSource& source, const std::string& shown);
 /// Returns sources of data and author, shortened if long.
@@ -72,6 +80,8 @@ std::string page_attribution(const MapSource& source);
 
 /// Returns a map of one raster. The spec borrows the terrain of `source` and the values of `layer`.
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer);
+/// Returns it without scale and title block, arranged for itself: a part of a plate, or a film.
+render::MapSpec unprinted(render::MapSpec spec);
 /// The same in perspective.
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer);
 

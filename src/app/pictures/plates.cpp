@@ -25,7 +25,7 @@ constexpr const char *k_initial_state = "initial_state", *k_snapshots = "snapsho
 /// Draws a map without the parts that a plate has only once.
 render::Page lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
                       int height) {
-    render::MapSpec spec = map_spec(source, layer);
+    render::MapSpec spec = unprinted(map_spec(source, layer));
     spec.title.clear();
     spec.subtitle = subtitle;
     spec.attribution.clear();
@@ -167,8 +167,11 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     Problems problems;
     const std::vector<NamedChart> charts = result_charts(result, source, problems);
     problems.throw_if_any();
-    render::Plate last{
-        page_title(source, "profile and comparison with the scar"), source.subtitle, source.crs_label, 2, {}};
+    render::Plate last{page_title(source, "profile and comparison with the observed outline"),
+                       source.subtitle,
+                       source.crs_label,
+                       2,
+                       {}};
     if (!charts.empty() && charts.front().name.starts_with("profile")) {
         last.parts.push_back([&](int w, int h) {
             render::Chart chart = charts.front().chart;

@@ -8,6 +8,7 @@
 
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/require_cells.h"
+#include "app/pictures/scenario.h"
 #include "app/store/error_estimate.h"
 #include "app/store/json_file.h"
 #include "app/store/layers.h"
@@ -291,6 +292,12 @@ MapStyle ResultReader::style() const {
     style.continuous = scene_value("output.map-legend") == "continuous";
     style.background = scene_value("output.map-background").value_or("");
     style.attribution = scene_value("output.map-attribution").value_or("");
+    style.background_licence = scene_value("output.map-background-licence").value_or("");
+    if (const auto scale = scene_value("output.map-scale")) style.scale = number_from_text(*scale);
+    style.author = scene_value("output.map-author").value_or("");
+    style.organisation = scene_value("output.map-organisation").value_or("");
+    style.logo = scene_value("output.map-logo").value_or("");
+    style.date = date_on_maps(scene_value("output.map-date"), run_date());
     style.exaggeration = scene_number("output.view-exaggeration", style.exaggeration);
     style.sky = scene_value("output.view-background") != "plain";
     if (const auto camera = camera_from_text(scene_value("output.view-camera").value_or("")))
@@ -322,7 +329,10 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     const auto lines = [&](const std::string& file, const std::string& label, Rgb colour, bool is_dashed) {
         render::Outline outline{words_(label), {}, colour, 2, is_dashed};
         for (const gis::NamedLine& line : gis::read_marks(file, crs_wkt, label).lines)
-            if (line.name != "flow path") outline.lines.push_back(line.line);
+            if (line.name != "flow path") {
+                outline.lines.push_back(line.line);
+                outline.names.push_back(line.name);
+            }
         if (!outline.lines.empty()) all.push_back(std::move(outline));
     };
     // Files written by the run itself have not moved.
@@ -361,6 +371,9 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     source.release_names = release_names(grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
+    const auto dtm = scene_value("terrain.dtm");
+    source.terrain_source =
+        scene_value("terrain.source").value_or(dtm ? fs::path(*dtm).filename().string() : std::string());
     source.style = style();
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
     if (under_way()) {
@@ -376,6 +389,9 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
         const MapFacts known = facts(statistics);
         source.subtitle = map_subtitle(known, words_);
         source.notes = map_notes(known, words_);
+        source.scenario = scenario_words({[this](const std::string& key) { return scene_value(key); },
+                                          source.release_names, known.volume, known.simulated_seconds},
+                                         words_);
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);

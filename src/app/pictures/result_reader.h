@@ -71,6 +71,8 @@ class ResultReader {
 
   private:
     [[nodiscard]] MapStyle style() const;
+    /// The day of the run, from its summary; empty if it has none.
+    [[nodiscard]] std::string run_date() const;
     [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
     /// Of the polygons of the release that have one.

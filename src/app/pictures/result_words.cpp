@@ -56,6 +56,11 @@ ClassSpec ResultReader::classes() const {
     return scene.output.classes;
 }
 
+std::string ResultReader::run_date() const {
+    const std::optional<Json> summary = has(k_summary_file) ? read_json_file(path(k_summary_file)) : std::nullopt;
+    return summary ? value_in<std::string>(*summary, "/date").value_or("") : "";
+}
+
 std::vector<std::vector<std::string>> ResultReader::figures_at(const std::vector<double>& times) const {
     std::vector<std::vector<std::string>> figures(times.size());
     if (!has(k_series_file)) return figures;

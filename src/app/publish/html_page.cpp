@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 // Of all pictures of a page: with base64 a third more, so that with texts and charts it stays below 4 MB.
 constexpr std::size_t k_all_picture_bytes = 2'400'000;
 constexpr int k_picture_columns = 1600;
+constexpr std::size_t k_foot_letters = 60;
 
 /// A text as a string of CSS: whatever it contains, it ends neither the string nor the style.
 std::string css_text(const std::string& text) {
@@ -55,7 +56,8 @@ HtmlPage::HtmlPage(const std::string& path, const std::string& title, const std:
                    Opening opening)
     : aside_(path), file_(aside_.partial_path(), std::ios::binary), words_(words), picture_bytes_(k_picture_bytes) {
     // The title at the foot of each printed page, where a browser can.
-    const std::string foot = "@page { @bottom-left { content: " + css_text(valid_utf8(title)) + "; } }\n";
+    const std::string foot =
+        "@page { @bottom-left { content: " + css_text(elided(valid_utf8(title), k_foot_letters)) + "; } }\n";
     add("<!DOCTYPE html>\n<html lang=\"" + language_code(words.language()) +
         "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
         "initial-scale=1\">\n<title>" +

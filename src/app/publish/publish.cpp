@@ -26,6 +26,7 @@
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/today.h"
 #include "app/text/version.h"
 #include "core/shortest_text.h"
 #include "params/keys/scene_parameters.h"
@@ -201,6 +202,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.computed = prepared.scene.grid;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
+    facts.date = today();
     const SeparateFlows flows = separate_flows(result);
     const TraceFigures trace = trace_figures(result, prepared.scene.terrain, threshold);
     facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs};
@@ -225,7 +227,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 
     const Stopwatch render_watch;
     const PictureOutcome pictures =
-        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics}, log);
+        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;

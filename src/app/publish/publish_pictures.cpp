@@ -29,6 +29,7 @@ std::string title_of(const SceneSpec& spec) {
 /// Pictures are drawn from the written files.
 MapSource map_source(const ResultReader& written, const PictureRequest& request) {
     MapSource source = written.map_source(request.statistics);
+    if (!request.date.empty()) source.style.date = date_on_maps(request.spec.output.map_date, request.date);
     source.title = title_of(request.spec);  // the folder does not have its name yet
     return source;
 }

@@ -19,6 +19,7 @@ struct PictureRequest {
     const std::optional<Comparison>& comparison;
     bool only_missing = false;                 ///< existing ones are kept
     std::optional<MainStatistics> statistics;  ///< of a run whose summary.json is not written yet
+    std::string date{};                        ///< the same
 };
 
 /// The result of drawing.

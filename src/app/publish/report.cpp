@@ -53,7 +53,7 @@ void add_details(HtmlPage& page, const ReportInput& input) {
     if (input.facts.release_ground || input.facts.path_ground)
         page.add(headed(words("Ground"), ground_table(input.facts, words)));
     page.add("<div class=\"columns\">\n" + headed(words("Mass budget"), budget_table(input.result, words)) +
-             headed(words("Numerical checks"), numerics_table(input)) + "</div>\n");
+             headed(words("Numerical checks"), numerics_table(input)) + "</div>\n" + terms_note(input));
 }
 
 void add_keys(HtmlPage& page, const ReportInput& input) {

@@ -182,7 +182,11 @@ std::string numerics_table(const ReportInput& input) {
     event(words("Particles over ground without elevation"), e.entered_no_data);
     event(words("Speeds above what the fall allows"), e.impossible_speed);
     event(words("Steps with a volume error"), e.volume_drift);
-    return table.html() + small(words("Computed: {1}", {joined(r.terms, "; ")}));
+    return table.html();
+}
+
+std::string terms_note(const ReportInput& input) {
+    return small(input.words("Computed: {1}", {joined(input.result.terms, "; ")}));
 }
 
 std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {

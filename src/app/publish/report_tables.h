@@ -17,6 +17,8 @@ std::string ground_table(const SummaryFacts& facts, const Words& words);
 std::string accuracy_tables(const AccuracyRecord& record, const Words& words);
 std::string budget_table(const RunResult& result, const Words& words);
 std::string numerics_table(const ReportInput& input);
+/// The physics and numerics that were computed.
+std::string terms_note(const ReportInput& input);
 /// Each area that failed: name, start, area, volume.
 std::string release_table(const RunResult& result, const Words& words);
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words);

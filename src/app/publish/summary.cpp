@@ -62,6 +62,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     Json json{{"program", k_program},
               {"version", k_version},
               {"format", k_result_format},
+              {"date", facts.date},
               {"scene", facts.spec.file},
               {"model", facts.spec.material.model},
               {"scheme", facts.spec.numerics.scheme},

@@ -24,6 +24,7 @@ struct SummaryFacts {
     SceneSpec spec;
     GridSpec computed;  ///< the scene's; rasters may cover a part of it
     std::string crs_label;
+    std::string date;  ///< the day of the run, "2026-11-24"
     int threads = 1;
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;

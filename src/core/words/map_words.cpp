@@ -23,6 +23,11 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Simulated with {1}", "Simulato con {1}", "Simuliert mit {1}", "Simulé avec {1}", "Simulado con {1}"},
     {"Drawn with {1}", "Disegnato con {1}", "Dargestellt mit {1}", "Dessiné avec {1}", "Dibujado con {1}"},
     {"{1}, band {2}", "{1}, banda {2}", "{1}, Band {2}", "{1}, bande {2}", "{1}, banda {2}"},
+    {"on {1}", "su {1}", "auf {1}", "sur {1}", "en {1}"},
+    {"printed {1} × {2} cm", "stampata {1} × {2} cm", "gedruckt {1} × {2} cm", "imprimée {1} × {2} cm",
+     "impreso {1} × {2} cm"},
+    {"Terrain", "Terreno", "Gelände", "Terrain", "Terreno"},
+    {"Base map", "Carta di base", "Hintergrundkarte", "Fond de carte", "Mapa base"},
     {"t = {1} s", "t = {1} s", "t = {1} s", "t = {1} s", "t = {1} s"},
 
     // What was computed.
@@ -46,6 +51,36 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Standard error of the probabilities at most {1} %", "Errore standard delle probabilità al più {1} %",
      "Standardfehler der Wahrscheinlichkeiten höchstens {1} %", "Erreur type des probabilités au plus {1}\u202F%",
      "Error estándar de las probabilidades como máximo {1} %"},
+
+    // The scenario: what fails, and the values of its model.
+    {"Inflow", "Afflusso", "Zufluss", "Apport", "Aporte"},
+    {"bed friction {1}", "attrito al fondo {1}", "Sohlreibung {1}", "frottement au lit {1}", "fricción del lecho {1}"},
+    {"{1} by place", "{1} secondo il luogo", "{1} je nach Ort", "{1} selon le lieu", "{1} según el lugar"},
+    {"friction angle", "angolo di attrito", "Reibungswinkel", "angle de frottement", "ángulo de fricción"},
+    {"friction coefficient", "coefficiente di attrito", "Reibungsbeiwert", "coefficient de frottement",
+     "coeficiente de fricción"},
+    {"turbulence", "turbolenza", "Turbulenz", "turbulence", "turbulencia"},
+    {"no turbulence", "senza turbolenza", "ohne Turbulenz", "sans turbulence", "sin turbulencia"},
+    {"yield stress", "tensione di snervamento", "Fließspannung", "seuil de contrainte", "tensión de fluencia"},
+    {"density", "densità", "Dichte", "masse volumique", "densidad"},
+    {"cohesion", "coesione", "Kohäsion", "cohésion", "cohesión"},
+    {"internal friction angle", "angolo di attrito interno", "innerer Reibungswinkel", "angle de frottement interne",
+     "ángulo de fricción interna"},
+    {"bed friction angle", "angolo di attrito al fondo", "Sohlreibungswinkel", "angle de frottement au lit",
+     "ángulo de fricción del lecho"},
+    {"grain density", "densità dei grani", "Korndichte", "masse volumique des grains", "densidad de los granos"},
+    {"solid fraction", "frazione solida", "Feststoffanteil", "fraction solide", "fracción sólida"},
+
+    // The difference of two results, A and B.
+    {"Difference", "Differenza", "Differenz", "Différence", "Diferencia"},
+    {"A minus B", "A meno B", "A minus B", "A moins B", "A menos B"},
+    {"where both came", "dove sono giunti entrambi", "wo beide ankamen", "là où les deux sont arrivés",
+     "donde llegaron ambos"},
+    {"0 where one did not come", "0 dove uno non è giunto", "0, wo einer nicht ankam", "0 là où l’un n’est pas arrivé",
+     "0 donde uno no llegó"},
+    {"Release of B", "Area di distacco di B", "Anrissgebiet von B", "Zone de départ de B", "Área de inicio de B"},
+    {"{1}, minus the same of B", "{1}, meno lo stesso di B", "{1}, minus dasselbe von B", "{1}, moins le même de B",
+     "{1}, menos el mismo de B"},
 
     // Values beside the map.
     {"Volume {1} m³", "Volume {1} m³", "Volumen {1} m³", "Volume {1} m³", "Volumen {1} m³"},
@@ -78,7 +113,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 
     // Lines and areas in the legend.
     {"Release", "Area di distacco", "Anrissgebiet", "Zone de départ", "Área de inicio"},
-    {"Surveyed scar", "Perimetro rilevato", "Kartierter Umriss", "Contour levé", "Contorno levantado"},
+    {"Observed outline", "Perimetro rilevato", "Kartierter Umriss", "Contour levé", "Contorno levantado"},
     {"Friction zones", "Zone di attrito", "Reibungszonen", "Zones de frottement", "Zonas de fricción"},
     {"Obstacles", "Ostacoli", "Hindernisse", "Obstacles", "Obstáculos"},
     {"Walls", "Muri", "Mauern", "Murs", "Muros"},

@@ -5,6 +5,7 @@
 
 #include "core/shortest_text.h"
 #include "params/check/check_laws.h"
+#include "params/grammar/picture_text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/model_keys.h"
 #include "params/keys/result_rasters.h"
@@ -172,6 +173,17 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
             problems.add({"names a raster that this scene does not produce", file + ": output.maps", map,
                           row->name + " is written " + row->when,
                           "Remove it, or set output.maps = on for all maps of the result"});
+    }
+    const OutputSpec& output = scene.output;
+    if (output.map_scale && !is_paper(size_from_text(output.map_size).value_or(Size{}))) {
+        problems.add({"needs a paper size: pixels have no scale until they are printed", file + ": output.map-scale",
+                      shortest_text(*output.map_scale),
+                      "A4, A3, A4-portrait, A3-portrait; output.map-size is " + output.map_size,
+                      "Set output.map-size = A4@300, or remove the key"});
+    }
+    if (output.map_background_licence && !output.map_background) {
+        problems.add({"has no effect: there is no output.map-background", file + ": output.map-background-licence",
+                      *output.map_background_licence, "", "Name the picture, or remove the key"});
     }
     if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
         problems.add({"has no effect: there are no gauges or cross-sections", file + ": output.sample-interval",

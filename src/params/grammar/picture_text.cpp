@@ -18,7 +18,7 @@ std::optional<Size> page_from_text(const std::string& text) {
     const auto dots = at == std::string::npos ? std::optional<double>(150) : number_from_text(text.substr(at + 1));
     if ((name != "A4" && name != "A3") || !dots || *dots < 150 || *dots > 300) return std::nullopt;
     const auto pixels = [&](double mm) { return static_cast<int>(std::lround(mm / k_inch * *dots)); };
-    Size size{pixels(name == "A4" ? 297 : 420), pixels(name == "A4" ? 210 : 297), *dots};
+    Size size{pixels(name == "A4" ? 297 : 420), pixels(name == "A4" ? 210 : 297), *dots, page};
     if (portrait) std::swap(size.width, size.height);
     return size;
 }

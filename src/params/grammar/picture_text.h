@@ -10,7 +10,12 @@ struct Size {
     int width = 0;
     int height = 0;
     double dots_per_inch = 150;  ///< of the printed picture
+    std::string paper{};         ///< "A4-portrait"; empty: a size in pixels
 };
+/// Whether the size is that of a sheet of paper, on which a map has a scale.
+inline bool is_paper(const Size& size) {
+    return !size.paper.empty();
+}
 /// The sizes that size_from_text accepts, for messages.
 inline constexpr const char* k_sizes =
     "WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A3-portrait, with "

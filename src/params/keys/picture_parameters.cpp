@@ -16,6 +16,8 @@ using declare::Range;
 using declare::text;
 using declare::word_list;
 
+constexpr Range k_map_scales{100, 10'000'000};
+
 /// A text that a given function must be able to read.
 template <class Member, class Understood>
 Parameter understood_text(const std::string& name, Member member, const std::string& limits, const std::string& remedy,
@@ -52,6 +54,20 @@ void add_pictures(std::vector<Parameter>& list) {
         holds("raster",
               text("output.map-background", FRANA_MEMBER(output.map_background), "file",
                    "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.", "shaded relief")));
+    list.push_back(text("output.map-background-licence", FRANA_MEMBER(output.map_background_licence), "text",
+                        "Owner and licence of output.map-background, at the foot of maps and views.",
+                        "the name of its file"));
+    list.push_back(number("output.map-scale", FRANA_MEMBER(output.map_scale), "", k_map_scales,
+                          "Scale of maps on paper sizes (A4, A3): 5000 for 1 : 5000.",
+                          "a round one, if the flow still fills the page well; on pages in pixels what fits"));
+    list.push_back(text("output.map-author", FRANA_MEMBER(output.map_author), "text",
+                        "Author, in the title block of maps.", "none"));
+    list.push_back(text("output.map-organisation", FRANA_MEMBER(output.map_organisation), "text",
+                        "Organisation, in the title block of maps.", "none"));
+    list.push_back(holds("raster", text("output.map-logo", FRANA_MEMBER(output.map_logo), "file",
+                                        "Logo in the title block of maps: a PNG or JPEG file.", "none")));
+    list.push_back(text("output.map-date", FRANA_MEMBER(output.map_date), "text",
+                        "Date in the title block of maps; none: no date.", "the day of the run"));
     list.push_back(text("output.map-attribution", FRANA_MEMBER(output.map_attribution), "text",
                         "Sources of the data and author, at the foot of every picture.", "the program alone"));
     std::vector<std::string> languages{k_language_of_locale};

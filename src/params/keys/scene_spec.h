@@ -37,6 +37,7 @@ struct TerrainSpec {
     std::optional<double> nodata_value;
     std::string vertical_unit = "auto";
     std::string resampling = "automatic";
+    std::optional<std::string> source;  ///< of the elevations, as named on maps
     std::optional<std::string> friction_zones;
     std::optional<std::string> obstacles;
     std::optional<SourceSpec> obstacle_height;
@@ -152,7 +153,10 @@ struct OutputSpec {
     std::string map_legend = "classed";
     ClassSpec classes;
     std::optional<std::string> map_background;
+    std::optional<std::string> map_background_licence;
     std::optional<std::string> map_attribution;
+    std::optional<double> map_scale;  ///< n of 1 : n
+    std::optional<std::string> map_author, map_organisation, map_logo, map_date;
     double view_exaggeration = 1;
     std::string view_background = "sky";
     std::optional<std::string> view_camera;

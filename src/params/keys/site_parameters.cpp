@@ -140,6 +140,9 @@ void add_terrain(std::vector<Parameter>& list) {
                           {"automatic", "nearest", "bilinear", "cubic", "average"},
                           "Resampling of the DTM to the working grid; automatic: copied if the cells coincide, "
                           "averaged to coarser cells, bilinear to finer ones."));
+    list.push_back(text("terrain.source", FRANA_MEMBER(terrain.source), "text",
+                        "Source of the elevations, named on maps: survey, owner, date, licence.",
+                        "the DTM's file name"));
     list.push_back(on_map(
         holds("polygons",
               text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",

@@ -34,6 +34,15 @@ TEST_F(ConvergeCommand, ReportsLevelsAndLaterRunsReportThem) {
     EXPECT_EQ(other.err.find("estimated error"), std::string::npos) << other.err;
 }
 
+// The levels' own cell sizes count in place of the one given, which is the finest.
+TEST_F(ConvergeCommand, TheFinestCellsMayBeGiven) {
+    write_scene(k_numbers_only);
+    const Outcome study = frana(
+        {"converge", "scene.ini", "--out", "given", "--quiet", "--set", "terrain.cell-size=4", "--set", "time.end=3"});
+    ASSERT_EQ(study.exit_code, 0) << study.err;
+    EXPECT_EQ(json_number(read_text(path("given/convergence.json")), "finest_cell_size_m"), 4);
+}
+
 TEST_F(ConvergeCommand, RefusesTwoLevelsAndAnExistingStudy) {
     write_scene("");
     EXPECT_EQ(frana({"converge", "scene.ini", "--levels", "2"}).exit_code, 2);

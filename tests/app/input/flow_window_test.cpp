@@ -52,10 +52,10 @@ TEST_F(FlowWindow, IsCutAsEveryLawSpecifies) {
 }
 
 // Keys whose files give values by place, start or bound the flow elsewhere in flow_window.cpp, or are only drawn.
-const std::vector<std::string> k_not_on_map{"terrain.dtm",       "release.perimeter",
-                                            "release.thickness", "inflow.line",
-                                            "inflow.hydrograph", "structured.initial-fluid-depth",
-                                            "structured.zones",  "output.map-background"};
+const std::vector<std::string> k_not_on_map{
+    "terrain.dtm",      "release.perimeter",     "release.thickness",
+    "inflow.line",      "inflow.hydrograph",     "structured.initial-fluid-depth",
+    "structured.zones", "output.map-background", "output.map-logo"};
 
 bool is_value_by_place(const Parameter& key) {
     return key.section == "zones" || std::any_of(solid_keys().begin(), solid_keys().end(),

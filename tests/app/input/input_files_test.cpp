@@ -96,6 +96,11 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
     const auto point = [this](int version) { write_shape("POINT(" + place(40 + version, 60) + ")"); };
     const auto raster = [this](int version) { write_raster("file.tif", 2 + version); };
     const auto picture = [this](int version) { write_raster("file.tif", 100 + version, true); };
+    const auto logo = [this](int version) {
+        std::filesystem::remove(path("file.tif"));
+        write_raster("file.tif", 100 + version, true);
+        gis::test::copy_as(path("file.tif"), path("file.png"), "PNG");
+    };
     const auto hydrograph = [this](int version) {
         write("file.csv", "time,discharge,velocity\n0,5,2\n10," + std::to_string(5 + version) + ",2\n");
     };
@@ -124,6 +129,7 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
         {"inflow.hydrograph", {scene, {flows[0], name + "=file.csv"}, hydrograph}},
         {"structured.zones", {"structured.ini", {shape, "structured.initial-fluid-depth=attribute:thick"}, box(30)}},
         {"output.map-background", {scene, {tif}, picture}},
+        {"output.map-logo", {scene, {name + "=file.png"}, logo}},
         {"output.gauges", {scene, {shape}, point}},
         {"output.cross-sections", {scene, {shape}, line}},
         {"output.profiles", {scene, {shape}, line}},

@@ -33,7 +33,7 @@ class SpecialFile : public TinyScene {
 
 TEST_F(SpecialFile, IsNoInput) {
     for (const std::string key : {"terrain.dtm", "release.perimeter", "scar.perimeter", "scar.front", "output.gauges",
-                                  "output.map-background", "terrain.walls"}) {
+                                  "output.map-background", "output.map-logo", "terrain.walls"}) {
         expect_refused({"scene.ini", "--set", key + "=" + path("fifo")}, "is not a regular file");
         expect_refused({"scene.ini", "--set", key + "=/dev/zero"}, "is not a regular file");
     }

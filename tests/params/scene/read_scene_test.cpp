@@ -159,12 +159,18 @@ TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWithFrames) {
 TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
     const std::string all = messages(k_least +
                                      "[output]\nformats = netcdf, ascii\nframes = off\nanimation = off\n"
-                                     "sample-interval = 1\n[hazard]\nscheme = custom\n");
-    for (const std::string words : {"output.formats: netcdf and zarr contain the frames, but the scene writes none",
-                                    "output.formats: ascii is a format of the AvaFrame rasters",
-                                    "output.sample-interval: has no effect: there are no gauges or cross-sections",
-                                    "hazard.scheme: scheme custom needs limits"})
+                                     "sample-interval = 1\nmap-scale = 5000\nmap-background-licence = CC\n"
+                                     "[hazard]\nscheme = custom\n");
+    for (const std::string words :
+         {"output.formats: netcdf and zarr contain the frames, but the scene writes none",
+          "output.formats: ascii is a format of the AvaFrame rasters",
+          "output.sample-interval: has no effect: there are no gauges or cross-sections",
+          "output.map-scale: needs a paper size: pixels have no scale until they are printed: "
+          "5000 (limit: A4, A3",
+          "output.map-background-licence: has no effect: there is no output.map-background",
+          "hazard.scheme: scheme custom needs limits"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
+    EXPECT_EQ(messages(k_least + "[output]\nmap-scale = 5000\nmap-size = A3-portrait@300\n"), "");
     EXPECT_EQ(messages(k_least + "[output]\nformats = netcdf\n"), "") << "GeoTIFFs need not be asked for";
 }
 

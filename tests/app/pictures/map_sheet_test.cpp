@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps as they are handed over: scale on paper, title block, one frame for all pages, differences of results.
+#include <gdal.h>
+
+#include <cmath>
+#include <memory>
+#include <regex>
+
+#include "support/files.h"
+#include "support/pdf_check.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+/// Size in pixels and geotransform of a raster or of a geospatial PDF drawn at 150 dots per inch.
+struct Placed {
+    int columns = 0, rows = 0;
+    std::array<double, 6> geo{};
+};
+Placed placed(const std::string& file) {
+    GDALAllRegister();
+    const std::unique_ptr<void, decltype(&GDALClose)> data(GDALOpen(file.c_str(), GA_ReadOnly), &GDALClose);
+    Placed result;
+    EXPECT_TRUE(data) << file;
+    if (!data) return result;
+    EXPECT_EQ(GDALGetGeoTransform(data.get(), result.geo.data()), CE_None) << file;
+    result.columns = GDALGetRasterXSize(data.get());
+    result.rows = GDALGetRasterYSize(data.get());
+    return result;
+}
+
+class MapSheet : public TinyScene {
+  protected:
+    void run(const std::string& more, const std::string& result = "result") const {
+        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\ncharts = off\nreport = off\n" + more);
+        const Outcome outcome = frana({"run", "scene.ini", "--out", result, "--quiet"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    [[nodiscard]] Outcome render(Words more, const std::string& result = "result") const {
+        Words words{"render", result};
+        words.insert(words.end(), more.begin(), more.end());
+        return frana(words);
+    }
+    [[nodiscard]] std::string svg_of(Words more, const std::string& name = "max_depth") const {
+        more.insert(more.end(), {"--map", name, "--format", "svg", "--out", "svg"});
+        const Outcome outcome = render(std::move(more));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return read_text(path("svg/" + name + ".svg"));
+    }
+};
+
+TEST_F(MapSheet, MetresPerMillimetreAreExact) {
+    run("");
+    const Outcome outcome = render({"--map", "max_depth", "--size", "A4", "--scale", "2000", "--format", "pdf",
+                                    "--format", "tif", "--format", "svg", "--out", "sheet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    constexpr double k_dots_per_millimetre = 150 / 25.4;
+    // The page is a whole number of pixels: 1754 of them are 297.0 mm within a pixel in ten thousand.
+    for (const char* file : {"sheet/max_depth.tif", "sheet/max_depth.pdf"}) {
+        const Placed map = placed(path(file));
+        EXPECT_NEAR(map.geo[1] * k_dots_per_millimetre, 2, 2e-4) << file;
+        EXPECT_NEAR(-map.geo[5] * k_dots_per_millimetre, 2, 2e-4) << file;
+    }
+    EXPECT_NE(read_text(path("sheet/max_depth.svg")).find(">1 : 2 000</text>"), std::string::npos);
+    EXPECT_NE(read_text(path("sheet/max_depth.svg")).find(">on A4</text>"), std::string::npos);
+}
+
+TEST_F(MapSheet, WithoutAScaleASheetHasARoundOne) {
+    run("");
+    const std::string svg = svg_of({"--size", "A4-portrait"});
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(svg, found, std::regex(">1 : ([0-9 ]+)</text>")));
+    const std::string digits = std::regex_replace(found[1].str(), std::regex(" "), "");
+    EXPECT_TRUE(std::regex_match(digits, std::regex("(1|2|25|5)0+"))) << digits;
+    // Pixels have the scale of their print size.
+    const std::string pixels = svg_of({"--size", "1600x1200"});
+    EXPECT_NE(pixels.find(">printed 27.1 \u00D7 20.3 cm</text>"), std::string::npos);
+    EXPECT_TRUE(std::regex_search(pixels, std::regex(">1 : [0-9 ]+</text>")));
+}
+
+TEST_F(MapSheet, ScalesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
+    run("");
+    const struct {
+        Words words;
+        std::vector<const char*> said;
+    } cases[] = {
+        {{"--scale", "5000"}, {"needs a paper size", "Add --size A4@300"}},
+        {{"--scale", "50", "--size", "A4"}, {"is not a scale", "the n of 1 : n, 100"}},
+        {{"--scale", "x", "--size", "A4"}, {"is not a scale"}},
+        {{"--scale", "1000", "--size", "A4-portrait"},
+         {"the flow does not fit A4-portrait at this scale", "--scale", "at least 1 : ", "Take 1 : 2 000",
+          "or for 1 : 1 000 the size A3"}},
+    };
+    for (const auto& one : cases) {
+        Words words{"--map", "max_depth", "--out", "none"};
+        words.insert(words.end(), one.words.begin(), one.words.end());
+        const Outcome outcome = render(words);
+        EXPECT_EQ(outcome.exit_code, 2) << one.words[1];
+        for (const char* said : one.said) EXPECT_NE(outcome.err.find(said), std::string::npos) << said << outcome.err;
+    }
+    EXPECT_FALSE(fs::exists(path("none")));
+}
+
+TEST_F(MapSheet, TitleBlockAndSources) {
+    gis::test::TestRaster raster;
+    raster.columns = 40;
+    raster.rows = 20;
+    raster.bytes = true;
+    raster.values.assign(800, 90);
+    gis::test::make_raster(path("logo.tif"), raster);
+    gis::test::copy_as(path("logo.tif"), path("logo.png"), "PNG");
+    gis::test::copy_as(path("logo.tif"), path("logo.jpg"), "JPEG");
+    run("map-author = A. Rossi\nmap-organisation = Regional survey\nmap-logo = logo.png\n"
+        "[terrain]\nsource = Lidar 2019, CC BY 4.0\n[material]\n");
+    const std::string svg = svg_of({"--size", "A4"});
+    const std::string summary = read_text(path("result/summary.json"));
+    std::smatch date;
+    ASSERT_TRUE(std::regex_search(summary, date, std::regex("\"date\": \"([0-9]{4}-[0-9]{2}-[0-9]{2})\"")));
+    for (const std::string& one :
+         {std::string(">A. Rossi<"), std::string(">Regional survey<"), ">" + date[1].str() + "<",
+          std::string("Terrain: Lidar 2019, CC BY 4.0"), std::string("friction angle"), std::string("density"),
+          std::string("Voellmy-Bingham")})
+        EXPECT_NE(svg.find(one), std::string::npos) << one;
+    EXPECT_EQ(svg_of({"--size", "A4"}), svg) << "redrawn it has the same bytes";
+    const std::string other = svg_of({"--size", "A4", "--author", "B. Bianchi", "--organisation", "Office", "--date",
+                                      "12 May 2031", "--logo", "logo.jpg"});
+    for (const char* one : {">B. Bianchi<", ">Office<", ">12 May 2031<"})
+        EXPECT_NE(other.find(one), std::string::npos) << one;
+    EXPECT_EQ(other.find("A. Rossi"), std::string::npos);
+    const std::string none = svg_of({"--size", "A4", "--date", "none", "--logo", "none"});
+    EXPECT_EQ(none.find(date[1].str()), std::string::npos);
+    for (const char* bad : {"missing.png", "scene.ini", "logo.tif"}) {
+        const Outcome refused = render({"--map", "max_depth", "--logo", bad});
+        EXPECT_EQ(refused.exit_code, 2) << bad;
+        EXPECT_NE(refused.err.find("--logo"), std::string::npos) << refused.err;
+    }
+    const Outcome checked = frana({"check", "scene.ini", "--set", "output.map-logo=scene.ini"});
+    EXPECT_EQ(checked.exit_code, 2);
+    EXPECT_NE(checked.err.find("neither a PNG nor a JPEG"), std::string::npos) << checked.err;
+}
+
+TEST_F(MapSheet, AllPagesOfAResultShareTheFrame) {
+    write_polygon("seen", {{20, 50}, {160, 50}, {160, 100}, {20, 100}});
+    run("[hazard]\nscheme = custom\ndepth-limits = 0.5, 2\nvelocity-limits = 3\n[observed]\nperimeter = "
+        "seen.geojson\n");
+    for (const char* size : {"1600x1200", "A4-portrait", "800x600"}) {
+        const Outcome outcome = render({"--map",    "max_depth",
+                                        "--map",    "max_velocity",
+                                        "--map",    "arrival_time",
+                                        "--map",    "hazard",
+                                        "--map",    "comparison",
+                                        "--map",    "depth@2",
+                                        "--map",    "release",
+                                        "--format", "tif",
+                                        "--format", "svg",
+                                        "--size",   size,
+                                        "--out",    std::string("pages") + size});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::optional<Placed> first;
+        for (const std::string& file : files()) {
+            if (!file.starts_with(std::string("pages") + size) || !file.ends_with(".tif")) continue;
+            const Placed page = placed(path(file));
+            if (!first) first = page;
+            EXPECT_EQ(page.geo, first->geo) << file;
+            EXPECT_EQ(page.columns, first->columns) << file;
+            EXPECT_EQ(page.rows, first->rows) << file;
+        }
+    }
+}
+
+TEST_F(MapSheet, HazardMapsGiveTheNumbersOfTheirLimits) {
+    run("[hazard]\nscheme = custom\ndepth-limits = 0.5, 2\n");
+    const std::string svg = svg_of({"--size", "1600x1200"}, "hazard");
+    EXPECT_NE(svg.find("0.5 m"), std::string::npos);
+    EXPECT_NE(svg.find("2 m"), std::string::npos);
+    EXPECT_NE(svg.find("scheme custom"), std::string::npos);
+    EXPECT_EQ(svg.find("Class 1"), std::string::npos);
+}
+
+TEST_F(MapSheet, ADifferenceIsCentredOnZeroAndOnTheGround) {
+    run("", "a");
+    run("[release]\nvolume = 2000\n", "b");
+    const Outcome outcome = render({"--difference", "b", "--map", "max_depth", "--format", "tif", "--format", "svg",
+                                    "--out", "sheet", "--title", "First"},
+                                   "a");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string svg = read_text(path("sheet/difference_max_depth.svg"));
+    for (const char* one :
+         {"-0.2 \u2026 0.2", "&gt; 5", "&lt; -5", ">A: First<", ">B: b<", "A minus B", "Difference: Maximum depth"})
+        EXPECT_NE(svg.find(one), std::string::npos) << one;
+    EXPECT_GT(placed(path("sheet/difference_max_depth.tif")).columns, 100);
+    // A result minus itself is zero: one colour, that of the middle.
+    ASSERT_EQ(render({"--difference", "a", "--map", "max_depth", "--out", "none", "--format", "tif"}, "a").exit_code,
+              0);
+    const auto same = gis::test::pixels_of(path("none/difference_max_depth.tif"));
+    int middle = 0, other = 0;
+    for (std::size_t i = 0; i + 2 < same.rgb.size(); i += 3) {
+        middle += same.rgb[i] == 247 && same.rgb[i + 1] == 246 && same.rgb[i + 2] == 240 ? 1 : 0;
+        other += same.rgb[i] > 230 && same.rgb[i + 2] < 100 ? 1 : 0;
+    }
+    EXPECT_GT(middle, 1000);
+    EXPECT_EQ(other, 0);
+}
+
+TEST_F(MapSheet, OnlyTheSameCellsHaveADifference) {
+    run("", "a");
+    run("[terrain]\ncell-size = 10\n[material]\n", "coarse");
+    run("[terrain]\ncrs = EPSG:32633\n[material]\n", "elsewhere");
+    const std::pair<const char*, const char*> cases[] = {{"coarse", "has cells of another size"},
+                                                         {"elsewhere", "has another coordinate reference system"},
+                                                         {"missing", "is not a folder"}};
+    for (const auto& [other, said] : cases) {
+        const Outcome outcome = render({"--difference", other, "--map", "max_depth", "--out", "none"}, "a");
+        EXPECT_EQ(outcome.exit_code, 2) << other;
+        EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+    }
+    EXPECT_NE(render({"--difference", "coarse"}, "a").err.find("--map max_depth"), std::string::npos);
+    EXPECT_EQ(render({"--difference", "coarse", "--map", "max_depth", "--view", "3d"}, "a").exit_code, 2);
+    EXPECT_FALSE(fs::exists(path("none")));
+}
+
+TEST_F(MapSheet, CrossSectionsCarryTheirNames) {
+    const auto place = [](double x, double y) {
+        return std::to_string(k_west + x) + " " + std::to_string(k_south + y);
+    };
+    gis::test::make_vector(path("lines.gpkg"), "GPKG", "EPSG:32632",
+                           {"LINESTRING(" + place(100, 40) + "," + place(100, 110) + ")",
+                            "LINESTRING(" + place(140, 40) + "," + place(140, 110) + ")"});
+    run("cross-sections = lines.gpkg\n");
+    const std::string table = read_text(path("result/sections.csv"));
+    const std::string svg = svg_of({"--size", "1600x1200"});
+    std::smatch found;
+    int names = 0;
+    const std::regex name("\n[^,\n]+,([^,\n]+),");
+    for (auto one = std::sregex_iterator(table.begin(), table.end(), name); one != std::sregex_iterator() && names < 2;
+         ++one, ++names)
+        EXPECT_NE(svg.find(">" + (*one)[1].str() + "<"), std::string::npos) << (*one)[1].str();
+}
+
+}  // namespace
+}  // namespace frana::test
