@@ -21,6 +21,8 @@ const std::map<std::string, std::set<std::string>> k_may_include{
     {"models", {"core", "particles", "physics", "mpm"}},
     {"simulation", {"core", "params", "particles", "physics", "mpm", "models", "analysis"}},
     {"bench", {"core", "params", "particles", "physics", "mpm", "models", "simulation", "analysis"}},
+    {"facade", {"core", "params", "particles", "physics", "mpm", "models", "simulation", "analysis"}},
+    {"python", {"facade"}},
     {"study", {"core", "params", "particles", "physics", "mpm", "models", "simulation", "analysis"}},
     {"ranks", {"core"}},
     {"gis", {"core"}},
