@@ -8,6 +8,11 @@
 
 namespace frana {
 
+/// Elevations beyond are impossible: a wrong unit gives a factor of 100 at most [m].
+inline constexpr double k_impossible_elevation = 1e5;
+/// Those of ground that is not suspicious: Everest 8849 m; the Dead Sea's shore -440 m.
+inline constexpr double k_highest_ground = 9000, k_lowest_ground = -500;
+
 /// A cell and a value there.
 struct Spot {
     std::int64_t row = 0, column = 0;

@@ -184,6 +184,20 @@ void remove(const Raster& depth, Raster& bed) {
 
 }  // namespace
 
+double volume_in_cells(const Raster& thickness, double side, const MultiPolygon& outline) {
+    const GridSpec& grid = thickness.grid;
+    ParticleSet pieces;
+    return fill_outline(
+        outline, side,
+        [&](Point p) {
+            const auto column = static_cast<std::int64_t>(std::floor(p.x / side));
+            const auto row = grid.rows - 1 - static_cast<std::int64_t>(std::floor(p.y / side));
+            const bool inside = column >= 0 && column < grid.columns && row >= 0 && row < grid.rows;
+            return inside ? thickness.at(row, column) : k_no_data;
+        },
+        pieces);
+}
+
 double lattice_spacing(const Scene& scene) {
     return scene.grid.cell_size / std::round(std::sqrt(static_cast<double>(scene.numerics.particles_per_cell)));
 }

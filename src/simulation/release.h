@@ -34,6 +34,14 @@ struct Release {
 /// or if it is everywhere thinner than the minimum depth.
 Release make_release(const Scene& scene);
 
+/// Thicknesses outside are those of no landslide: the largest known are some hundred metres thick; less than the least
+/// is not a mass, and at far smaller values volume and depths underflow [m].
+inline constexpr double k_most_thickness = 2000, k_least_thickness = 1e-6;
+
+/// Returns the volume that a thickness, constant over each cell, has inside an outline: exact [m3].
+/// @param side of the raster's cells, and @param outline in the same unit, local to the raster's south-western corner
+double volume_in_cells(const Raster& thickness, double side, const MultiPolygon& outline);
+
 /// Returns the distance between particles at the start [m].
 double lattice_spacing(const Scene& scene);
 

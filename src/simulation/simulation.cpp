@@ -9,6 +9,7 @@
 #include "core/words/words.h"
 #include "simulation/flow.h"
 #include "simulation/flow_run.h"
+#include "simulation/stepped_run.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
 #include "simulation/terrain_sample.h"
@@ -16,38 +17,10 @@
 namespace frana {
 namespace {
 
-// A run's elevations are relative to its start, independent of later failures.
-Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first, Point otherwise) {
-    const Point origin = first.size() > 0 ? Point{first[Field::x][0], first[Field::y][0]} : otherwise;
-    const Cell cell = cell_of(scene.grid, origin);
-    const double z = scene.terrain.at(cell.row, cell.column);
-    return std::isnan(z) ? Ground(bed) : Ground(bed, z);
-}
-
 // Reads terrain on demand before the first step, so that a read error is found before anything is computed.
 template <class AnyFlow>
 void require_ground(const AnyFlow& flow) {
     flow.nodes().require_ground();
-}
-
-// Runs a flow to the scene's end.
-template <class AnyFlow>
-RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
-                   Stopwatch& engine) {
-    FlowRun<AnyFlow> run(scene, options, release, arrivals, flow, engine);
-    require_ground(flow);
-    if (options.saved != nullptr) {
-        (*options.saved)(run);
-    } else {
-        run.begin();
-    }
-    const SaveState save = [&](StateWriter& writer) { writer(run); };
-    while (run.continues()) {
-        run.step();
-        if (options.after_step) options.after_step(run.progress(), save);
-    }
-    require_ground(flow);  // after the last state was saved
-    return run.finish();
 }
 
 // Number of rasters, as doubles, at the peak of a run: read, stored, in frames waiting for the disk, and about to be
@@ -128,20 +101,9 @@ const char* describe(StopReason reason) {
 }
 
 RunResult run(const Scene& scene, const RunOptions& options) {
-    Stopwatch engine;
-    engine.start();
-    Release release = make_release(scene);
-    Arrivals arrivals(scene, std::exchange(release.later, {}));
-    const Ground ground = ground_of(scene, release.bed_at_start, release.particles, origin_of(release, arrivals));
-    if (scene.structured) {
-        StructuredFlow flow(ground, scene.walls, *scene.structured, scene.numerics,
-                            std::exchange(release.particles, ParticleSet()), options.threads);
-        return run_flow(scene, options, release, arrivals, flow, engine);
-    }
-    Flow flow(ground, std::exchange(release.particles, ParticleSet()), scene.material, scene.numerics, options.threads,
-              std::nullopt, scene.zones, scene.entrainment);
-    if (scene.walls) flow.add_walls(*scene.walls);
-    return run_flow(scene, options, release, arrivals, flow, engine);
+    SteppedRun run(scene, options);
+    while (run.continues()) run.step();
+    return run.finish();
 }
 
 RunEstimate estimate(const Scene& scene, int threads) {

@@ -11,17 +11,13 @@
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
+#include "simulation/release.h"
 
 namespace frana::app {
 namespace {
 
 // A few cells suffice to locate the problem; all would hide the message.
 constexpr int k_cells_named = 5;
-
-// The largest known releases are some hundred metres thick.
-constexpr double k_most_thickness = 2000;
-// Less is not a mass; at far smaller values volume and depths underflow.
-constexpr double k_least_thickness = 1e-6;
 
 /// Counts the covered cells that satisfy a test, and lists the first few by row, column and coordinates.
 struct CellList {

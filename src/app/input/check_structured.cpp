@@ -9,6 +9,7 @@
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "models/structured/solid/drucker_prager.h"
+#include "simulation/structured_check.h"
 #include "simulation/structured_laws.h"
 
 namespace frana::app {
@@ -16,18 +17,16 @@ namespace {
 
 /// Extremes over all materials of a scene.
 struct Extremes {
-    double lightest = HUGE_VAL;  ///< grain density [kg/m3]
-    double cohesion = 0;         ///< [Pa]
-    double strain = 0;           ///< elastic, at the uniaxial strength [-]
-    double steepest_bed = 0;     ///< greatest bed friction, as an angle [degrees]
-    double bed_over_own = 0;     ///< by how much it exceeds the material's own at most [degrees]
-    double solid_fraction = 0;   ///< greatest
+    double cohesion = 0;        ///< [Pa]
+    double strain = 0;          ///< elastic, at the uniaxial strength [-]
+    double steepest_bed = 0;    ///< greatest bed friction, as an angle [degrees]
+    double bed_over_own = 0;    ///< by how much it exceeds the material's own at most [degrees]
+    double solid_fraction = 0;  ///< greatest
     double least_solid_fraction = 1;
 
     explicit Extremes(const StructuredMaterial& m) {
         const auto degrees = [](double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; };
         visit_materials(m, [&](const SolidValues& solid) {
-            lightest = std::min(lightest, solid.grain_density);
             cohesion = std::max(cohesion, solid.cohesion);
             steepest_bed = std::max(steepest_bed, degrees(solid.bed_friction));
             bed_over_own = std::max(bed_over_own, degrees(solid.bed_friction) - degrees(solid.friction));
@@ -83,13 +82,8 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
                              const GridSpec& grid, RunLog& log, Problems& problems) {
     if (!m.solids) return;
     const Extremes e(m);
-    if (has_fluid(m) && !(e.lightest > m.fluid_density))
-        problems.add(
-            {"is not denser than the fluid: the solids would float, which the laws of drag and buoyancy do not "
-             "describe",
-             reading.where("structured.grain-density"), number_text(e.lightest, 5) + " kg/m3",
-             "more than structured.fluid-density, " + number_text(m.fluid_density, 5) + " kg/m3",
-             "Correct one of them; rock has some 2650"});
+    for (const Problem& problem : structured_problems(m, [&](const std::string& key) { return reading.where(key); }))
+        problems.add(problem);
     warn_of_keys_without_effect(reading, m, e, log);
     if (e.bed_over_own > 1e-6)
         log.warn("structured.bed-friction-angle is up to " + number_text(e.bed_over_own, 3) +

@@ -11,9 +11,7 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_impossible = 1e5;                 // [m]; a wrong unit gives a factor of 100 at most
-constexpr double k_highest = 9000, k_lowest = -500;  // Everest 8849 m; the Dead Sea's shore -440 m
-constexpr double k_steepest_median = 60;             // degrees; of the steepest mountains some 45
+constexpr double k_steepest_median = 60;  // degrees; of the steepest mountains some 45
 // A single cell of fine models: higher than trees and houses. Of coarse ones a summit may be as steep as 56 degrees.
 constexpr double k_needle = 20, k_needle_cells = 1.5;
 
@@ -35,17 +33,17 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, const Gri
     const TerrainSanity found = terrain_sanity(terrain, needle);
     if (found.highest.value < found.lowest.value) return;  // no sample of a large DTM lies where it has data
     const Spot& extreme = found.highest.value > -found.lowest.value ? found.highest : found.lowest;
-    if (std::abs(extreme.value) > k_impossible) {
+    if (std::abs(extreme.value) > k_impossible_elevation) {
         throw Error(
             ErrorKind::input,
             Problem{"contains an impossible elevation", reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm,
                     number_text(extreme.value, 6) + " m at " + place(grid, extreme),
-                    grouped(-k_impossible) + " to " + grouped(k_impossible) + " m", k_remedy});
+                    grouped(-k_impossible_elevation) + " to " + grouped(k_impossible_elevation) + " m", k_remedy});
     }
-    if (found.highest.value > k_highest)
+    if (found.highest.value > k_highest_ground)
         log.warn("DTM: the highest elevation is " + number_text(found.highest.value, 6) + " m at " +
                  place(grid, found.highest) + ", higher than any mountain. " + k_remedy);
-    if (found.lowest.value < k_lowest)
+    if (found.lowest.value < k_lowest_ground)
         log.warn("DTM: the lowest elevation is " + number_text(found.lowest.value, 6) + " m at " +
                  place(grid, found.lowest) + ", lower than any dry ground. " + k_remedy);
     if (found.median_slope_deg > k_steepest_median)

@@ -2,8 +2,6 @@
 #include "app/input/prepare.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "app/input/check_ground.h"
@@ -11,7 +9,6 @@
 #include "app/input/layer_choice.h"
 #include "app/input/memory_bound.h"
 #include "app/input/prepare_inflow.h"
-#include "app/input/prepare_material.h"
 #include "app/input/prepare_obstacles.h"
 #include "app/input/prepare_structured.h"
 #include "app/input/prepare_zones.h"
@@ -23,34 +20,10 @@
 #include "params/keys/laws.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene_origin.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
-
-Numerics numerics_of(const SceneSpec& spec) {
-    Numerics numerics;
-    const NumericsSpec& words = spec.numerics;
-    numerics.scheme = words.scheme == "paper" ? Scheme::paper : Scheme::standard;
-    if (words.transfer == "pic") numerics.transfer = Transfer::pic;
-    if (words.transfer == "flip") numerics.transfer = Transfer::flip;
-    if (words.transfer == "apic") numerics.transfer = Transfer::apic;
-    numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
-    static_cast<NumericsValues&>(numerics) = words;
-    numerics.cfl = courant_number(spec);
-    numerics.well_balanced = well_balanced(words);
-    const std::string correction = slope_correction(words);
-    numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
-                                : correction == "surface" ? SlopeCorrection::surface
-                                                          : SlopeCorrection::normal;
-    numerics.curvature = curvature(words);
-    numerics.flight = flight(words);
-    numerics.flight_slope = std::tan(words.flight_slope * std::numbers::pi / 180);
-    const std::string& policy = spec.terrain.nodata_policy;
-    numerics.nodata = policy == "wall"   ? NodataPolicy::wall
-                      : policy == "fill" ? NodataPolicy::fill
-                                         : NodataPolicy::stop;
-    return numerics;
-}
 
 std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
@@ -152,8 +125,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
     prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;
     prepared.scene.release = std::exchange(release.areas, {});
-    const auto& volume = reading.scene.release.volume;
-    if (volume && volume->kind == SourceSpec::Kind::number) prepared.scene.release_volume = volume->number;
+    prepared.scene.release_volume = release_volume_of(reading.scene.release);
     prepared.scene.walls = std::move(walls);
     if (structured && !inflows.empty()) structured->more_fluid = true;
     prepared.scene.inflows = std::move(inflows);
@@ -164,12 +136,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.numerics = numerics_of(reading.scene);
     refuse_unused_zones(reading, prepared.scene, problems);
     problems.throw_if_any();
-    static_cast<TimeValues&>(prepared.scene.time) = reading.scene.time;
-    prepared.scene.time.end = reading.scene.time.end;
-    prepared.scene.time.stop_change = reading.scene.time.stop_change;
-    prepared.scene.time.trace_threshold =
-        std::max(reading.scene.output.trace_threshold, reading.scene.numerics.minimum_depth);
-    prepared.scene.time.frame_interval = frame_interval(reading.scene);
+    prepared.scene.time = time_of(reading.scene);
     place_origin(prepared.scene);
     refuse_too_much(reading, prepared.scene, release.area_m2);
     refuse_what_cannot_start(prepared.scene);

@@ -8,7 +8,6 @@
 #include "app/input/check_release.h"
 #include "app/input/check_structured.h"
 #include "app/input/layer_values.h"
-#include "app/input/prepare_material.h"
 #include "app/input/prepare_zones.h"
 #include "app/input/transform_report.h"
 #include "app/input/zone_raster_on_demand.h"
@@ -17,6 +16,7 @@
 #include "gis/raster/rasterize.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/solid_keys.h"
+#include "simulation/scene_values.h"
 #include "simulation/structured_laws.h"
 
 namespace frana::app {
@@ -127,18 +127,6 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
                   "", "Extend the polygons or the raster to all of it"});
 }
 
-/// Softer material strains more until it yields, and damage counts strain.
-void check_modulus_reduction(const SceneReading& reading, const StructuredMaterial& m, Problems& problems) {
-    if (!m.solids || !(m.modulus_reduction > 1)) return;
-    const double most = std::max(1.0, greatest_modulus_reduction(m));
-    if (!(m.modulus_reduction > most)) return;
-    problems.add({"softens the material so much that it would break by that",
-                  reading.where("structured.modulus-reduction"), number_text(m.modulus_reduction, 4),
-                  most > 1 ? "at most " + number_text(most, 3) : "1, none: it is soft already",
-                  "Lower it: at its strength the material would have an elastic strain of over a twentieth of "
-                  "structured.critical-strain"});
-}
-
 /// Limits the fluid's place and depth.
 void bound_initial_fluid(const std::optional<SourceSpec>& source, const Raster& terrain,
                          const std::optional<Raster>& walls, StructuredMaterial& m) {
@@ -228,7 +216,6 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
                 [](std::size_t, double& value) { value = std::tan(value * std::numbers::pi / 180); });
         material->zones.push_back({property.value, std::move(kept)});
     }
-    check_modulus_reduction(reading, *material, problems);
     check_structured_values(reading, *material, release, ground->terrain.grid, log, problems);
     bound_initial_fluid(spec.initial_fluid_depth, ground->terrain, walls, *material);
     return material;

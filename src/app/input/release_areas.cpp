@@ -9,6 +9,7 @@
 #include "app/input/layer_values.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
@@ -111,11 +112,11 @@ double common_factor(const std::vector<FittedSurface>& surfaces, const gis::Poly
 void set_details(const SceneReading& reading, const gis::PolygonLayer* layer, std::size_t feature, ReleaseArea& area,
                  Problems& problems) {
     const ReleaseSpec& spec = reading.scene.release;
-    if (layer != nullptr) area.name = own_name(layer->features[feature]);
-    area.normal_to_bed = spec.thickness_direction == "normal";
+    set_uniform_details(spec, area);
+    if (layer == nullptr) return;
+    area.name = own_name(layer->features[feature]);
     const auto value = [&](const std::string& key, const std::optional<SourceSpec>& source) -> std::optional<double> {
         if (!source) return std::nullopt;
-        if (layer == nullptr) return source->number;
         return value_of(reading, key, *source, *layer, feature, problems);
     };
     area.start = value("release.start", spec.start).value_or(0);

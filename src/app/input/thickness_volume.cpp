@@ -9,7 +9,7 @@
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/raster_in.h"
-#include "particles/seeding.h"
+#include "simulation/release.h"
 
 namespace frana::app {
 namespace {
@@ -63,21 +63,9 @@ class OwnCells {
     double unit_, area_ = 1;
 };
 
-// Exact for a thickness that is constant over each of the raster's cells.
 double volume_inside(const Raster& thickness, const GridSpec& working, const MultiPolygon& outline) {
-    const GridSpec& grid = thickness.grid;
-    const OwnCells cells(grid, working, outline);
-    ParticleSet pieces;
-    const double volume = fill_outline(
-        cells.places(outline), cells.side(),
-        [&](Point p) {
-            const auto column = static_cast<std::int64_t>(std::floor(p.x / cells.side()));
-            const auto row = grid.rows - 1 - static_cast<std::int64_t>(std::floor(p.y / cells.side()));
-            const bool inside = column >= 0 && column < grid.columns && row >= 0 && row < grid.rows;
-            return inside ? thickness.at(row, column) : k_no_data;
-        },
-        pieces);
-    return volume * cells.area();
+    const OwnCells cells(thickness.grid, working, outline);
+    return volume_in_cells(thickness, cells.side(), cells.places(outline)) * cells.area();
 }
 
 /// Returns the raster's own cells, in its own CRS; none if they are not square or rotated.

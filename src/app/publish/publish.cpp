@@ -197,7 +197,6 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     if (run.accuracy != nullptr) log_accuracy(*run.accuracy, log);
 
     const double threshold = prepared.spec.output.trace_threshold;
-    const Raster trace = trace_mask(result.max_depth, threshold);
     SummaryFacts facts;
     facts.spec = prepared.spec;
     facts.computed = prepared.scene.grid;
@@ -205,11 +204,12 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.threads = run.threads;
     facts.date = today();
     const SeparateFlows flows = separate_flows(result);
-    facts.statistics = {threshold, masked_area(trace), runouts(flows, result.bed, result.release, trace)};
+    const TraceFigures trace = trace_figures(result, prepared.scene.terrain, threshold);
+    facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs};
     note_flows(facts.statistics.run_outs, log);
-    facts.high = peak_statistics(result, trace);
+    facts.high = trace.high;
     facts.release_ground = prepared.release.ground;
-    facts.path_ground = ground_where(prepared.scene.terrain, trace, 0);
+    facts.path_ground = trace.path_ground;
     if (facts.path_ground) warn_of_path_ground(*facts.path_ground, log);
 
     publish_rasters(prepared, result, directory);

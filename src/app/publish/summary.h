@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/ground_statistics.h"
-#include "app/publish/peak_statistics.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/accuracy_record.h"
 #include "app/store/main_statistics.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app {
 
@@ -40,9 +39,6 @@ struct SummaryFacts {
 
 /// Returns summary.json.
 std::string summary_json(const RunResult& result, const SummaryFacts& facts);
-
-/// Returns one word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
-std::string stop_word(StopReason reason);
 
 /// Returns the peak resident memory of this process so far.
 std::int64_t peak_memory_bytes();

@@ -4,11 +4,10 @@
 #include <array>
 
 #include "analysis/high_values.h"
-#include "app/store/layers.h"
 #include "core/words/words.h"
-#include "simulation/result.h"
+#include "simulation/raster_of_row.h"
 
-namespace frana::app {
+namespace frana {
 
 /// A raster of maxima whose high values are reported: in summary.json (keys NAME_UNIT, NAME_p999_UNIT, NAME_p99_UNIT),
 /// in the report, and in studies.
@@ -32,8 +31,8 @@ using PeakStatistics = std::array<PeakValues, k_peak_statistics.size()>;
 inline PeakStatistics peak_statistics(const RunResult& result, const Raster& trace) {
     PeakStatistics high;
     for (std::size_t i = 0; i < high.size(); ++i)
-        high[i] = high_values(*find_raster(result, k_peak_statistics[i].row()), trace);
+        high[i] = high_values(*raster_of_row(result, k_peak_statistics[i].row()), trace);
     return high;
 }
 
-}  // namespace frana::app
+}  // namespace frana

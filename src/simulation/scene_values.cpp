@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/input/prepare_material.h"
+#include "simulation/scene_values.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "params/keys/laws.h"
 #include "params/keys/solid_keys.h"
 
-namespace frana::app {
+namespace frana {
 namespace {
 
 void set(double& target, const std::optional<double>& value, double unit = 1) {
@@ -88,4 +89,50 @@ Entrainment entrainment_of(const EntrainmentSpec& spec) {
     return e;
 }
 
-}  // namespace frana::app
+Numerics numerics_of(const SceneSpec& spec) {
+    Numerics numerics;
+    const NumericsSpec& words = spec.numerics;
+    numerics.scheme = words.scheme == "paper" ? Scheme::paper : Scheme::standard;
+    if (words.transfer == "pic") numerics.transfer = Transfer::pic;
+    if (words.transfer == "flip") numerics.transfer = Transfer::flip;
+    if (words.transfer == "apic") numerics.transfer = Transfer::apic;
+    numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
+    static_cast<NumericsValues&>(numerics) = words;
+    numerics.cfl = courant_number(spec);
+    numerics.well_balanced = well_balanced(words);
+    const std::string correction = slope_correction(words);
+    numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
+                                : correction == "surface" ? SlopeCorrection::surface
+                                                          : SlopeCorrection::normal;
+    numerics.curvature = curvature(words);
+    numerics.flight = flight(words);
+    numerics.flight_slope = std::tan(words.flight_slope * std::numbers::pi / 180);
+    const std::string& policy = spec.terrain.nodata_policy;
+    numerics.nodata = policy == "wall"   ? NodataPolicy::wall
+                      : policy == "fill" ? NodataPolicy::fill
+                                         : NodataPolicy::stop;
+    return numerics;
+}
+
+TimeControl time_of(const SceneSpec& spec) {
+    TimeControl time;
+    static_cast<TimeValues&>(time) = spec.time;
+    time.end = spec.time.end;
+    time.stop_change = spec.time.stop_change;
+    time.trace_threshold = std::max(spec.output.trace_threshold, spec.numerics.minimum_depth);
+    time.frame_interval = frame_interval(spec);
+    return time;
+}
+
+void set_uniform_details(const ReleaseSpec& spec, ReleaseArea& area) {
+    area.normal_to_bed = spec.thickness_direction == "normal";
+    area.start = constant(spec.start).value_or(0);
+    area.speed = constant(spec.velocity).value_or(0);
+    if (const auto degrees = constant(spec.direction)) area.azimuth = *degrees * std::numbers::pi / 180;
+}
+
+std::optional<double> release_volume_of(const ReleaseSpec& spec) {
+    return constant(spec.volume);
+}
+
+}  // namespace frana

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/shortest_text.h"
+#include "facade/guarded.h"
+#include "facade/key_rules.h"
+#include "facade/prepare_scene.h"
+#include "facade/scene_data.h"
+#include "params/keys/former_names.h"
+#include "params/keys/zone_keys.h"
+#include "simulation/arrivals.h"
+#include "simulation/release.h"
+
+namespace frana::facade {
+namespace {
+
+std::string size_text(std::int64_t rows, std::int64_t columns) {
+    return std::to_string(rows) + " x " + std::to_string(columns);
+}
+
+void require_grid(const Grid& grid) {
+    constexpr std::int64_t k_most_side = 1'000'000;
+    const auto side = [](std::int64_t cells) { return cells >= 1 && cells <= k_most_side; };
+    if (!side(grid.rows) || !side(grid.columns))
+        refuse({"is out of range", "grid: rows, columns", size_text(grid.rows, grid.columns),
+                "1 to " + std::to_string(k_most_side), "Give the shape of the elevations"});
+    if (!std::isfinite(grid.cell_size) || !(grid.cell_size > 0))
+        refuse({"is out of range", "grid: cell size", shortest_text(grid.cell_size) + " m", "greater than 0",
+                "Give the side of a cell in metres"});
+    if (!std::isfinite(grid.west) || !std::isfinite(grid.north))
+        refuse({"is not finite", "grid: west, north", shortest_text(grid.west) + ", " + shortest_text(grid.north), "",
+                "Give the coordinates of the north-western corner"});
+}
+
+void require_size(const Grid& grid, const Values& values, const std::string& what) {
+    if (values.cells.size() == static_cast<std::size_t>(grid.rows * grid.columns)) return;
+    refuse({"does not have one value for each cell", what, std::to_string(values.cells.size()) + " values",
+            size_text(grid.rows, grid.columns) + " cells", "Give values on the scene's grid"});
+}
+
+}  // namespace
+
+Scene::Scene(const Grid& grid, Values elevations) : data_(std::make_unique<Data>()) {
+    require_grid(grid);
+    require_size(grid, elevations, "elevations");
+    data_->grid = grid;
+    data_->elevations = std::move(elevations);
+}
+
+Scene::Scene(const Scene& other) : data_(std::make_unique<Data>(*other.data_)) {}
+Scene::Scene(Scene&& other) noexcept = default;
+Scene& Scene::operator=(const Scene& other) {
+    if (this != &other) data_ = std::make_unique<Data>(*other.data_);
+    return *this;
+}
+Scene& Scene::operator=(Scene&& other) noexcept = default;
+Scene::~Scene() = default;
+
+const Grid& Scene::grid() const noexcept {
+    return data_->grid;
+}
+
+void Scene::set(const std::string& key, const std::string& value) {
+    if (const auto problem = problem_of_setting(key, value)) refuse(*problem);
+    const std::string name = present_name(key);
+    std::erase_if(data_->keys, [&](const auto& given) { return given.first == name; });
+    data_->keys.emplace_back(name, value);
+}
+
+void Scene::set(const std::string& key, double value) {
+    set(key, shortest_text(value));
+}
+
+void Scene::set_values(const std::string& key, Values values) {
+    const std::vector<ZoneKey>& keys = zone_keys();
+    if (std::none_of(keys.begin(), keys.end(), [&](const ZoneKey& zone) { return zone.name == key; })) {
+        std::string names;
+        for (const ZoneKey& zone : keys) names += (names.empty() ? "" : ", ") + zone.name;
+        refuse({"is no key whose value varies from place to place", key, "", names, ""});
+    }
+    require_size(data_->grid, values, key);
+    data_->by_place[key] = std::move(values);
+}
+
+void Scene::set_walls(Values walls) {
+    require_size(data_->grid, walls, "walls");
+    data_->walls = std::move(walls);
+}
+
+void Scene::add_release(Release release) {
+    if (!release.thicknesses.empty()) require_size(data_->grid, release.thicknesses, "release: thicknesses");
+    data_->release.push_back(std::move(release));
+}
+
+std::vector<std::string> Scene::check() const {
+    return guarded([&] {
+        EngineScene prepared = prepare_scene(*data_);
+        // What is found only by placing the mass.
+        const frana::Release release = make_release(prepared.scene);
+        const Arrivals arrivals(prepared.scene, release.later);
+        return prepared.warnings;
+    });
+}
+
+}  // namespace frana::facade

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/scene/scene_reader.h"
+
+#include "params/grammar/absolute_path.h"
+#include "params/grammar/nearest_name.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/former_names.h"
+#include "params/keys/laws.h"
+#include "params/keys/materials.h"
+#include "params/keys/scene_parameters.h"
+
+namespace frana {
+namespace {
+
+/// Returns the preset that a scene names, the first source before the second; none: not named.
+std::optional<std::pair<std::string, std::string>> preset_of(const KeySource& first, const KeySource& second) {
+    for (const KeySource* source : {&first, &second})
+        for (const IniEntry& entry : source->entries)
+            if (entry.name == "material.preset" && !entry.value.empty())
+                return std::pair{entry.value, source->where(entry.name)};
+    return std::nullopt;
+}
+
+std::optional<KeySource> preset_source(const std::string& name, const std::string& where, const std::string& directory,
+                                       Problems& problems) {
+    std::vector<std::string> names;
+    for (const MaterialPreset& preset : material_presets(directory)) {
+        if (preset.name == name) return KeySource{Origin::preset, preset.file, preset.entries};
+        names.push_back(preset.name);
+    }
+    problems.add({"is not a material preset", where, name, joined(names, ", "), "`frana materials` prints them"});
+    return std::nullopt;
+}
+
+}  // namespace
+
+SceneReader::SceneReader(SceneReading& reading, std::string directory)
+    : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
+
+Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const std::string& where) {
+    const std::string nearest = nearest_name(name, names_of(parameters));
+    return {"unknown key", where, "", "",
+            nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"};
+}
+
+std::optional<Problem> read_value(const Parameter& parameter, const std::string& where, const std::string& value,
+                                  SceneSpec& scene) {
+    if (value.empty()) return Problem{"has no value", where, "", parameter.limits, "Give one or remove the key"};
+    const auto refusal = parameter.read(scene, value);
+    if (!refusal) return std::nullopt;
+    const std::string unit = parameter.unit.empty() || parameter.limits.empty() ? "" : " [" + parameter.unit + "]";
+    return Problem{refusal->what, where, value, parameter.limits + unit, refusal->remedy};
+}
+
+bool has_control_characters(const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7F; });
+}
+
+std::string without_control_characters(std::string text) {
+    for (char& c : text)
+        if (has_control_characters({c})) c = '?';
+    return text;
+}
+
+void SceneReader::use_present_names(KeySource& source) {
+    for (IniEntry& entry : source.entries) {
+        const FormerName* const former = former_name(entry.name);
+        if (former == nullptr) {
+            reading_.written.erase(entry.name);
+            continue;
+        }
+        if (former->stays)
+            reading_.written[former->now] = former->former;
+        else
+            reading_.warnings.push_back(source.where(entry.name) + " is now called " + former->now +
+                                        ": a later version will refuse the former name");
+        entry.name = former->now;
+    }
+}
+
+void SceneReader::apply(KeySource source) {
+    use_present_names(source);
+    static const std::string k_angle = "material.friction-angle", k_coefficient = "material.friction-coefficient";
+    if (source.has(k_angle) && source.has(k_coefficient)) {
+        reading_.problems.add({"contradicts material.friction-coefficient: both give the bed friction",
+                               source.where(k_angle), "", "", "Keep one of the two"});
+    }
+    // Both keys specify one quantity: a later source replaces the value that an earlier one gave under the other name.
+    if (source.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
+    if (source.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
+
+    std::set<std::string> seen;
+    for (const IniEntry& entry : source.entries) {
+        if (!seen.insert(entry.name).second) {
+            reading_.problems.add(
+                {"is given more than once", source.where(entry.name), entry.value, "", "Keep one of the lines"});
+            continue;
+        }
+        apply(source, entry);
+    }
+}
+
+void SceneReader::apply(const KeySource& source, const IniEntry& entry) {
+    const auto second = reading_.written.find(entry.name);
+    const std::string where = source.where(second == reading_.written.end() ? entry.name : second->second);
+    const Parameter* const parameter = find_parameter(parameters_, entry.name);
+    if (parameter == nullptr) {
+        reading_.problems.add(unknown_key(parameters_, entry.name, where));
+        return;
+    }
+    given_.insert(entry.name);
+    if (source.origin == Origin::preset && parameter->section != "material") {
+        reading_.problems.add({"a material preset may set only [material]", where, entry.value, "", "Remove the key"});
+        return;
+    }
+    if (const auto problem = read_value(*parameter, where, entry.value, reading_.scene)) {
+        reading_.problems.add(*problem);
+        return;
+    }
+    reading_.scene.origins[entry.name] = source.origin;
+    make_paths_absolute(*parameter, where);
+}
+
+void SceneReader::drop_unread_of_preset() {
+    const std::vector<const Law*> laws = laws_of(reading_.scene);
+    for (const std::string& name : law_keys()) {
+        if (reading_.scene.origin_of(name) != Origin::preset || !readers_of(name, laws).empty()) continue;
+        find_parameter(parameters_, name)->reset(reading_.scene);
+        reading_.scene.origins.erase(name);
+        given_.erase(name);
+    }
+}
+
+void SceneReader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
+    if (parameter.map_files) {
+        parameter.map_files(reading_.scene, [&](const std::string& path) { return absolute_path(path, directory_); });
+    }
+    const std::string value = parameter.write(reading_.scene).value_or("");
+    if (value.find(" #") != std::string::npos || value.find("\t#") != std::string::npos || value.rfind('#', 0) == 0) {
+        reading_.problems.add({"contains '#' after a space, which starts a comment in scene files", where, value, "",
+                               "Rename the file or folder"});
+    }
+    if (has_control_characters(value)) {
+        reading_.problems.add({"contains a line break or another control character, which a scene file cannot contain",
+                               where, without_control_characters(value), "",
+                               "Rename the file or folder, or correct the text"});
+    }
+}
+
+void SceneReader::apply_preset(const KeySource& first, const KeySource& second, const std::string& directory) {
+    const auto preset = preset_of(first, second);
+    if (!preset) return;
+    const auto source = preset_source(preset->first, preset->second, directory, reading_.problems);
+    if (source) apply(*source);
+}
+
+KeySource override_source(const std::vector<std::string>& overrides, const std::string& label, Problems& problems) {
+    KeySource source{Origin::command_line, "", {}, label};
+    for (const std::string& text : overrides) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos) {
+            problems.add({"is not section.key=value", "--set " + text, "", "", "Write for example --set time.end=60"});
+            continue;
+        }
+        source.entries.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))});
+    }
+    return source;
+}
+
+}  // namespace frana
