@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Sets frana up on a bare Debian 12 and builds it. Usage: ./build.sh build | demo | test
+# Sets frana up on a bare Debian 12 and builds it. Usage: ./build.sh build | demo | test | package
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -17,6 +17,9 @@ packages=(
 # the Python module.
 test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4
   python3-jsonschema zsh man-db mandoc chromium pybind11-dev python3-dev python3-numpy python3-gdal)
+
+# To make Debian packages.
+package_packages=(dpkg-dev file pybind11-dev python3-dev python3-numpy)
 
 say() { printf '== %s\n' "$*"; }
 
@@ -60,6 +63,11 @@ demo() {
   say "done; look at results/bindo/maps/max_depth.png, results/bindo/animation.mp4 and, in QGIS, results/bindo/*.tif"
 }
 
+package() {
+  tests=OFF configure_and_build packages
+  say "built build/packages/*.deb; install them with apt-get install ./build/packages/*.deb"
+}
+
 run_tests() {
   tests=ON configure_and_build all
   say "running the tests"
@@ -87,5 +95,6 @@ case "${1:-}" in
   build) install_packages "${packages[@]}"; build ;;
   demo) install_packages "${packages[@]}"; demo ;;
   test) install_packages "${packages[@]}" "${test_packages[@]}"; run_tests ;;
-  *) echo "usage: ./build.sh build | demo | test" >&2; exit 2 ;;
+  package) install_packages "${packages[@]}" "${package_packages[@]}"; package ;;
+  *) echo "usage: ./build.sh build | demo | test | package" >&2; exit 2 ;;
 esac

@@ -5,37 +5,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "core/error.h"
 #include "render/canvas/dashes.h"
-#include "render/canvas/vtk_errors.h"
-#include "vtkActor.h"
-#include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
+#include "render/canvas/drawing_modules.h"
 
 namespace frana::render {
 namespace {
-
-/// Sampling points of the page inside a pixel: each row and each column of an 8 x 8 grid once. Averaging these pictures
-/// smooths edges with the memory of a single one.
-constexpr std::array<std::array<double, 2>, 8> k_samples{{{-0.4375, -0.1875},
-                                                          {-0.3125, 0.3125},
-                                                          {-0.1875, -0.4375},
-                                                          {-0.0625, 0.0625},
-                                                          {0.0625, 0.4375},
-                                                          {0.1875, -0.3125},
-                                                          {0.3125, 0.1875},
-                                                          {0.4375, -0.0625}}};
 
 std::uint32_t packed(Rgb colour, double opacity) {
     const auto alpha = static_cast<std::uint32_t>(std::lround(255 * std::clamp(opacity, 0.0, 1.0)));
@@ -49,9 +26,9 @@ Canvas::Canvas(int width, int height) : width_(width), height_(height) {}
 
 void Canvas::triangle(Point a, Point b, Point c, Colour colour) {
     for (const Point p : {a, b, c}) {
-        corners_.push_back(static_cast<float>(p.x));
-        corners_.push_back(static_cast<float>(height_ - p.y));
-        colours_.push_back(colour);
+        triangles_.corners.push_back(static_cast<float>(p.x));
+        triangles_.corners.push_back(static_cast<float>(height_ - p.y));
+        triangles_.colours.push_back(colour);
     }
 }
 
@@ -117,11 +94,11 @@ void Canvas::frame(const PageBox& box, const LineStyle& style) {
 
 OverlayImage Canvas::covered() const {
     float left = 1e9F, right = -1e9F, low = 1e9F, high = -1e9F;
-    for (std::size_t i = 0; i < corners_.size(); i += 2) {
-        left = std::min(left, corners_[i]);
-        right = std::max(right, corners_[i]);
-        low = std::min(low, corners_[i + 1]);
-        high = std::max(high, corners_[i + 1]);
+    for (std::size_t i = 0; i < triangles_.corners.size(); i += 2) {
+        left = std::min(left, triangles_.corners[i]);
+        right = std::max(right, triangles_.corners[i]);
+        low = std::min(low, triangles_.corners[i + 1]);
+        high = std::max(high, triangles_.corners[i + 1]);
     }
     // Samples are up to half a pixel from a pixel's centre.
     const auto within = [](double edge, int length) {
@@ -137,73 +114,17 @@ OverlayImage Canvas::covered() const {
 }
 
 OverlayImage Canvas::draw() const {
-    const OverlayImage part = covered();
-    if (part.width == 0) return {};
-    VtkErrors errors;
-    OsmesaWindow window(part.width, part.height);
-    const auto n_corners = static_cast<vtkIdType>(colours_.size());
-    vtkNew<vtkFloatArray> positions;
-    positions->SetNumberOfComponents(3);
-    positions->SetNumberOfTuples(n_corners);
-    vtkNew<vtkUnsignedCharArray> shades;
-    shades->SetNumberOfComponents(4);
-    shades->SetNumberOfTuples(n_corners);
-    vtkNew<vtkCellArray> triangles;
-    for (vtkIdType i = 0; i < n_corners; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        // Later triangles are nearer to the viewer, so that the depth test lets them cover earlier ones.
-        const vtkIdType triangle = i / 3;
-        const double height = 0.9 * static_cast<double>(triangle) / static_cast<double>(n_corners);
-        positions->SetTuple3(i, corners_[2 * k], corners_[2 * k + 1], height);
-        for (int band = 0; band < 4; ++band) {
-            shades->SetTypedComponent(i, band,
-                                      static_cast<unsigned char>(colours_[k] >> (8U * static_cast<unsigned>(band))));
-        }
-        if (i % 3 == 0) triangles->InsertNextCell({i, i + 1, i + 2});
+    OverlayImage picture = covered();
+    const int width = picture.width, height = picture.height;
+    if (width == 0) return {};
+    constexpr int k_longest = 16384;  // of a side, for OpenGL
+    if (width > k_longest || height > k_longest) {
+        throw Error(ErrorKind::input,
+                    Problem{"picture size is out of range", "", std::to_string(width) + " x " + std::to_string(height),
+                            "1 to " + std::to_string(k_longest) + " pixels a side", ""});
     }
-    vtkNew<vtkPoints> points;
-    points->SetData(positions);
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(triangles);
-    mesh->GetPointData()->SetScalars(shades);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(mesh);
-    mapper->SetColorModeToDirectScalars();
-    mapper->SetScalarModeToUsePointData();
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->ForceOpaqueOn();  // drawn in order and blended; the translucent pass would blend regardless of order
-    vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(0, 0, 0);
-    renderer->SetBackgroundAlpha(0);
-    renderer->AddActor(actor);
-    window.vtk().AddRenderer(renderer);
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(part.height / 2.0);
-    camera->SetClippingRange(0.5, 1.05);
-
-    std::vector<std::uint16_t> sum(4 * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
-    const Point middle{part.left + part.width / 2.0, height_ - part.top - part.height / 2.0};
-    OverlayImage picture;
-    for (const auto& sample : k_samples) {
-        const double x = middle.x + sample[0], y = middle.y + sample[1];
-        camera->SetFocalPoint(x, y, 0);
-        camera->SetPosition(x, y, 1);
-        window.render();
-        picture = window.read_rgba();
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + picture.rgba[i]);
-    }
-    const unsigned n_samples = k_samples.size();
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        picture.rgba[i] = static_cast<std::uint8_t>((sum[i] + n_samples / 2) / n_samples);
-    }
-    picture.left = part.left;
-    picture.top = part.top;
-    window.vtk().RemoveRenderer(renderer);
-    errors.throw_if_any("a picture's lines could not be drawn");
+    const PixelWindow window{picture.left, height_ - picture.top - height, width, height};
+    picture.rgba = call_module([&] { return vtk().draw_triangles(triangles_, window); });
     return picture;
 }
 

@@ -9,9 +9,18 @@
 #include "core/geometry.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
-#include "render/canvas/osmesa_window.h"
+#include "render/vtk/functions.h"
 
 namespace frana::render {
+
+/// Pixels with opacity, colours premultiplied by it (as OpenGL blends over transparent black), from the top; `left` and
+/// `top` are the position of the first one on a page.
+struct OverlayImage {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+    int left = 0, top = 0;
+};
 
 struct LineStyle {
     double width_px = 1;
@@ -44,8 +53,7 @@ class Canvas {
     [[nodiscard]] OverlayImage covered() const;
 
     int width_, height_;
-    std::vector<float> corners_;   ///< x, y of each triangle's corners
-    std::vector<Colour> colours_;  ///< of each corner
+    Triangles triangles_;
 };
 
 /// Blends an overlay onto an opaque image, which must contain it, moved to the right and down.

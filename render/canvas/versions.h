@@ -5,7 +5,8 @@
 
 namespace frana::render {
 
-/// Returns the versions of VTK and FFmpeg's libav at run time: one "NAME VERSION" per line.
+/// Returns the versions of Cairo and Pango at run time, and those of VTK and FFmpeg's libavcodec, which are not loaded
+/// for this, that frana was built with: one "NAME VERSION" per line.
 std::string library_versions();
 
 }  // namespace frana::render

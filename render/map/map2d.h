@@ -11,9 +11,9 @@
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "core/words/words.h"
+#include "render/canvas/canvas.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
-#include "render/canvas/osmesa_window.h"
 #include "render/canvas/page.h"
 
 namespace frana::render {

@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "render/view/view3d.h"
+#include "render/vtk/functions.h"
 
 namespace frana::render {
-
-/// A point of a scene: metres to the east, to the north and upwards (exaggerated) from the scene's origin.
-struct ScenePoint {
-    double x = 0, y = 0, z = 0;
-};
 
 /// A placed perspective camera.
 struct PlacedCamera {

@@ -7,16 +7,15 @@
 #include "render/canvas/image.h"
 #include "render/view/view_camera.h"
 #include "render/view/view_ground.h"
+#include "render/vtk/functions.h"
 
 namespace frana::render {
 
-/// The ground in perspective, drawn by VTK: a mesh with a texture, walls where the terrain is cut off, lines on it.
+/// The ground in perspective, drawn by the module of VTK: a mesh with a texture, walls where the terrain is cut off,
+/// lines on it.
 class ViewScene {
   public:
     ViewScene(const ViewGround& ground, int width, int height);
-    ~ViewScene();
-    ViewScene(const ViewScene&) = delete;
-    ViewScene& operator=(const ViewScene&) = delete;
 
     /// Starts another view of the same ground: its camera and size, no lines yet.
     void start(const PlacedCamera& camera, int width, int height);
@@ -24,7 +23,7 @@ class ViewScene {
     /// Sets a blue sky, or plain white.
     void set_sky(bool sky);
     /// Sets the colours of the ground, as returned by ViewGround::colours.
-    void set_colours(std::vector<std::uint8_t> colours);
+    void set_colours(const std::vector<std::uint8_t>& colours);
     /// Raises the surface by a thickness where it has values; null: the bare ground.
     void set_thickness(const Raster* thickness);
     void add_line(const std::vector<ScenePoint>& points, double width_px, Rgb colour);
@@ -36,8 +35,9 @@ class ViewScene {
     [[nodiscard]] Image draw();
 
   private:
-    class Parts;
-    std::unique_ptr<Parts> parts_;
+    const ViewGround& ground_;
+    int width_, height_;
+    std::unique_ptr<TerrainScene> scene_;
 };
 
 }  // namespace frana::render

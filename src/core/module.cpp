@@ -26,10 +26,11 @@ std::vector<fs::path> places_of(const std::string& name) {
 }
 
 [[noreturn]] void fail(const std::string& what, const fs::path& file, const std::string& value) {
-    throw Error(ErrorKind::environment,
-                Problem{what, file.string(), value, "",
-                        "Build frana anew with ./build.sh build, or install all of its files and the libraries that "
-                        "they need"});
+    throw Error(
+        ErrorKind::environment,
+        Problem{what, file.string(), value, "",
+                "Install Debian's package of it (frana-pictures, frana-studies, frana-mpi), or build frana anew "
+                "with ./build.sh build"});
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <string>
 #include <typeinfo>
+#include <utility>
+
+#include "core/error.h"
 
 namespace frana {
 
@@ -35,6 +39,22 @@ const void* module_table(const std::string& name, ModuleScope scope, const char*
 template <class Table>
 const Table& module_table(const std::string& name, ModuleScope scope) {
     return *static_cast<const Table*>(module_table(name, scope, typeid(Table).name(), sizeof(Table)));
+}
+
+/// What a function of a module throws in place of an Error, which is code of the program.
+struct ModuleFailure : std::exception {
+    explicit ModuleFailure(Problem reason) : problem(std::move(reason)) {}
+    Problem problem;
+};
+
+/// Calls functions of a module; throws Error(environment) in place of a ModuleFailure.
+template <class Call>
+auto call_module(Call&& call) {
+    try {
+        return std::forward<Call>(call)();
+    } catch (const ModuleFailure& failure) {
+        throw Error(ErrorKind::environment, failure.problem);
+    }
 }
 
 inline constexpr const char* k_module_entry = "frana_module";

@@ -64,9 +64,9 @@ void report_line(const std::string& line) {
     std::cerr << line << '\n';
 }
 
-// Returns the sample's DTM beside the share folder of the sources; none if only the program is installed.
+// Returns the sample's DTM; none if the samples are not installed.
 std::optional<Raster> sample_terrain() {
-    const fs::path file = fs::path(share_directory()) / ".." / "sample_data" / "bindo" / "dtm.tif";
+    const fs::path file = fs::path(share_directory()) / "sample_data" / "bindo" / "dtm.tif";
     std::error_code error;
     if (!fs::exists(file, error)) return {};
     return gis::read_result_raster(file.lexically_normal().string());
@@ -81,7 +81,7 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
     options.report = report_line;
     if (!options.sample_terrain)
         report_line(
-            "lake-dtm is left out: the sample's terrain (sample_data/bindo/dtm.tif) is not beside the "
+            "lake-dtm is left out: the sample's terrain (sample_data/bindo/dtm.tif) is not in the "
             "share folder");
     const auto rows = bench::run_accuracy(options);
     const std::string csv = bench::accuracy_csv(rows);

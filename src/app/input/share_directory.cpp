@@ -19,12 +19,12 @@ std::string share_directory() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     std::vector<fs::path> candidates;
-    if (!error) candidates.push_back((program.parent_path() / ".." / "share" / "frana").lexically_normal());
-    candidates.emplace_back(FRANA_SOURCE_SHARE);
+    for (const char* folder : {"share/frana", "../share/frana"})
+        candidates.push_back((program.parent_path() / folder).lexically_normal());
     for (const fs::path& candidate : candidates)
         if (fs::is_directory(candidate / "materials", error)) return candidate.string();
     throw Error(ErrorKind::environment, Problem{"the share folder with the material presets is missing",
-                                                candidates.front().string(), "", "", "Set FRANA_SHARE to it"});
+                                                candidates.back().string(), "", "", "Set FRANA_SHARE to it"});
 }
 
 std::string materials_directory() {

@@ -5,8 +5,8 @@
 
 namespace frana::app {
 
-/// Returns the folder with materials and examples: $FRANA_SHARE, else ../share/frana beside the program's folder
-/// (installed), else share of the sources (built in place). Throws Error(environment) if none of them exists.
+/// Returns the folder with materials and examples: $FRANA_SHARE, else share/frana beside the program (in a build) or
+/// ../share/frana from there (installed). Throws Error(environment) if none of them exists.
 std::string share_directory();
 
 /// Returns its folder of material presets.

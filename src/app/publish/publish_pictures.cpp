@@ -9,6 +9,7 @@
 #include "app/pictures/letter_warning.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/signals.h"
+#include "app/store/frame_files.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
@@ -16,6 +17,7 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
+#include "render/canvas/drawing_modules.h"
 
 namespace frana::app {
 namespace {
@@ -135,6 +137,12 @@ void draw_animation(const ResultReader& written, const MapSource& source, Drawin
 }
 
 }  // namespace
+
+void load_drawing(const OutputSpec& output) {
+    const bool animation = output.animation;
+    if (animation || output.maps.front() != "off" || particle_formats(output.formats).vtp) render::vtk();
+    if (animation) render::libav();
+}
 
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const OutputSpec& output = request.spec.output;

@@ -32,6 +32,10 @@ struct PictureOutcome {
     [[nodiscard]] bool complete() const noexcept { return failed.empty() && left_out.empty(); }
 };
 
+/// Loads what the pictures and the particles of a scene are drawn and written with: it is better missed before the run
+/// than after it. Throws Error(environment) if it is missing.
+void load_drawing(const OutputSpec& output);
+
 /// Draws them; a problem is a warning, since the numbers are more important than a picture. Pictures not begun when a
 /// stop signal arrives are left out, so that the program ends soon.
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log);

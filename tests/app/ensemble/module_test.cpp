@@ -16,6 +16,7 @@ class Modules : public Ensemble {
         write_study("samples = 4\n", k_two_keys);
         fs::create_directories(path("bin"));
         fs::copy_file(FRANA_PROGRAM, path("bin/frana"));
+        fs::create_directory_symlink(fs::path(FRANA_PROGRAM).parent_path() / "share", path("share"));
     }
     [[nodiscard]] static fs::path built() { return fs::path(FRANA_PROGRAM).parent_path() / "modules"; }
     /// Runs the copy of the program.
@@ -23,6 +24,21 @@ class Modules : public Ensemble {
         StartedProgram program(folder_.string(), arguments, path("bin/frana"));
         return program.wait();
     }
+    /// Runs the program and returns what the dynamic linker loaded, in the process and those it started.
+    [[nodiscard]] std::string loaded_by(const std::string& arguments) const {
+        const std::string place = path("linker");
+        fs::remove_all(place);
+        fs::create_directories(place);
+        const std::string command = "cd '" + folder_.string() + "' && LD_DEBUG=files LD_DEBUG_OUTPUT='" + place +
+                                    "/of' '" + FRANA_PROGRAM + "' " + arguments + " > said 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << arguments << ": " << read_text(path("said"));
+        std::string all;
+        for (const fs::directory_entry& file : fs::directory_iterator(place)) all += read_text(file.path().string());
+        EXPECT_NE(all.find("libgdal"), std::string::npos);
+        return all;
+    }
+    static constexpr const char* k_of_pictures[] = {"libvtk",      "libOSMesa",  "libGL",     "libLLVM",
+                                                    "libavformat", "libavcodec", "libswscale"};
 };
 
 TEST_F(Modules, WhoDoesNotNeedThemStartsWithoutThem) {
@@ -34,8 +50,37 @@ TEST_F(Modules, WhoDoesNotNeedThemStartsWithoutThem) {
     EXPECT_NE(libraries.find("libgdal"), std::string::npos) << libraries;
     EXPECT_EQ(libraries.find("libOT.so"), std::string::npos);
     EXPECT_EQ(libraries.find("libopen-rte"), std::string::npos);
+    for (const std::string library : k_of_pictures) EXPECT_EQ(libraries.find(library), std::string::npos) << library;
     EXPECT_EQ(copy({"--version"}).exit_code, 0);
     EXPECT_EQ(copy({"check", "scene.ini"}).exit_code, 0);
+}
+
+TEST_F(Modules, DrawingIsLoadedForAPicture) {
+    for (const std::string arguments :
+         {"--version", "--help", "params", "materials", "check scene.ini", "check study.ini",
+          "run scene.ini --out numbers --set output.maps=off --set output.animation=off"}) {
+        const std::string loaded = loaded_by(arguments);
+        for (const std::string library : k_of_pictures)
+            EXPECT_EQ(loaded.find(library), std::string::npos) << arguments << " loads " << library;
+    }
+    const std::string map = loaded_by("render numbers --map max_depth");
+    EXPECT_NE(map.find("libvtkRenderingOpenGL2"), std::string::npos);
+    EXPECT_NE(map.find("libOSMesa"), std::string::npos);
+    EXPECT_EQ(map.find("libavcodec"), std::string::npos);
+    EXPECT_TRUE(fs::exists(path("numbers/maps/max_depth.png")));
+    EXPECT_NE(loaded_by("run scene.ini --out film --set output.maps=off --set output.animation=on "
+                        "--set time.frame-interval=1")
+                  .find("libavcodec"),
+              std::string::npos);
+    EXPECT_TRUE(fs::exists(path("film/animation.mp4")));
+}
+
+TEST_F(Modules, AMissingOneIsNamedBeforeTheRun) {
+    const Outcome outcome = copy({"run", "scene.ini", "--out", "out", "--set", "output.maps=on"});
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("vtk.so: a part of frana is missing"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("out")));
+    EXPECT_EQ(copy({"run", "scene.ini", "--out", "out"}).exit_code, 0);
 }
 
 TEST_F(Modules, AMissingOneIsNamed) {

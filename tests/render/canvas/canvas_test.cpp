@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "core/error.h"
+
 namespace frana::render {
 namespace {
 
@@ -76,6 +78,17 @@ TEST(Canvas, TranslucentInkMixesWithThePage) {
 TEST(Canvas, NothingDrawnIsTransparent) {
     const OverlayImage layer = Canvas(16, 16).draw();
     for (const std::uint8_t byte : layer.rgba) ASSERT_EQ(byte, 0);
+}
+
+TEST(Canvas, SizesBeyondOpenGlAreRefused) {
+    Canvas canvas(100000, 10);
+    canvas.fill(PageBox{0, 0, 100000, 10}, {0, 0, 0});
+    try {
+        static_cast<void>(canvas.draw());
+        FAIL() << "was drawn";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
+    }
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/canvas/vtk_errors.h"
+#include "render/vtk/vtk_errors.h"
 
 #include <utility>
 
-#include "core/error.h"
+#include "core/module.h"
 #include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 
@@ -51,8 +51,7 @@ void VtkErrors::throw_if_any(const std::string& what) {
         if (c == '\n' || c == '\t') c = ' ';
     }
     if (messages.size() > 1) words += " (and " + std::to_string(messages.size() - 1) + " more)";
-    throw Error(ErrorKind::environment,
-                Problem{what, "VTK", words, "", "this is an error of the drawing system, not of the data"});
+    throw ModuleFailure({what, "VTK", words, "", "this is an error of the drawing system, not of the data"});
 }
 
 }  // namespace frana::render

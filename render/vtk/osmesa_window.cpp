@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/canvas/osmesa_window.h"
+#include "render/vtk/osmesa_window.h"
 
 #include <GL/osmesa.h>
 #include <dlfcn.h>
@@ -9,15 +9,15 @@
 #include <cstring>
 #include <string>
 
-#include "core/error.h"
-#include "render/canvas/vtk_errors.h"
+#include "core/module.h"
+#include "render/vtk/vtk_errors.h"
 #include "vtkCallbackCommand.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 
 // Debian's VTK asks GLEW for OpenGL's functions, and Debian's GLEW asks GLX. These five functions replace libGLX: the
-// program exports them, so the dynamic linker finds them first, and only OSMesa provides OpenGL.
+// module exports them, so the dynamic linker finds them before libGLX's, and only OSMesa provides OpenGL.
 extern "C" {
 using GlFunction = void (*)();
 
@@ -54,7 +54,7 @@ namespace frana::render {
 namespace {
 
 [[noreturn]] void fail(const std::string& what, const std::string& value, const std::string& remedy) {
-    throw Error(ErrorKind::environment, Problem{what, "off-screen drawing", value, "", remedy});
+    throw ModuleFailure({what, "off-screen drawing", value, "", remedy});
 }
 
 /// A wrong OpenGL would end in a segmentation fault deep inside a driver; report it here instead.
@@ -69,6 +69,17 @@ void check_that_opengl_is_osmesa() {
     if (dlsym(RTLD_DEFAULT, "glXGetProcAddressARB") != reinterpret_cast<void*>(&glXGetProcAddressARB)) {
         fail("OpenGL's functions are looked up in GLX, not in OSMesa", "glXGetProcAddressARB", remedy);
     }
+}
+
+/// OpenGL counts rows from below.
+std::vector<std::uint8_t> from_the_top(vtkUnsignedCharArray& bytes, std::size_t line, int rows) {
+    std::vector<std::uint8_t> pixels(line * static_cast<std::size_t>(rows));
+    for (int row = 0; row < rows; ++row) {
+        const std::size_t from = line * static_cast<std::size_t>(rows - 1 - row);
+        std::memcpy(pixels.data() + line * static_cast<std::size_t>(row),
+                    bytes.GetPointer(static_cast<vtkIdType>(from)), line);
+    }
+    return pixels;
 }
 
 }  // namespace
@@ -148,11 +159,6 @@ class OsmesaWindow::Context {
 };
 
 OsmesaWindow::OsmesaWindow(int width, int height) {
-    if (width < 1 || height < 1 || width > 16384 || height > 16384) {
-        throw Error(ErrorKind::input,
-                    Problem{"picture size is out of range", "", std::to_string(width) + " x " + std::to_string(height),
-                            "1 to 16384 pixels a side", ""});
-    }
     VtkErrors errors;
     context_ = std::make_unique<Context>(width, height);
     errors.throw_if_any("off-screen drawing could not be set up");
@@ -181,37 +187,24 @@ void OsmesaWindow::render() {
     }
 }
 
-Image OsmesaWindow::read_rgb() {
+std::vector<std::uint8_t> OsmesaWindow::read_rgb() {
     VtkErrors errors;
     context_->make_current();
     const int* size = context_->window().GetSize();
     vtkNew<vtkUnsignedCharArray> bytes;
     context_->window().GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes, 0);
     errors.throw_if_any("the picture could not be read back");
-    Image image(size[0], size[1]);
-    const std::size_t line = 3 * static_cast<std::size_t>(size[0]);
-    for (int row = 0; row < size[1]; ++row) {  // OpenGL counts rows from below
-        const std::size_t from = line * static_cast<std::size_t>(size[1] - 1 - row);
-        std::memcpy(image.pixel(0, row), bytes->GetPointer(static_cast<vtkIdType>(from)), line);
-    }
-    return image;
+    return from_the_top(*bytes, 3 * static_cast<std::size_t>(size[0]), size[1]);
 }
 
-OverlayImage OsmesaWindow::read_rgba() {
+std::vector<std::uint8_t> OsmesaWindow::read_rgba() {
     VtkErrors errors;
     context_->make_current();
     const int* size = context_->window().GetSize();
     vtkNew<vtkUnsignedCharArray> bytes;
     context_->window().GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes, 0);
     errors.throw_if_any("the picture could not be read back");
-    const std::size_t line = 4 * static_cast<std::size_t>(size[0]);
-    OverlayImage image{size[0], size[1], std::vector<std::uint8_t>(line * static_cast<std::size_t>(size[1]))};
-    for (int row = 0; row < size[1]; ++row) {
-        const std::size_t from = line * static_cast<std::size_t>(size[1] - 1 - row);
-        std::memcpy(image.rgba.data() + line * static_cast<std::size_t>(row),
-                    bytes->GetPointer(static_cast<vtkIdType>(from)), line);
-    }
-    return image;
+    return from_the_top(*bytes, 4 * static_cast<std::size_t>(size[0]), size[1]);
 }
 
 }  // namespace frana::render

@@ -19,7 +19,7 @@ class VtkErrors {
     VtkErrors(const VtkErrors&) = delete;
     VtkErrors& operator=(const VtkErrors&) = delete;
 
-    /// Throws Error(environment) naming `what` with VTK's first message, if there was any; clears the messages.
+    /// Throws ModuleFailure naming `what` with VTK's first message, if there was any; clears the messages.
     void throw_if_any(const std::string& what);
 
   private:
