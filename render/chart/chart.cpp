@@ -112,15 +112,21 @@ std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const C
     return all;
 }
 
+std::vector<Tick> in_language(std::vector<Tick> ticks, const Words& words) {
+    for (Tick& tick : ticks) tick.words = words.number(tick.words);
+    return ticks;
+}
+
 void draw_inside(Drawing& drawing, const PageStyle& style, const ChartPanel& panel, const PageBox& box,
-                 ChartLayout& layout) {
+                 const Words& words, ChartLayout& layout) {
     if (box.width() < 60 || box.height() < 40) {
         throw Error(ErrorKind::input,
                     Problem{"the page is too small for its charts", "", "", "", "draw a larger picture"});
     }
     const Axes axes(panel, box, style);
     if (axes.any())
-        draw_ticks(drawing, style, box, axes.x().ticks(), panel.has_rows ? std::vector<Tick>{} : axes.y().ticks());
+        draw_ticks(drawing, style, box, in_language(axes.x().ticks(), words),
+                   panel.has_rows ? std::vector<Tick>{} : in_language(axes.y().ticks(), words));
     for (const ChartSeries& series : panel.series) fill_under(drawing, series, axes);
     for (const ChartSeries& series : panel.series) layout.points.push_back(draw_series(drawing, style, series, axes));
     if (panel.mark_x && axes.any()) {
@@ -131,7 +137,8 @@ void draw_inside(Drawing& drawing, const PageStyle& style, const ChartPanel& pan
     }
     drawing.frame(box, {style.line(1.5), k_soft_ink});
     if (!axes.any())
-        drawing.text(panel.note, {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
+        drawing.text(panel.note.empty() ? words("no values") : panel.note,
+                     {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
                      Upright::middle);
     layout.panels.push_back(box);
 }
@@ -152,6 +159,12 @@ std::vector<const ChartSeries*> kinds_of(const Chart& chart) {
     return kinds;
 }
 
+/// Names in some languages are long.
+TextStyle fitted(const Drawing& drawing, const std::string& words, const TextStyle& style, double width) {
+    constexpr double k_least_fraction = 0.6;
+    return shrunk_to_fit(drawing.lettering(), words, style, width, k_least_fraction);
+}
+
 /// With its own key and axis names, if panels differ.
 void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, const ChartPanel& panel,
                 const PageBox& cell, ChartLayout& layout) {
@@ -159,17 +172,18 @@ void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, co
     const double left = cell.left + (chart.alike ? 4.2 * letter : 5.6 * letter + 1.6 * style.label.size_px);
     const double below = (chart.alike ? 2.6 : 4.2) * letter, right = cell.right - style.gap;
     if (!panel.title.empty())
-        drawing.text(panel.title, {left, cell.top + capital_height(style.heading)}, style.heading, Across::left,
-                     Upright::baseline);
+        drawing.text(panel.title, {left, cell.top + capital_height(style.heading)},
+                     fitted(drawing, panel.title, style.heading, right - left), Across::left, Upright::baseline);
     const ChartKey key(drawing, style.small, chart.alike ? std::vector<const ChartSeries*>{} : series_of(panel),
                        right - left);
     const PageBox box{left, cell.top + above + key.height(), right, cell.bottom - below};
-    draw_inside(drawing, style, panel, box, layout);
+    draw_inside(drawing, style, panel, box, chart.words, layout);
     key.draw(drawing, style, {left, cell.top + above});
     if (chart.alike) return;
-    drawing.text(panel.x_label, {(left + right) / 2, box.bottom + 2.2 * letter}, style.small, Across::centre,
-                 Upright::top);
-    draw_vertical_name(drawing, style.small, {cell.left + 0.6 * letter, (box.top + box.bottom) / 2}, panel.y_label);
+    drawing.text(panel.x_label, {(left + right) / 2, box.bottom + 2.2 * letter},
+                 fitted(drawing, panel.x_label, style.small, right - left), Across::centre, Upright::top);
+    draw_vertical_name(drawing, fitted(drawing, panel.y_label, style.small, cell.bottom - cell.top),
+                       {cell.left + 0.6 * letter, (box.top + box.bottom) / 2}, panel.y_label);
 }
 
 /// Draws the names that equal panels share; returns the remaining area.

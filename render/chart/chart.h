@@ -7,6 +7,7 @@
 
 #include "core/colour.h"
 #include "core/geometry.h"
+#include "core/words/words.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
 #include "render/canvas/page.h"
@@ -50,7 +51,7 @@ struct ChartPanel {
     Scale x = Scale::linear, y = Scale::linear;
     std::optional<double> mark_x{};  ///< a vertical dashed line
     double fraction = 1;             ///< of the page's height, relative to the panels beside it
-    std::string note = "no values";  ///< written in the panel if it has no point
+    std::string note{};              ///< written in the panel if it has no point; default: that there are no values
     std::vector<double> on_x{};      ///< as on_y
     bool has_rows = false;           ///< y counts rows, which the key names: no numbers and lines along y
 };
@@ -61,6 +62,7 @@ struct Chart {
     int across = 1;
     std::vector<ChartPanel> panels;
     bool alike = false;  ///< all panels have the first one's quantities, and kinds of series: named once for the page
+    Words words{};       ///< of the numbers; the texts above are in its language already
 };
 
 /// Places of everything drawn, for tests.

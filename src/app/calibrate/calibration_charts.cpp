@@ -29,7 +29,8 @@ render::Chart page(const MapSource& source, const std::string& what, const std::
                    const std::string& file, std::size_t panels) {
     const std::string by = page_attribution(source);
     const int across = panels <= 1 ? 1 : panels <= 4 ? 2 : 3;
-    return {page_title(source, what), subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), across, {}};
+    return {page_title(source, what), subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), across, {}, false,
+            source.style.words};
 }
 
 /// The values of one key at places, for axes.
@@ -87,7 +88,8 @@ double contour_interval(double low, double high) {
             if ((high - low) / (step * decade) <= static_cast<double>(k_most_levels)) return step * decade;
 }
 
-void add_contours(const Raster& scores, const KeyAxis& x, const KeyAxis& y, render::ChartPanel& panel) {
+void add_contours(const Raster& scores, const KeyAxis& x, const KeyAxis& y, const Words& words,
+                  render::ChartPanel& panel) {
     double low = 1, high = 0;
     scores.values.for_each_stored([&](std::size_t, double value) {
         low = std::min(low, value);
@@ -102,7 +104,7 @@ void add_contours(const Raster& scores, const KeyAxis& x, const KeyAxis& y, rend
     }
     std::size_t index = std::size(k_levels) - std::min(std::size(k_levels), by_level.size());
     for (auto& [level, series] : by_level) {
-        series.label = "score " + number_text(level, 3);
+        series.label = words("score {1}", {words.number(number_text(level, 3))});
         series.colour = k_levels[std::min(index++, std::size(k_levels) - 1)];
         series.width_px = 2.6;
         panel.series.push_back(std::move(series));
@@ -143,7 +145,8 @@ std::vector<double> scores_of(const Stage& stage) {
 }
 
 render::ChartPanel response_panel(const CalibrationInput& input, const CalibrationRuns& runs,
-                                  const CalibrationResult& result, std::size_t first, std::size_t second) {
+                                  const CalibrationResult& result, std::size_t first, std::size_t second,
+                                  const Words& words) {
     const study::KeySample &a = result.keys[first], &b = result.keys[second];
     const KeyAxis x(a), y(b);
     render::ChartPanel panel{"", axis_label(input.spec(), a), axis_label(input.spec(), b), {}};
@@ -155,13 +158,13 @@ render::ChartPanel response_panel(const CalibrationInput& input, const Calibrati
     std::vector<Point> some, others;
     for (std::size_t i = 0; i < result.weights.size(); ++i)
         (heavy[i] ? some : others).push_back({a.numbers[i], b.numbers[i]});
-    panel.series.push_back(dots("other members", k_grey, others, render::Marker::circle, 0.6));
+    panel.series.push_back(dots(words("other members"), k_grey, others, render::Marker::circle, 0.6));
     add_contours(smoothed_scores(places_of(runs.design, input, a), places_of(runs.design, input, b),
                                  scores_of(runs.design), k_parts),
-                 x, y, panel);
-    panel.series.push_back(dots("90 % of the weight", k_colours[1], some, render::Marker::circle, 1));
+                 x, y, words, panel);
+    panel.series.push_back(dots(words("90 % of the weight"), k_colours[1], some, render::Marker::circle, 1));
     panel.series.push_back(
-        dots("best", k_ink, {{a.numbers[result.best], b.numbers[result.best]}}, render::Marker::diamond, 2));
+        dots(words("best"), k_ink, {{a.numbers[result.best], b.numbers[result.best]}}, render::Marker::diamond, 2));
     return panel;
 }
 
@@ -179,10 +182,12 @@ void add_response(const CalibrationInput& input, const CalibrationRuns& runs, co
     std::stable_sort(pairs.begin(), pairs.end(),
                      [&](const auto& one, const auto& other) { return width(one) < width(other); });
     if (pairs.size() > k_most_panels) pairs.resize(k_most_panels);
-    render::Chart chart = page(source, "score over pairs of values",
-                               "contours: mean score of the first members; points: the members of the posterior",
-                               "design.csv, posterior.csv", pairs.size());
-    for (const auto& [a, b] : pairs) chart.panels.push_back(response_panel(input, runs, result, a, b));
+    render::Chart chart =
+        page(source, source.style.words("score over pairs of values"),
+             source.style.words("contours: mean score of the first members; points: the members of the posterior"),
+             "design.csv, posterior.csv", pairs.size());
+    for (const auto& [a, b] : pairs)
+        chart.panels.push_back(response_panel(input, runs, result, a, b, source.style.words));
     charts.push_back({"response", std::move(chart)});
 }
 
@@ -207,19 +212,20 @@ void add_posterior(const CalibrationInput& input, const CalibrationResult& resul
     for (const study::KeySample& key : result.keys)
         if (!key.prior.is_nominal() && keys.size() < k_most_panels) keys.push_back(&key);
     if (keys.empty()) return;
-    render::Chart chart = page(source, "values before and after the calibration",
-                               "probability that the value is smaller", "posterior.csv", keys.size());
+    const Words& words = source.style.words;
+    render::Chart chart = page(source, words("values before and after the calibration"),
+                               words("probability that the value is smaller"), "posterior.csv", keys.size());
     for (const study::KeySample* key : keys) {
         const KeyAxis axis(*key);
         render::ChartPanel panel{
-            column_of(input.spec(), *key), axis_label(input.spec(), *key), "probability [-]", {}, {0, 1}};
+            column_of(input.spec(), *key), axis_label(input.spec(), *key), words("probability [-]"), {}, {0, 1}};
         panel.x = axis.scale;
-        render::ChartSeries prior{"before", k_grey, {}};
+        render::ChartSeries prior{words("before"), k_grey, {}};
         prior.stroke = render::Stroke::dashed;
         for (std::size_t i = 0; i < axis.values().size(); ++i)
             prior.points.push_back({axis.values()[i], static_cast<double>(i) / static_cast<double>(k_parts)});
         panel.series.push_back(std::move(prior));
-        panel.series.push_back({"after", k_colours[0], staircase(key->numbers, result.weights), 2.6});
+        panel.series.push_back({words("after"), k_colours[0], staircase(key->numbers, result.weights), 2.6});
         chart.panels.push_back(std::move(panel));
     }
     charts.push_back({"posterior", std::move(chart)});
@@ -229,10 +235,11 @@ void add_posterior(const CalibrationInput& input, const CalibrationResult& resul
 void add_forecast(const CalibrationInput& input, const CalibrationResult& result, const MapSource& source,
                   std::vector<NamedChart>& charts) {
     if (input.events() < 2) return;
-    render::Chart chart =
-        page(source, "fitted, and predicted from the other events",
-             "bar: scores of 5 to 95 % of the weight; diamond: of the best values; 1 agrees", "calibration.json", 1);
-    render::ChartPanel panel{"", "score [-]", "", {}};
+    const Words& words = source.style.words;
+    render::Chart chart = page(source, words("fitted, and predicted from the other events"),
+                               words("bar: scores of 5 to 95 % of the weight; diamond: of the best values; 1 agrees"),
+                               "calibration.json", 1);
+    render::ChartPanel panel{"", words("score [-]"), "", {}};
     panel.has_rows = true;
     panel.on_x = {0, 1};
     const double count = 2 * static_cast<double>(input.events());
@@ -240,11 +247,12 @@ void add_forecast(const CalibrationInput& input, const CalibrationResult& result
     double y = count;
     for (std::size_t e = 0; e < input.events(); ++e) {
         const std::array<std::pair<const char*, const Explained*>, 2> kinds{
-            {{" fitted", &result.events[e].fitted}, {" predicted", &result.events[e].predicted}}};
+            {{worded("{1}, fitted"), &result.events[e].fitted},
+             {worded("{1}, predicted"), &result.events[e].predicted}}};
         for (std::size_t k = 0; k < 2; ++k, --y) {
             const Explained& one = *kinds[k].second;
             if (!one.possible) continue;
-            panel.series.push_back({input.spec().events[e].name + kinds[k].first,
+            panel.series.push_back({words(kinds[k].first, {input.spec().events[e].name}),
                                     k_colours[(2 * e + k) % std::size(k_colours)],
                                     {{one.low, y}, {one.high, y}},
                                     14});

@@ -5,6 +5,7 @@
 #include "app/calibrate/calibration_report.h"
 #include "app/calibrate/calibration_tables.h"
 #include "app/ensemble/study_result.h"
+#include "app/input/scene_language.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
@@ -19,6 +20,7 @@ MapSource chart_source(const CalibrationInput& input) {
     const OutputSpec& output = input.own.front().base.spec.output;
     MapSource source;
     source.title = calibration_title(input);
+    source.style.words = words_of(input.own.front().base.spec);
     if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
     source.style.formats = output.map_formats;
     source.style.attribution = output.map_attribution.value_or("");

@@ -108,10 +108,12 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         usual_threshold =
             result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", usual_threshold));
         input.depth_label = result.path("max_depth.tif");
+        input.words = result.words();
     } else {
         input.depth = foreign_depth(operand);
         simulated.source.title = name_of(operand);
         simulated.source.foreign = true;
+        input.words = simulated.source.style.words = Words(process_language());
         simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
         input.depth_label = operand;
     }

@@ -13,6 +13,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/json_output.h"
 #include "app/commands/scene_variants.h"
+#include "app/input/scene_language.h"
 #include "app/process/signals.h"
 #include "app/process/terminal.h"
 #include "app/store/error_estimate.h"
@@ -165,24 +166,25 @@ std::string sentences(const std::vector<Level>& levels) {
 }
 
 /// Difference of each level's values from their extrapolated values, relative to those, against the cell size.
-render::Image chart_of(const std::vector<Level>& levels) {
-    render::Chart chart{"Convergence",
-                        "distance from the extrapolated value, if a value converges; otherwise from the finest",
+render::Image chart_of(const std::vector<Level>& levels, const Words& words) {
+    render::Chart chart{words("Convergence"),
+                        words("distance from the extrapolated value, if a value converges; otherwise from the finest"),
                         "",
                         3,
                         {},
-                        true};
+                        true,
+                        words};
     for (const RunStatistic& name : reported_statistics()) {
         const double limit = convergence_of(levels, name).extrapolated;
-        render::ChartSeries series{"this scene", {0, 90, 181}, {}};
+        render::ChartSeries series{words("this scene"), {0, 90, 181}, {}};
         series.marker = render::Marker::circle;
         for (const Level& level : levels) {
             const double distance = std::abs(name.of(level.statistics) - limit) / std::abs(limit);
             if (distance > 0) series.points.push_back({level.cell_size, distance});
         }
-        render::ChartPanel panel{name.title, "cell size [m]", "relative distance [-]", {series}};
+        render::ChartPanel panel{words(name.title), words("cell size [m]"), words("relative distance [-]"), {series}};
         panel.x = panel.y = render::Scale::decades;
-        panel.note = "no difference between the levels";
+        panel.note = words("no difference between the levels");
         chart.panels.push_back(std::move(panel));
     }
     return render::draw_chart(chart, 1600, 1100);
@@ -266,14 +268,15 @@ int cmd_converge(const Arguments& arguments) {
     for (Level& level : levels) depths.push_back(std::move(level.depth));
     const std::string text = sentences(levels);
     const ResultRaster& row = *find_result_raster(k_uncertainty);
+    const Words words = words_of(spec);
     const std::string raster = (folder / k_uncertainty).string() + ".tif";
     const Raster uncertainty = field_uncertainty(depths);
     gis::write_geotiff(raster, uncertainty,
                        {row.name, row.description, row.unit, {{"PROGRAM", k_program}, {"VERSION", k_version}}});
     const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
     gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit), row.unit,
-                      gis::StyleKind::classed, row.title);
-    render::write_png((folder / k_chart).string(), chart_of(levels));
+                      gis::StyleKind::classed, words(row.title));
+    render::write_png((folder / k_chart).string(), chart_of(levels, words));
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(levels, spec));

@@ -26,6 +26,7 @@ struct ComparisonInput {
     std::vector<Point> inflows;         ///< places where material flows in, or of flows that have such a place
     std::optional<Raster> final_depth;  ///< for the deposit; none: not compared
     std::map<std::string, std::string> metadata;
+    Words words{};  ///< of the style
 };
 
 /// A surveyed front against the simulated outline. Distances are positive where the simulation extends beyond the

@@ -158,7 +158,7 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
     std::vector<gis::ColourStop> stops;
     for (const ClassText& entry : k_classes) {
         classes.push_back({static_cast<std::uint8_t>(entry.kind), entry.label(), entry.colour});
-        stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label()});
+        stops.push_back({static_cast<double>(entry.kind), entry.colour, class_label(entry.label(), input.words)});
     }
     const std::string raster = (place / raster_file()).string();
     gis::write_class_geotiff(raster, comparison.classes, classes,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/compare/comparison_input.h"
 
+#include "app/input/scene_language.h"
 #include "app/store/provenance.h"
 #include "params/keys/scene_parameters.h"
 
@@ -17,6 +18,7 @@ ComparisonInput surveyed(const Prepared& prepared) {
     input.threshold = observed_threshold(prepared.spec);
     input.depth_label = "max_depth.tif";
     input.metadata = provenance(prepared);
+    input.words = words_of(prepared.spec);
     return input;
 }
 

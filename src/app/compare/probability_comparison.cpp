@@ -58,29 +58,30 @@ std::string map_of_study(const ResultReader& result, const std::optional<double>
     return name != nullptr ? *name : maps.front().second;
 }
 
-render::ChartPanel reliability_panel(const ProbabilityScores& scores) {
-    render::ChartPanel panel{"Reliability", "probability of the map [-]", "observed fraction of the cells [-]", {}};
+render::ChartPanel reliability_panel(const ProbabilityScores& scores, const Words& words) {
+    render::ChartPanel panel{
+        words("Reliability"), words("probability of the map [-]"), words("observed fraction of the cells [-]"), {}};
     panel.on_x = panel.on_y = {0, 1};
-    render::ChartSeries classes{"classes of a tenth", render::k_chart_colours[0], {}};
+    render::ChartSeries classes{words("classes of a tenth"), render::k_chart_colours[0], {}};
     classes.marker = render::Marker::circle;
     for (const ReliabilityClass& one : scores.classes)
         if (one.area_m2 > 0) classes.points.push_back({one.mean_probability, one.observed_fraction});
-    render::ChartSeries ideal{"perfect", {90, 90, 90}, {{0, 0}, {1, 1}}, 1.6, render::Stroke::dashed};
+    render::ChartSeries ideal{words("perfect"), {90, 90, 90}, {{0, 0}, {1, 1}}, 1.6, render::Stroke::dashed};
     panel.series = {classes, ideal};
     return panel;
 }
 
-render::ChartPanel roc_panel(const ProbabilityScores& scores) {
-    render::ChartPanel panel{"ROC over the probability, area " + number_text(scores.auroc, 3),
-                             "false positive rate [-]",
-                             "true positive rate [-]",
+render::ChartPanel roc_panel(const ProbabilityScores& scores, const Words& words) {
+    render::ChartPanel panel{words("ROC over the probability, area {1}", {words.number(number_text(scores.auroc, 3))}),
+                             words("false positive rate [-]"),
+                             words("true positive rate [-]"),
                              {}};
     panel.on_x = panel.on_y = {0, 1};
-    render::ChartSeries curve{"map", render::k_chart_colours[0], {{0, 0}}};
+    render::ChartSeries curve{words("map"), render::k_chart_colours[0], {{0, 0}}};
     for (const RocPoint& point : scores.roc)
         curve.points.push_back({point.false_positive_rate, point.true_positive_rate});
     curve.points.push_back({1, 1});
-    render::ChartSeries chance{"no skill", {90, 90, 90}, {{0, 0}, {1, 1}}, 1.6, render::Stroke::dashed};
+    render::ChartSeries chance{words("no skill"), {90, 90, 90}, {{0, 0}, {1, 1}}, 1.6, render::Stroke::dashed};
     panel.series = {curve, chance};
     return panel;
 }
@@ -134,6 +135,7 @@ ProbabilityMap read_probability_map(const std::string& operand, const std::optio
     map.values = gis::read_result_raster(operand);
     map.source.title = fs::path(operand).stem().string();
     map.source.crs_label = gis::crs_name(map.values.grid.crs_wkt);
+    map.source.style.words = Words(process_language());
     return map;
 }
 
@@ -176,12 +178,16 @@ void write_probability_comparison(const ProbabilityScores& scores, const Probabi
     write_text_file(path(k_comparison_file), probability_json(scores, map, survey));
     write_text_file(path(k_roc_table), roc_csv(scores));
     write_text_file(path(k_reliability_table), reliability_csv(scores));
+    const Words& words = map.source.style.words;
     const render::Chart chart{
-        page_title(map.source, "comparison with the survey"),
-        map.name + ", Brier score " + number_text(scores.brier, 3) + ", skill " + number_text(scores.brier_skill, 3),
+        page_title(map.source, words("comparison with the survey")),
+        words("{1}, Brier score {2}, skill {3}",
+              {map.name, words.number(number_text(scores.brier, 3)), words.number(number_text(scores.brier_skill, 3))}),
         std::string(k_comparison_file),
         2,
-        {reliability_panel(scores), roc_panel(scores)}};
+        {reliability_panel(scores, words), roc_panel(scores, words)},
+        false,
+        words};
     const Size size = map.source.style.size;
     write_plain_picture(render::chart_page(chart, size.width, size.height), map.source.style, chart.title,
                         comparison_stem(folder));

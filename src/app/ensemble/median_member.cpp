@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/ensemble/study_charts.h"
 #include "app/pictures/animation.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/signals.h"
@@ -45,7 +46,7 @@ bool is_on_own_cells(const StudyInput& input, std::size_t member) {
     return input.table.level_runs[member].cell_size == input.levels.back().cell_size;
 }
 
-std::string words(const MedianMember& median) {
+std::string sentence(const MedianMember& median) {
     return "member " + std::to_string(median.member) + ", " + median.figure.title + " " + grouped(median.figure.value) +
            " " + median.figure.unit + " (median of all " + grouped(median.median) + ")";
 }
@@ -79,13 +80,17 @@ bool film_member(const StudyInput& input, const StudyResult& result, const Media
         const ResultReader written(directory.folder());
         MapSource source = written.map_source();
         source.title = output.title.value_or(scene_name(input.base.spec));
-        source.subtitle = words(median);
+        const Words& words = source.style.words;
+        source.subtitle = words(
+            "member {1}, {2} {3} {4} (median of all {5})",
+            {std::to_string(median.member), figure_title(median.figure, words),
+             words.number(grouped(median.figure.value)), median.figure.unit, words.number(grouped(median.median))});
         AnimationRequest film{
             animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
         film.stop_requested = [] { return stop_signal() != 0; };
         complete = stop_signal() == 0 && write_animation(film, directory.path(k_animation_file));
         if (complete)
-            log.note(std::string("drew ") + k_animation_file + ": " + words(median));
+            log.note(std::string("drew ") + k_animation_file + ": " + sentence(median));
         else
             log.warn(std::string(k_animation_file) + " is left out because of the signal");
     } catch (const Error& error) {

@@ -15,15 +15,16 @@ constexpr const auto& k_colours = render::k_chart_colours;
 render::Chart page(const MapSource& source, const std::string& what, const std::string& subtitle,
                    const std::string& file, int across) {
     const std::string by = page_attribution(source);
-    return {page_title(source, what), subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), across, {}};
+    return {page_title(source, what), subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), across, {}, false,
+            source.style.words};
 }
 
 int across_of(std::size_t panels) {
     return panels <= 1 ? 1 : panels <= 4 ? 2 : 3;
 }
 
-std::string axis_label(const study::Figure& figure) {
-    return figure.title + (figure.unit.empty() || figure.unit == "-" ? "" : " [" + figure.unit + "]");
+std::string axis_label(const study::Figure& figure, const Words& words) {
+    return figure_title(figure, words) + (figure.unit.empty() || figure.unit == "-" ? "" : " [" + figure.unit + "]");
 }
 
 /// Fraction of the weight of members with more than each value: a staircase.
@@ -42,11 +43,13 @@ std::vector<Point> exceedance_curve(const std::vector<double>& values, const std
 }
 
 NamedChart exceedance_chart(const StudyResult& result, const MapSource& source) {
-    render::Chart chart = page(source, "exceedance", "fraction of the members with more than the value", "members.csv",
-                               across_of(std::min(k_most_panels, result.figures().size())));
+    const Words& words = source.style.words;
+    render::Chart chart = page(source, words("exceedance"), words("fraction of the members with more than the value"),
+                               "members.csv", across_of(std::min(k_most_panels, result.figures().size())));
     for (std::size_t f = 0; f < result.figures().size() && chart.panels.size() < k_most_panels; ++f) {
         const study::Figure& figure = result.figures()[f];
-        render::ChartPanel panel{figure.title, axis_label(figure), "probability of more [-]", {}, {0}};
+        render::ChartPanel panel{
+            figure_title(figure, words), axis_label(figure, words), words("probability of more [-]"), {}, {0}};
         panel.series.push_back({"", k_colours[0], exceedance_curve(result.figure(f), result.finished.weights), 2.4});
         chart.panels.push_back(std::move(panel));
     }
@@ -56,16 +59,19 @@ NamedChart exceedance_chart(const StudyResult& result, const MapSource& source) 
 /// One bar for each key, from 0 to its value, with its interval as a thin line.
 NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool by_indices,
                              const MapSource& source) {
+    const Words& words = source.style.words;
     render::Chart chart =
-        page(source, "sensitivity of the results",
-             by_indices ? "bar: total Sobol' index, thin line: its interval of 95 %, circle: first order"
-                        : "bar: rank correlation with the figure, thin line: its interval of 95 %",
+        page(source, words("sensitivity of the results"),
+             words(by_indices ? "bar: total Sobol' index, thin line: its interval of 95 %, circle: first order"
+                              : "bar: rank correlation with the figure, thin line: its interval of 95 %"),
              "sensitivity.csv", across_of(std::min(k_most_panels, figures.size())));
     for (const FigureSensitivity& figure : figures) {
         if (chart.panels.size() == k_most_panels) break;
-        render::ChartPanel panel{
-            figure.figure.title, by_indices ? "fraction of the variance [-]" : "correlation [-]", "", {}};
-        panel.note = "the figure does not vary";
+        render::ChartPanel panel{figure_title(figure.figure, words),
+                                 words(by_indices ? "fraction of the variance [-]" : "correlation [-]"),
+                                 "",
+                                 {}};
+        panel.note = words("the figure does not vary");
         const double count = static_cast<double>(figure.keys.size());
         panel.has_rows = true;
         panel.on_y = {0.5, count + 0.5};
@@ -90,12 +96,14 @@ NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSe
 }
 
 NamedChart convergence_chart(const std::vector<ErrorAt>& convergence, const MapSource& source) {
+    const Words& words = source.style.words;
     render::Chart chart =
-        page(source, "convergence of the probabilities", "standard error of the probabilities of depth over the map",
-             "records of the members", 1);
-    render::ChartPanel panel{"Standard error", "members", "standard error [-]", {}};
+        page(source, words("convergence of the probabilities"),
+             words("standard error of the probabilities of depth over the map"), words("records of the members"), 1);
+    render::ChartPanel panel{words("Standard error"), words("members"), words("standard error [-]"), {}};
     panel.x = panel.y = render::Scale::logarithmic;
-    render::ChartSeries largest{"largest", k_colours[1], {}}, mean{"mean where it is not 0", k_colours[0], {}};
+    render::ChartSeries largest{words("largest"), k_colours[1], {}},
+        mean{words("mean where it is not 0"), k_colours[0], {}};
     mean.stroke = render::Stroke::dashed;
     largest.marker = render::Marker::circle;
     mean.marker = render::Marker::square;
@@ -120,6 +128,15 @@ study::FinishedMembers independent_members(const StudyResult& result) {
 }
 
 }  // namespace
+
+std::string figure_title(const study::Figure& figure, const Words& words) {
+    for (const char* of_a_place : {worded("greatest depth at gauge {1}"), worded("greatest speed at gauge {1}"),
+                                   worded("greatest discharge through {1}"), worded("volume through {1}")}) {
+        const std::string before(of_a_place, std::string(of_a_place).find("{1}"));
+        if (figure.title.starts_with(before)) return words(of_a_place, {figure.title.substr(before.size())});
+    }
+    return words(figure.title);
+}
 
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
     constexpr std::size_t k_first = 8;

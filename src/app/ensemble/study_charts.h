@@ -18,6 +18,9 @@ struct ErrorAt {
 /// Saltelli's design those of matrix A, which are independent.
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result);
 
+/// Returns the title of a figure of a study in a language: "run-out".
+std::string figure_title(const study::Figure& figure, const Words& words);
+
 /// Returns the charts of a study: exceedance of the figures, sensitivities, convergence.
 std::vector<NamedChart> study_charts(const StudyInput& input, const StudyResult& result,
                                      const std::vector<FigureSensitivity>& sensitivities,

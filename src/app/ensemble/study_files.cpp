@@ -10,6 +10,8 @@
 #include "analysis/trace.h"
 #include "app/ensemble/mapped_events.h"
 #include "app/ensemble/study_charts.h"
+#include "app/input/scene_language.h"
+#include "app/pictures/class_words.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
@@ -32,7 +34,10 @@ namespace {
 class MapWriter {
   public:
     MapWriter(const StudyInput& input, const ResultDirectory& directory)
-        : directory_(directory), metadata_(provenance(input.base)), classes_(input.base.spec.output.classes) {}
+        : directory_(directory),
+          metadata_(provenance(input.base)),
+          classes_(input.base.spec.output.classes),
+          words_(words_of(input.base.spec)) {}
 
     void write(const std::string& name, const Raster& raster) const { write(name, {band_of(name, raster)}); }
     void write_probability(const std::string& name, const Raster& probability, const Raster& error) const {
@@ -54,12 +59,13 @@ class MapWriter {
         if (!row.is_drawn()) return;
         const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
         gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
-                          gis::StyleKind::classed, text_for(row, row.title, name));
+                          gis::StyleKind::classed, raster_title(row, name, words_));
     }
 
     const ResultDirectory& directory_;
     std::map<std::string, std::string> metadata_;
     ClassSpec classes_;
+    Words words_;
 };
 
 /// Quantiles and moments, of depth and velocity alone.

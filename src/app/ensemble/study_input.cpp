@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/ensemble/polygon_members.h"
+#include "app/input/scene_language.h"
 #include "app/input/share_directory.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
@@ -26,7 +27,9 @@ SceneReading read_member(const study::StudyReading& reading, const std::vector<s
                            [&](const std::string& other) { return key_of(other) == key_of(one); });
     });
     all.insert(all.end(), overrides.begin(), overrides.end());
-    return read_scene(reading.study.scene, all, materials_directory(), reading.label + ": ");
+    SceneReading scene = read_scene(reading.study.scene, all, materials_directory(), reading.label + ": ");
+    resolve_language(scene.scene);
+    return scene;
 }
 
 /// Problems that only some members have: each once, with the first member that has it.

@@ -87,6 +87,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
               {"version", k_version},
               {"format", k_result_format},
               {"kind", "ensemble"},
+              {"language", input.base.spec.output.language},
               {"study", study.file},
               {"scene", study.scene},
               {"sampling", study::name_of(study.sampling)},

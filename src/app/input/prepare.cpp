@@ -12,10 +12,10 @@
 #include "app/input/prepare_obstacles.h"
 #include "app/input/prepare_structured.h"
 #include "app/input/prepare_zones.h"
+#include "app/input/scene_language.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
-#include "core/words/language.h"
 #include "gis/crs/crs.h"
 #include "params/keys/laws.h"
 #include "simulation/arrivals.h"
@@ -120,8 +120,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
 
     Prepared prepared;
     prepared.spec = reading.scene;
-    if (prepared.spec.output.language == k_language_of_locale)
-        prepared.spec.output.language = language_code(process_language());
+    resolve_language(prepared.spec);
     prepared.scene.grid = ground->terrain.grid;
     prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
     prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;

@@ -34,10 +34,10 @@ int time_decimals(const std::vector<StoredFrame>& frames) {
     return gap > 0 && gap < 1 ? std::min(6, 1 + static_cast<int>(std::ceil(-std::log10(gap)))) : 1;
 }
 
-std::string time_text(double seconds, int decimals) {
+std::string time_text(double seconds, int decimals, const Words& words) {
     std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "t = %.*f s", decimals, seconds);
-    return text.data();
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, seconds);
+    return words("t = {1} s", {words.number(text.data())});
 }
 
 std::string picture_name(std::size_t frame) {
@@ -86,9 +86,10 @@ std::string lower_case_first(std::string words) {
 /// Draws a frame's particles or raster. `frame` is one of the source's.
 template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const AnimationSource& of) {
-    std::string subtitle = time_text(frame.time, time_decimals(of.frames));
+    std::string subtitle = time_text(frame.time, time_decimals(of.frames), of.source.style.words);
+    const bool has_small_nouns = of.source.style.words.language() != Language::german;
     for (const std::string& one : of.figures[static_cast<std::size_t>(&frame - of.frames.data())])
-        subtitle += '\n' + lower_case_first(one);
+        subtitle += '\n' + (has_small_nouns ? lower_case_first(one) : one);
     if (const ParticleQuantity* const of_particles = find_particle_quantity(of.quantity))
         return animator.frame(read_particle_dots(frame.particle_file, *of_particles), subtitle);
     const std::string file = frame.raster_file(of.quantity);
@@ -108,7 +109,8 @@ const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time)
 std::string pace_words(const AnimationSource& animation, double seconds) {
     const double simulated = animation.frames.back().time - animation.frames.front().time;
     if (!(seconds > 0) || !(simulated > 0)) return {};
-    return "1 s of playback: " + number_text(simulated / seconds, 2) + " s";
+    const Words& words = animation.source.style.words;
+    return words("1 s of playback: {1} s", {words.number(number_text(simulated / seconds, 2))});
 }
 
 /// Returns a picture of the animation's layer at its size, with its pace: a MapSpec or a ViewSpec.
@@ -221,14 +223,14 @@ AnimationSource animation_source(const ResultReader& result, const MapSource& so
     animation.figures = result.figures_at(times);
     animation.source.notes.clear();  // those of the end
     if (particles != nullptr) {
-        animation.layer.title = particles->title;
+        animation.layer.title = source.style.words(particles->title);
         open_above(animation.layer);
     } else if (quantity == "depth" || quantity == "velocity") {
-        animation.layer.title = "Flow " + quantity;
+        animation.layer.title = source.style.words(quantity == "depth" ? "Flow depth" : "Flow velocity");
     }
     animation.layer.source =
-        "frames/" +
-        (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute : quantity + "_*.tif, band 1");
+        "frames/" + (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute
+                                          : source.style.words("{1}, band {2}", {quantity + "_*.tif", "1"}));
     return animation;
 }
 

@@ -86,7 +86,8 @@ std::vector<std::string> kinds_of(const Columns& table, const std::string& colum
 
 render::Chart page(const MapSource& source, const std::string& what, const std::string& file) {
     const std::string by = page_attribution(source);
-    return {page_title(source, what), source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}};
+    return {page_title(source, what), source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}, false,
+            source.style.words};
 }
 
 /// `line` as in the table.
@@ -112,21 +113,24 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
     };
     std::vector<double> foot;
     for (const Point p : on_line(bed)) foot.push_back(p.y);
-    const std::string metres = "distance along the line [m]";
-    render::ChartPanel relief{"Surfaces", metres, "elevation [m]", {}};
-    relief.series = {{"final surface", k_vermilion, surface("final_depth"), 2, Stroke::solid, foot},
-                     {"initial surface", k_green, surface("release_m"), 2, Stroke::dotted},
-                     {"bed plus maximum depth", k_blue, surface("max_depth"), 2, Stroke::dashed},
-                     {"bed", k_ground, on_line(bed), 2.4}};
+    const Words& words = source.style.words;
+    const std::string metres = words("distance along the line [m]");
+    render::ChartPanel relief{words("Surfaces"), metres, words("elevation [m]"), {}};
+    relief.series = {{words("final surface"), k_vermilion, surface("final_depth"), 2, Stroke::solid, foot},
+                     {words("initial surface"), k_green, surface("release_m"), 2, Stroke::dotted},
+                     {words("bed plus maximum depth"), k_blue, surface("max_depth"), 2, Stroke::dashed},
+                     {words("bed"), k_ground, on_line(bed), 2.4}};
     relief.fraction = 1.5;
-    render::ChartPanel depths{"Depths, vertical", metres, "depth [m]", {}, {0}};
-    depths.series = {{"maximum", k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
-                     {"released", k_green, on_line(column("release_m")), 2, Stroke::dotted},
-                     {"at the end", k_vermilion, on_line(column("final_depth")), 2}};
-    render::ChartPanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, {0}};
-    speeds.series = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
-    const std::string name = elided(text_of_cell(line), k_longest_name);
-    render::Chart chart = page(source, "profile along " + name, k_profile_table);
+    render::ChartPanel depths{words("Depths, vertical"), metres, words("depth [m]"), {}, {0}};
+    depths.series = {{words("maximum"), k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
+                     {words("released"), k_green, on_line(column("release_m")), 2, Stroke::dotted},
+                     {words("at the end"), k_vermilion, on_line(column("final_depth")), 2}};
+    render::ChartPanel speeds{words("Greatest speed, along the bed"), metres, words("speed [m/s]"), {}, {0}};
+    speeds.series = {{words("maximum"), k_blue, on_line(column("max_velocity")), 2}};
+    const std::string own = elided(text_of_cell(line), k_longest_name);
+    const std::string name =
+        own == "flow path" ? words("profile along the flow path") : words("profile along {1}", {own});
+    render::Chart chart = page(source, name, k_profile_table);
     chart.panels = {relief, depths, speeds};
     return {"profile_" + stem, chart};
 }
@@ -139,20 +143,37 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
         for (double& value : values) value *= factor;
         return render::ChartSeries{label, colour, joined_points(time, values), 2.2, stroke};
     };
-    const std::string seconds = "time [s]";
-    render::Chart chart = page(source, "time series of the flow", k_series_file);
+    const Words& words = source.style.words;
+    const std::string seconds = words("time [s]");
+    render::Chart chart = page(source, words("time series of the flow"), k_series_file);
     chart.across = 2;
     chart.panels = {
-        {"Greatest speed", seconds, "speed [m/s]", {curve("max_speed_ms", "along the bed", k_vermilion)}, {0}},
-        {"Greatest depth", seconds, "depth [m]", {curve("max_depth_m", "vertical", k_blue)}, {0}},
-        {"Front", seconds, "distance [m]", {curve("front_distance_m", "farthest particle", k_purple)}, {0}},
-        {"Covered area", seconds, "area [1000 m\u00B2]", {curve("covered_area_m2", "at the time", k_green, 1e-3)}, {0}},
-        {"Kinetic energy", seconds, "energy [GJ]", {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)}, {0}},
-        {"Volume",
+        {words("Greatest speed"),
          seconds,
-         "volume [1000 m\u00B3]",
-         {curve("volume_m3", "inside", k_blue, 1e-3),
-          curve("volume_left_m3", "left the domain", k_vermilion, 1e-3, Stroke::dashed)},
+         words("speed [m/s]"),
+         {curve("max_speed_ms", words("along the bed"), k_vermilion)},
+         {0}},
+        {words("Greatest depth"), seconds, words("depth [m]"), {curve("max_depth_m", words("vertical"), k_blue)}, {0}},
+        {words("Front"),
+         seconds,
+         words("distance [m]"),
+         {curve("front_distance_m", words("farthest particle"), k_purple)},
+         {0}},
+        {words("Covered area"),
+         seconds,
+         words("area [1000 m\u00B2]"),
+         {curve("covered_area_m2", words("at the time"), k_green, 1e-3)},
+         {0}},
+        {words("Kinetic energy"),
+         seconds,
+         words("energy [GJ]"),
+         {curve("kinetic_energy_j", words("in map view"), k_vermilion, 1e-9)},
+         {0}},
+        {words("Volume"),
+         seconds,
+         words("volume [1000 m\u00B3]"),
+         {curve("volume_m3", words("inside"), k_blue, 1e-3),
+          curve("volume_left_m3", words("left the domain"), k_vermilion, 1e-3, Stroke::dashed)},
          {0}}};
     return {"timeseries", chart};
 }
@@ -163,19 +184,22 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
         return render::ChartSeries{label, k_colours[colour], joined_points(threshold, table.numbers(name)), 2.4,
                                    stroke};
     };
-    render::ChartPanel scores{"Scores", "depth threshold [m]", "score [-]", {}, {0}};
+    const Words& words = source.style.words;
+    const std::string metres = words("depth threshold [m]");
+    render::ChartPanel scores{words("Scores"), metres, words("score [-]"), {}, {0}};
     scores.series = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
-                     curve("true_positive_rate", "hit rate", 2, Stroke::dashed),
-                     curve("false_positive_rate", "false alarm rate", 3, Stroke::dotted)};
-    render::ChartPanel areas{"Area difference", "depth threshold [m]", "difference [%]", {}, {0}};
-    areas.series = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, Stroke::solid)};
+                     curve("true_positive_rate", words("hit rate"), 2, Stroke::dashed),
+                     curve("false_positive_rate", words("false alarm rate"), 3, Stroke::dotted)};
+    render::ChartPanel areas{words("Area difference"), metres, words("difference [%]"), {}, {0}};
+    areas.series = {
+        curve("area_difference_percent", words("|simulated \u2212 observed| / observed"), 0, Stroke::solid)};
     for (render::ChartPanel* panel : {&scores, &areas}) {
         panel->x = render::Scale::logarithmic;
         panel->mark_x = result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
     scores.fraction = 1.6;
-    render::Chart chart = page(source, "scores over the depth threshold", k_comparison_curve);
-    chart.subtitle = "dashed: the threshold of the comparison";
+    render::Chart chart = page(source, words("scores over the depth threshold"), k_comparison_curve);
+    chart.subtitle = words("dashed: the threshold of the comparison");
     chart.panels = {scores, areas};
     return {"scores", chart};
 }
@@ -185,16 +209,17 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
                         const std::string& title, const std::string& file,
                         const std::vector<std::array<std::string, 3>>& quantities) {
     const std::vector<double> time = table.numbers("time_s");
+    const Words& words = source.style.words;
     render::Chart chart = page(source, title, file + ".csv");
     std::vector<std::string> kinds = kinds_of(table, place);
     if (kinds.size() > k_most_curves) {
-        chart.subtitle = "the first " + std::to_string(k_most_curves) + " of " + std::to_string(kinds.size()) +
-                         "; all are in " + file + ".csv";
+        chart.subtitle = words("the first {1} of {2}; all are in {3}",
+                               {std::to_string(k_most_curves), std::to_string(kinds.size()), file + ".csv"});
         kinds.resize(k_most_curves);
     }
     for (const auto& [column, name, label] : quantities) {
         const std::vector<double> values = table.numbers(column);
-        render::ChartPanel panel{name, "time [s]", label, {}, {0}};
+        render::ChartPanel panel{words(name), words("time [s]"), words(label), {}, {0}};
         for (const std::string& kind : kinds) {
             render::ChartSeries curve{elided(text_of_cell(kind), k_longest_name), k_blue, {}};
             render::look_apart(curve, panel.series.size());
@@ -244,14 +269,14 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     });
     table(k_series_file, [&](const Columns& columns) { charts.push_back(series_chart(columns, source)); });
     table(k_gauge_table, [&](const Columns& columns) {
-        charts.push_back(places_chart(
-            columns, "gauge", source, "gauges", "gauges",
-            {{"depth_m", "Depth, vertical", "depth [m]"}, {"speed_ms", "Speed, along the bed", "speed [m/s]"}}));
+        charts.push_back(places_chart(columns, "gauge", source, source.style.words("gauges"), "gauges",
+                                      {{"depth_m", worded("Depth, vertical"), worded("depth [m]")},
+                                       {"speed_ms", worded("Speed, along the bed"), worded("speed [m/s]")}}));
     });
     table(k_section_table, [&](const Columns& columns) {
-        charts.push_back(places_chart(columns, "section", source, "cross-sections", "sections",
-                                      {{"discharge_m3s", "Discharge", "discharge [m\u00B3/s]"},
-                                       {"volume_m3", "Cumulative volume", "volume [m\u00B3]"}}));
+        charts.push_back(places_chart(columns, "section", source, source.style.words("cross-sections"), "sections",
+                                      {{"discharge_m3s", worded("Discharge"), worded("discharge [m\u00B3/s]")},
+                                       {"volume_m3", worded("Cumulative volume"), worded("volume [m\u00B3]")}}));
     });
     table(k_comparison_curve, [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
     return charts;

@@ -68,18 +68,22 @@ render::Plate plate_of(const Snapshots& snapshots, const MapSource& source) {
     render::Plate plate{page_title(source, snapshots.title), snapshots.subtitle, source.crs_label, 2, {}};
     for (const MapLayer& layer : snapshots.depths) {
         plate.parts.push_back([&](int width, int height) {
-            return lean_map(source, layer, "t = " + number_text(layer.time.value_or(0), 4) + " s", width, height);
+            return lean_map(
+                source, layer,
+                source.style.words("t = {1} s", {source.style.words.number(number_text(layer.time.value_or(0), 4))}),
+                width, height);
         });
     }
     return plate;
 }
 
 /// Hydrostatic: the weight of the vertical column on the map's square metre.
-MapLayer normal_stress(const MapLayer& depth, double density, double gravity, double greatest_depth) {
+MapLayer normal_stress(const MapLayer& depth, double density, double gravity, double greatest_depth,
+                       const Words& words) {
     MapLayer layer = depth;
     const double kilopascal = density * gravity / 1000;
     layer.values.values.change_each_stored([&](std::size_t, double& value) { value *= kilopascal; });
-    layer.title = "Normal stress";
+    layer.title = words("Normal stress");
     layer.unit = "kPa";
     layer.palette = "velocity";
     layer.classes = class_bounds(false, greatest_depth * kilopascal);
@@ -134,18 +138,20 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
             files.push_back(file);
     };
 
-    Snapshots depths{{}, "snapshots", "snapshots of the depth", source.subtitle};
+    const Words& words = source.style.words;
+    Snapshots depths{{}, "snapshots", words("snapshots of the depth"), source.subtitle};
     for (const double time : snapshot_times(result.frames()))
         depths.depths.push_back(result.map_layer("depth@" + shortest_text(time)));
 
     MapLayer start = result.map_layer("depth@0");
     start.classes = depths.depths.front().classes;
-    write(k_initial_state, {page_title(source, "initial state"),
-                            source.subtitle,
-                            source.crs_label,
-                            2,
-                            {[&](int w, int h) { return lean_map(source, start, "thickness on the map", w, h); },
-                             [&](int w, int h) { return lean_view(source, start, "from before the slope", w, h); }}});
+    write(k_initial_state,
+          {page_title(source, words("initial state")),
+           source.subtitle,
+           source.crs_label,
+           2,
+           {[&](int w, int h) { return lean_map(source, start, words("thickness on the map"), w, h); },
+            [&](int w, int h) { return lean_view(source, start, words("from before the slope"), w, h); }}});
     write(k_snapshots, plate_of(depths, source));
 
     if (const auto weight = column_weight(result)) {
@@ -154,11 +160,11 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
         for (const MapLayer& layer : depths.depths) greatest = std::max(greatest, maximum(layer.values));
         Snapshots stresses{{},
                            "stresses",
-                           "normal stress on the bed",
-                           "hydrostatic: density " + number_text(density) + " kg/m\u00B3 times gravity " +
-                               number_text(gravity) + " m/s\u00B2 times vertical depth"};
+                           words("normal stress on the bed"),
+                           words("hydrostatic: density {1} kg/m\u00B3 times gravity {2} m/s\u00B2 times vertical depth",
+                                 {words.number(number_text(density)), words.number(number_text(gravity))})};
         for (const MapLayer& layer : depths.depths)
-            stresses.depths.push_back(normal_stress(layer, density, gravity, greatest));
+            stresses.depths.push_back(normal_stress(layer, density, gravity, greatest, words));
         write(k_stresses, plate_of(stresses, source));
     }
 
@@ -167,7 +173,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     Problems problems;
     const std::vector<NamedChart> charts = result_charts(result, source, problems);
     problems.throw_if_any();
-    render::Plate last{page_title(source, "profile and comparison with the observed outline"),
+    render::Plate last{page_title(source, words("profile and comparison with the observed outline")),
                        source.subtitle,
                        source.crs_label,
                        2,
@@ -176,12 +182,12 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
         last.parts.push_back([&](int w, int h) {
             render::Chart chart = charts.front().chart;
             chart.title = "";
-            chart.subtitle = "longitudinal profile along the flow path";
+            chart.subtitle = words("longitudinal profile along the flow path");
             return render::chart_page(chart, w, h);
         });
     }
     last.parts.push_back(
-        [&](int w, int h) { return lean_map(source, comparison, "hits, false alarms, misses", w, h); });
+        [&](int w, int h) { return lean_map(source, comparison, words("hits, false alarms, misses"), w, h); });
     write(k_comparison, last);
     return files;
 }

@@ -95,8 +95,7 @@ ResultReader::ResultReader(std::string directory, std::optional<Language> langua
     if (const auto format = integer_from_text(scene_value("scene.format").value_or("1"));
         format && *format > k_scene_format)
         throw newer(path(k_scene_file), *format, k_scene_format);
-    if (!language) language = language_of_code(scene_value("output.language").value_or(""));
-    words_ = Words(language.value_or(Language::english));
+    words_ = Words(language ? *language : own_language());
     if (under_way() || is_of_study()) return;
     for (const ResultRaster& row : main_rasters())
         if (has(row.name + ".tif")) return;

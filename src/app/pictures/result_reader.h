@@ -20,7 +20,7 @@ class ResultReader {
   public:
     /// If the directory does not exist, but one in which it is being built does, reads that. Throws Error(input) if
     /// there is neither, or nothing of a result in it.
-    /// @param language of all texts; none: that of its scene, English in results older than the key
+    /// @param language of all texts; none: its own
     explicit ResultReader(std::string directory, std::optional<Language> language = std::nullopt);
 
     [[nodiscard]] const std::string& directory() const noexcept { return directory_; }
@@ -80,6 +80,8 @@ class ResultReader {
     [[nodiscard]] MapFacts facts(const std::optional<MainStatistics>& statistics) const;
 
     static constexpr const char* k_hit_count = "hit_count";  ///< a raster that every study has
+    /// That of its scene or, of a study, of its summary; English in older results.
+    [[nodiscard]] Language own_language() const;
     void add_study(MapSource& source) const;
 
     /// Throws Error(input) if a file is missing.

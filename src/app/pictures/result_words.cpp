@@ -47,6 +47,14 @@ void ResultReader::add_study(MapSource& source) const {
     }
 }
 
+Language ResultReader::own_language() const {
+    auto code = scene_value("output.language");
+    if (!code && is_of_study() && has(k_summary_file))
+        if (const std::optional<Json> summary = read_json_file(path(k_summary_file)))
+            code = value_in<std::string>(*summary, "/language");
+    return language_of_code(code.value_or("")).value_or(Language::english);
+}
+
 ClassSpec ResultReader::classes() const {
     static const std::vector<Parameter> k_keys = scene_parameters();
     SceneSpec scene;

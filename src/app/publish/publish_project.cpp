@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/pictures/class_words.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/layers.h"
 #include "app/store/result_files.h"
@@ -54,9 +55,14 @@ class ProjectWriter {
             if (!group.layers.empty()) project.groups.push_back(group);
         for (const ResultRaster* row : frame_rasters(result_)) project.groups.push_back(frames(*row));
         if (result_.has(raster_file("dtm")))
-            project.groups.push_back(
-                {"Terrain",
-                 {{named("Terrain"), raster_file("dtm"), "", gis::Shape::area, gis::hillshade_style(), true, {}}}});
+            project.groups.push_back({words_("Terrain"),
+                                      {{named(words_("Terrain")),
+                                        raster_file("dtm"),
+                                        "",
+                                        gis::Shape::area,
+                                        gis::hillshade_style(),
+                                        true,
+                                        {}}}});
         gis::write_qgis_project(result_.path(k_project_file), project);
     }
 
@@ -65,11 +71,11 @@ class ProjectWriter {
     [[nodiscard]] std::string named(const std::string& what) const { return what + " – " + title_; }
 
     [[nodiscard]] gis::ProjectGroup outlines() const {
-        gis::ProjectGroup group{named("Outlines"), {}};
+        gis::ProjectGroup group{named(words_("Outlines")), {}};
         for (const VectorLayer& row : vector_layers()) {
             if (!result_.has(row.file) || !gis::has_layer(result_.path(row.file), row.name, "RESULT_DIR")) continue;
             const bool visible = row.file == k_outlines_file || row.file == k_gauge_places;
-            group.layers.push_back({named(row.title),
+            group.layers.push_back({named(words_(row.title)),
                                     row.file,
                                     row.name,
                                     row.shape,
@@ -81,9 +87,9 @@ class ProjectWriter {
     }
 
     [[nodiscard]] gis::ProjectGroup maps() const {
-        gis::ProjectGroup group{named("Maps"), {}};
+        gis::ProjectGroup group{named(words_("Maps")), {}};
         if (result_.has(k_hazard_zones_file))
-            group.layers.push_back({named("Zones of intensity"),
+            group.layers.push_back({named(words_("Zones of intensity")),
                                     k_hazard_zones_file,
                                     fs::path(k_hazard_zones_file).stem().string(),
                                     gis::Shape::area,
@@ -94,11 +100,11 @@ class ProjectWriter {
         const bool has_shown = std::find(names.begin(), names.end(), k_shown) != names.end();
         for (const std::string& name : names) {
             const ResultRaster& row = *find_result_raster(name);
-            std::string title = with_unit(text_for(row, row.title, name), row.unit);
+            std::string title = with_unit(raster_title(row, name, words_), row.unit);
             if (row.kind == ResultRaster::Kind::classes) {
                 const gis::RasterText text = gis::read_raster_text(result_.path(raster_file(name)));
                 if (const auto scheme = text.metadata.find("HAZARD_SCHEME"); scheme != text.metadata.end())
-                    title += ", scheme " + scheme->second;
+                    title = words_("{1}, scheme {2}", {title, scheme->second});
             }
             const bool visible = has_shown ? name == k_shown : name == names.front();
             group.layers.push_back(
@@ -109,7 +115,7 @@ class ProjectWriter {
 
     /// Each frame from its time to the next one's; hidden, since all are visible until QGIS's temporal controller runs.
     [[nodiscard]] gis::ProjectGroup frames(const ResultRaster& row) const {
-        gis::ProjectGroup group{named(row.title + " over time"), {}, false, false};
+        gis::ProjectGroup group{named(words_("{1} over time", {words_(row.title)})), {}, false, false};
         const std::vector<StoredFrame>& all = result_.frames();
         const std::string style = style_beside(frame_style(row.name) + ".tif");
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -118,7 +124,8 @@ class ProjectWriter {
                                                      : all[i].time - all[i - 1].time;
             const std::string file =
                 std::string(k_frame_folder) + "/" + fs::path(all[i].raster_file(row.name)).filename().string();
-            group.layers.push_back({named(with_unit(row.title, row.unit) + ", " + number_text(all[i].time, 6) + " s"),
+            group.layers.push_back({named(with_unit(words_(row.title), row.unit) + ", " +
+                                          words_.number(number_text(all[i].time, 6)) + " s"),
                                     file, "", gis::Shape::area, style, true,
                                     std::pair{all[i].time, all[i].time + step}});
         }
@@ -130,6 +137,7 @@ class ProjectWriter {
     }
 
     ResultReader result_;
+    Words words_ = result_.words();
     std::string title_;
 };
 
@@ -149,7 +157,7 @@ void publish_frame_styles(const std::string& folder) {
             known ? class_bounds(*row, chosen, 0) : result.map_layer(row->name + "@0").classes;
         gis::write_styles(result.path(frame_style(row->name) + ".tif"),
                           gis::class_stops(palette(row->palette), bounds, row->unit), row->unit,
-                          gis::StyleKind::classed, row->title);
+                          gis::StyleKind::classed, result.words()(row->title));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "analysis/high_values.h"
 #include "analysis/trace.h"
+#include "app/input/scene_language.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/recorded_inputs.h"
@@ -19,13 +20,13 @@ namespace frana::app {
 namespace {
 
 void write(const ResultDirectory& directory, const ResultRaster& row, const Raster& raster,
-           const std::map<std::string, std::string>& origin, const ClassSpec& classes) {
+           const std::map<std::string, std::string>& origin, const ClassSpec& classes, const Words& words) {
     const std::string file = directory.path(row.name + ".tif");
     gis::write_geotiff(file, raster, {row.name, row.description, row.unit, origin});
     if (row.is_drawn())
         gis::write_styles(file,
                           gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit),
-                          row.unit, gis::StyleKind::classed, row.title);
+                          row.unit, gis::StyleKind::classed, words(row.title));
 }
 
 PolygonFeature feature(MultiPolygon parts, double threshold) {
@@ -68,11 +69,12 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
     const std::map<std::string, std::string> origin = provenance(prepared);
     for (const ResultRaster& row : result_rasters())
         if (const Raster* raster = find_raster(result, row))
-            write(directory, row, *raster, origin, prepared.spec.output.classes);
+            write(directory, row, *raster, origin, prepared.spec.output.classes, words_of(prepared.spec));
 }
 
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
-    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared), {});
+    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared), {},
+          words_of(prepared.spec));
 }
 
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {

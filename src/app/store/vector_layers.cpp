@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/store/result_files.h"
+#include "core/words/words.h"
 
 namespace frana::app {
 namespace {
@@ -25,22 +26,38 @@ void set_style(const std::string& gpkg_path, Layer& layer) {
 
 const std::vector<VectorLayer>& vector_layers() {
     static const std::vector<VectorLayer> k_table{
-        {k_gauge_places, "gauges", "Gauges", Shape::point, {{150, 0, 60}, 2.5, false, k_name}},
-        {k_gauge_places, "sections", "Cross-sections", Shape::line, {{70, 50, 120}, 0.6, false, k_name}},
-        {k_outlines_file, "scar", "Surveyed outline", Shape::area, {k_scar_colour, 0.7, false, ""}},
-        {k_outlines_file, "release", "Release", Shape::area, {k_release_colour, 0.6, true, k_name}},
-        {k_outlines_file, "deposit", "Outline of the deposit", Shape::area, {{120, 70, 0}, 0.4, false, ""}},
-        {k_outlines_file, "trace", "Outline of all ground reached", Shape::area, {{60, 60, 60}, 0.4, false, ""}},
-        {k_outlines_file, probability_layer("95"), "Reached by 95 %", Shape::area, {k_likely_colour, 0.5, false, ""}},
+        {k_gauge_places, "gauges", worded("Gauges"), Shape::point, {{150, 0, 60}, 2.5, false, k_name}},
+        {k_gauge_places, "sections", worded("Cross-sections"), Shape::line, {{70, 50, 120}, 0.6, false, k_name}},
+        {k_outlines_file, "scar", worded("Surveyed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
+        {k_outlines_file, "release", worded("Release"), Shape::area, {k_release_colour, 0.6, true, k_name}},
+        {k_outlines_file, "deposit", worded("Outline of the deposit"), Shape::area, {{120, 70, 0}, 0.4, false, ""}},
+        {k_outlines_file,
+         "trace",
+         worded("Outline of all ground reached"),
+         Shape::area,
+         {{60, 60, 60}, 0.4, false, ""}},
+        {k_outlines_file,
+         probability_layer("95"),
+         worded("Reached by 95 %"),
+         Shape::area,
+         {k_likely_colour, 0.5, false, ""}},
         {k_outlines_file,
          probability_layer("50"),
-         "Reached by 50 %",
+         worded("Reached by 50 %"),
          Shape::area,
          {k_even_chance_colour, 0.5, false, ""}},
-        {k_outlines_file, probability_layer("05"), "Reached by 5 %", Shape::area, {k_unlikely_colour, 0.5, true, ""}},
-        {k_profile_lines, "lines", "Profiles and flow path", Shape::line, {{70, 50, 120}, 0.5, true, k_name}},
-        {k_profile_lines, "stations", "Stations of the profiles", Shape::point, {{70, 50, 120}, 0.8, false, ""}},
-        {k_member_outlines, "members", "Outlines of the runs", Shape::area, {{90, 90, 90}, 0.2, false, ""}},
+        {k_outlines_file,
+         probability_layer("05"),
+         worded("Reached by 5 %"),
+         Shape::area,
+         {k_unlikely_colour, 0.5, true, ""}},
+        {k_profile_lines, "lines", worded("Profiles and flow path"), Shape::line, {{70, 50, 120}, 0.5, true, k_name}},
+        {k_profile_lines,
+         "stations",
+         worded("Stations of the profiles"),
+         Shape::point,
+         {{70, 50, 120}, 0.8, false, ""}},
+        {k_member_outlines, "members", worded("Outlines of the runs"), Shape::area, {{90, 90, 90}, 0.2, false, ""}},
     };
     return k_table;
 }

@@ -75,12 +75,12 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Sur des mailles de {1} m\u202F; l’erreur due à leur taille est estimée et figure à côté des valeurs (±).",
      "Con celdas de {1} m; el error debido a su tamaño está estimado y figura junto a los valores (±)."},
     {"The volume is conserved to {1} %.", "Il volume è conservato entro {1} %.",
-     "Das Volumen bleibt auf {1} % erhalten.", "Le volume est conservé à {1} % près.",
+     "Das Volumen bleibt auf {1} % erhalten.", "Le volume est conservé à {1}\u202F% près.",
      "El volumen se conserva con un error de {1} %."},
     {"The volume is conserved to {1} %, the energy rises without cause by at most {2} %.",
      "Il volume è conservato entro {1} %, l’energia cresce senza causa al più di {2} %.",
      "Das Volumen bleibt auf {1} % erhalten, die Energie steigt ohne Ursache um höchstens {2} %.",
-     "Le volume est conservé à {1} % près, l’énergie croît sans cause de {2} % au plus.",
+     "Le volume est conservé à {1}\u202F% près, l’énergie croît sans cause de {2}\u202F% au plus.",
      "El volumen se conserva con un error de {1} %, la energía crece sin causa como máximo {2} %."},
     {"The run ended after {1} s: {2}.", "Il calcolo è finito dopo {1} s: {2}.", "Die Rechnung endete nach {1} s: {2}.",
      "Le calcul s’est terminé après {1} s\u202F: {2}.", "El cálculo terminó a los {1} s: {2}."},
@@ -92,7 +92,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"{1} m³ ({2} %) left the computed ground: the full run-out is not shown.",
      "{1} m³ ({2} %) hanno lasciato il terreno calcolato: la distanza percorsa completa non è mostrata.",
      "{1} m³ ({2} %) verließen das berechnete Gelände: die volle Auslauflänge ist nicht dargestellt.",
-     "{1} m³ ({2} %) ont quitté le terrain calculé\u202F: la distance parcourue complète n’est pas montrée.",
+     "{1} m³ ({2}\u202F%) ont quitté le terrain calculé\u202F: la distance parcourue complète n’est pas montrée.",
      "{1} m³ ({2} %) salieron del terreno calculado: el alcance completo no se muestra."},
     {"There were numerical events that do not occur in a good run.",
      "Ci sono stati eventi numerici che in un buon calcolo non avvengono.",
@@ -112,8 +112,9 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "differiscono del {4} %.",
      "Von der beobachteten Fläche sind {1} % getroffen; {2} m² sind darüber hinaus bedeckt. Jaccard-Index {3} (1: "
      "perfekt), die Flächen unterscheiden sich um {4} %.",
-     "De la surface observée, {1} % sont atteints\u202F; {2} m² sont couverts au-delà. Indice de Jaccard {3} (1\u202F: "
-     "parfait), les surfaces diffèrent de {4} %.",
+     "De la surface observée, {1}\u202F% sont atteints\u202F; {2} m² sont couverts au-delà. Indice de Jaccard {3} "
+     "(1\u202F: "
+     "parfait), les surfaces diffèrent de {4}\u202F%.",
      "Del área observada se alcanza el {1} %; {2} m² quedan cubiertos fuera de ella. Índice de Jaccard {3} (1: "
      "perfecto), las áreas difieren en {4} %."},
     {"Run-out, simulated minus observed: {1} m.", "Distanza percorsa, simulata meno osservata: {1} m.",
@@ -152,7 +153,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Angle of reach", "Angolo di portata", "Pauschalgefälle", "Angle de portée", "Ángulo de alcance"},
     {"Area deeper than {1} m", "Area più profonda di {1} m", "Fläche tiefer als {1} m", "Surface de plus de {1} m",
      "Área más profunda que {1} m"},
-    {"on 99.9 % of the area", "sul 99,9 % dell’area", "auf 99,9 % der Fläche", "sur 99,9 % de la surface",
+    {"on 99.9 % of the area", "sul 99,9 % dell’area", "auf 99,9 % der Fläche", "sur 99,9\u202F% de la surface",
      "en el 99,9 % del área"},
     {"Computed with {1}, scene {2}, hash {3}", "Calcolato con {1}, scena {2}, hash {3}",
      "Berechnet mit {1}, Szene {2}, Hash {3}", "Calculé avec {1}, scène {2}, hachage {3}",

@@ -26,7 +26,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"on {1}", "su {1}", "auf {1}", "sur {1}", "en {1}"},
     {"printed {1} × {2} cm", "stampata {1} × {2} cm", "gedruckt {1} × {2} cm", "imprimée {1} × {2} cm",
      "impreso {1} × {2} cm"},
-    {"Terrain", "Terreno", "Gelände", "Terrain", "Terreno"},
     {"Base map", "Carta di base", "Hintergrundkarte", "Fond de carte", "Mapa base"},
     {"t = {1} s", "t = {1} s", "t = {1} s", "t = {1} s", "t = {1} s"},
 
@@ -53,19 +52,9 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Error estándar de las probabilidades como máximo {1} %"},
 
     // The scenario: what fails, and the values of its model.
-    {"Inflow", "Afflusso", "Zufluss", "Apport", "Aporte"},
     {"bed friction {1}", "attrito al fondo {1}", "Sohlreibung {1}", "frottement au lit {1}", "fricción del lecho {1}"},
     {"{1} by place", "{1} secondo il luogo", "{1} je nach Ort", "{1} selon le lieu", "{1} según el lugar"},
-    {"friction angle", "angolo di attrito", "Reibungswinkel", "angle de frottement", "ángulo de fricción"},
-    {"friction coefficient", "coefficiente di attrito", "Reibungsbeiwert", "coefficient de frottement",
-     "coeficiente de fricción"},
-    {"turbulence", "turbolenza", "Turbulenz", "turbulence", "turbulencia"},
     {"no turbulence", "senza turbolenza", "ohne Turbulenz", "sans turbulence", "sin turbulencia"},
-    {"yield stress", "tensione di snervamento", "Fließspannung", "seuil de contrainte", "tensión de fluencia"},
-    {"density", "densità", "Dichte", "masse volumique", "densidad"},
-    {"cohesion", "coesione", "Kohäsion", "cohésion", "cohesión"},
-    {"internal friction angle", "angolo di attrito interno", "innerer Reibungswinkel", "angle de frottement interne",
-     "ángulo de fricción interna"},
     {"bed friction angle", "angolo di attrito al fondo", "Sohlreibungswinkel", "angle de frottement au lit",
      "ángulo de fricción del lecho"},
     {"grain density", "densità dei grani", "Korndichte", "masse volumique des grains", "densidad de los granos"},

@@ -38,7 +38,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Distance of the outlines, mean", "Distanza dei perimetri, media", "Abstand der Umrisse, Mittel",
      "Distance des contours, moyenne", "Distancia de los contornos, media"},
     {"Distance of the outlines, 95 %", "Distanza dei perimetri, 95 %", "Abstand der Umrisse, 95 %",
-     "Distance des contours, 95 %", "Distancia de los contornos, 95 %"},
+     "Distance des contours, 95\u202F%", "Distancia de los contornos, 95 %"},
     {"Distance of the outlines, greatest (Hausdorff)", "Distanza dei perimetri, massima (Hausdorff)",
      "Abstand der Umrisse, größter (Hausdorff)", "Distance des contours, maximale (Hausdorff)",
      "Distancia de los contornos, máxima (Hausdorff)"},

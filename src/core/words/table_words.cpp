@@ -10,15 +10,16 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Values in detail", "Valori in dettaglio", "Werte im Einzelnen", "Valeurs en détail", "Valores en detalle"},
     {"High values", "Valori alti", "Hohe Werte", "Valeurs élevées", "Valores altos"},
     {"greatest", "massimo", "größter Wert", "maximum", "máximo"},
-    {"99.9 % of the area", "99,9 % dell’area", "99,9 % der Fläche", "99,9 % de la surface", "99,9 % del área"},
-    {"99 % of the area", "99 % dell’area", "99 % der Fläche", "99 % de la surface", "99 % del área"},
+    {"99.9 % of the area", "99,9 % dell’area", "99,9 % der Fläche", "99,9\u202F% de la surface", "99,9 % del área"},
+    {"99 % of the area", "99 % dell’area", "99 % der Fläche", "99\u202F% de la surface", "99 % del área"},
     {"The greatest value is that of a single cell; 99.9 % and 99 % of the area deeper than {1} m do not exceed the "
      "others, with the maximum over time in each cell.",
      "Il valore massimo è quello di una sola cella; il 99,9 % e il 99 % dell’area più profonda di {1} m non superano "
      "gli altri, con il massimo nel tempo in ogni cella.",
      "Der größte Wert ist der einer einzelnen Zelle; 99,9 % und 99 % der Fläche tiefer als {1} m überschreiten die "
      "anderen nicht, mit dem zeitlichen Höchstwert in jeder Zelle.",
-     "La valeur maximale est celle d’une seule maille\u202F; 99,9 % et 99 % de la surface de plus de {1} m ne "
+     "La valeur maximale est celle d’une seule maille\u202F; 99,9\u202F% et 99\u202F% de la surface de plus de {1} m "
+     "ne "
      "dépassent pas les autres, avec le maximum dans le temps de chaque maille.",
      "El valor máximo es el de una sola celda; el 99,9 % y el 99 % del área más profunda que {1} m no superan los "
      "otros, con el máximo en el tiempo de cada celda."},

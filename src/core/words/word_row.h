@@ -23,6 +23,8 @@ std::span<const WordRow> physics_words();  ///< laws, materials, ends of a run
 std::span<const WordRow> answer_words();   ///< the answer and the maps of a report
 std::span<const WordRow> table_words();    ///< tables of a report
 std::span<const WordRow> score_words();    ///< scores of a comparison
+std::span<const WordRow> chart_words();    ///< charts, plates and films
+std::span<const WordRow> study_words();    ///< studies, calibrations, layers of GIS projects
 
 /// Returns all tables.
 std::vector<std::span<const WordRow>> word_tables();

@@ -4,7 +4,8 @@
 namespace frana {
 
 std::vector<std::span<const WordRow>> word_tables() {
-    return {map_words(), raster_words(), class_words(), physics_words(), answer_words(), table_words(), score_words()};
+    return {map_words(),   raster_words(), class_words(), physics_words(), answer_words(),
+            table_words(), score_words(),  chart_words(), study_words()};
 }
 
 }  // namespace frana

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "gis/raster/raster_text.h"
 #include "support/program.h"
 #include "support/tiny_scene.h"
 
@@ -40,6 +41,18 @@ TEST_F(Languages, AMapIsInTheLanguageOfTheKeyAndOfTheOption) {
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_NE(unknown.err.find("--language"), std::string::npos) << unknown.err;
     EXPECT_NE(unknown.err.find("en, it, de, fr, es"), std::string::npos) << unknown.err;
+}
+
+TEST_F(Languages, ChartsAndStylesAreInTheLanguageAndDataStayEnglish) {
+    run("language = es\n");
+    for (const char* text : {"series temporales del flujo", "Velocidad máxima", "tiempo [s]", "velocidad [m/s]"})
+        EXPECT_TRUE(has("result/charts/timeseries.svg", text)) << text;
+    EXPECT_TRUE(has("result/charts/profile_flow_path.svg", "perfil a lo largo de la trayectoria del flujo"));
+    EXPECT_TRUE(has("result/max_depth.sld", "Profundidad máxima"));
+    EXPECT_TRUE(has("result/timeseries.csv", "max_speed_ms"));
+    EXPECT_TRUE(has("result/log.txt", "volume"));
+    const gis::RasterText band = gis::read_raster_text(path("result/max_depth.tif"));
+    EXPECT_EQ(band.description.find("max_depth: Maximum flow depth"), 0U) << band.description;
 }
 
 TEST_F(Languages, TheLocaleOfTheRunIsKeptInTheResult) {

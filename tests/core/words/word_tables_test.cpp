@@ -12,6 +12,7 @@
 
 #include "core/words/word_row.h"
 #include "params/keys/result_rasters.h"
+#include "simulation/run_statistics.h"
 
 namespace frana {
 namespace {
@@ -81,6 +82,8 @@ std::map<std::string, std::string> shown_texts() {
     }
     for (const ResultRaster& row : result_rasters())
         texts.emplace(text_for(row, row.title, row.name + "_{1}"), "src/params/keys/result_rasters.cpp");
+    for (const RunStatistic& row : k_run_statistics)
+        if (is_reported(row)) texts.emplace(row.title, "src/simulation/run_statistics.h");
     return texts;
 }
 
