@@ -67,15 +67,17 @@ debian_package(qgis "run-out of landslides: plugin for QGIS"
   "frana's commands as algorithms of the Processing toolbox. 'frana qgis-plugin
 --install' puts them into a user's profile." DEPENDS frana RECOMMENDS qgis)
 
-set(library libfrana${PROJECT_VERSION_MAJOR})
-debian_package(library "run-out of landslides: library"
-  "The engine of frana for other programs: a scene in, a result out." NAME ${library} SECTION libs CODE)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
-debian_package(dev "run-out of landslides: header of the library"
-  "The header of the engine of frana, and what CMake needs to find it." NAME libfrana-dev SECTION libdevel
-  DEPENDS "${library} (= ${PROJECT_VERSION})")
-set(CPACK_DEBIAN_DEV_PACKAGE_ARCHITECTURE)
+if(TARGET frana_library)
+  set(library libfrana${PROJECT_VERSION_MAJOR})
+  debian_package(library "run-out of landslides: library"
+    "The engine of frana for other programs: a scene in, a result out." NAME ${library} SECTION libs CODE)
+  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
+  debian_package(dev "run-out of landslides: header of the library"
+    "The header of the engine of frana, and what CMake needs to find it." NAME libfrana-dev SECTION libdevel
+    DEPENDS "${library} (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_DEV_PACKAGE_ARCHITECTURE)
+endif()
 if(TARGET frana_python)
   find_package(Python REQUIRED COMPONENTS Interpreter)
   math(EXPR next "${Python_VERSION_MINOR} + 1")

@@ -44,7 +44,8 @@ void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std
     std::map<std::string, std::pair<Problem, std::size_t>> counts;  // by words
     std::vector<std::vector<std::string>> of_slope(slopes.size());
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-        for (const Problem& problem : scene_of(i).problems.list()) {
+        const SceneReading scene = scene_of(i);
+        for (const Problem& problem : scene.problems.list()) {
             const std::string words = problem.where + problem.what;
             ++counts.try_emplace(words, problem, 0).first->second.second;
             of_slope[i].push_back(words);

@@ -64,6 +64,27 @@ ClassSpec ResultReader::classes() const {
     return scene.output.classes;
 }
 
+MapStyle ResultReader::style() const {
+    MapStyle style;
+    style.words = words_;
+    if (const auto size = size_from_text(scene_value("output.map-size").value_or(""))) style.size = *size;
+    if (const auto formats = scene_value("output.map-formats")) style.formats = words_of(*formats);
+    style.continuous = scene_value("output.map-legend") == "continuous";
+    style.background = scene_value("output.map-background").value_or("");
+    style.attribution = scene_value("output.map-attribution").value_or("");
+    style.background_licence = scene_value("output.map-background-licence").value_or("");
+    if (const auto scale = scene_value("output.map-scale")) style.scale = number_from_text(*scale);
+    style.author = scene_value("output.map-author").value_or("");
+    style.organisation = scene_value("output.map-organisation").value_or("");
+    style.logo = scene_value("output.map-logo").value_or("");
+    style.date = date_on_maps(scene_value("output.map-date"), run_date());
+    style.exaggeration = scene_number("output.view-exaggeration", style.exaggeration);
+    style.sky = scene_value("output.view-background") != "plain";
+    if (const auto camera = camera_from_text(scene_value("output.view-camera").value_or("")))
+        style.camera = render::Camera{camera->azimuth, camera->elevation, camera->zoom};
+    return style;
+}
+
 std::string ResultReader::run_date() const {
     const std::optional<Json> summary = has(k_summary_file) ? read_json_file(path(k_summary_file)) : std::nullopt;
     return summary ? value_in<std::string>(*summary, "/date").value_or("") : "";
