@@ -17,7 +17,7 @@ packages=(
 # the Python module.
 test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4
   python3-jsonschema zsh man-db mandoc chromium
-  pybind11-dev python3-dev python3-numpy python3-gdal)
+  pybind11-dev python3-dev python3-numpy python3-gdal qgis python3-qgis qgis-providers)
 
 # To make Debian packages.
 package_packages=(dpkg-dev file pybind11-dev python3-dev python3-numpy)

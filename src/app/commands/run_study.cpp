@@ -145,6 +145,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.study.file + ", " +
              std::to_string(threads) + " threads");
     StudyInput input = prepare_study(std::move(texts), place_problem, log);
+    input.base.result_folder = target;
     if (may_be_complete && is_complete(input.identity, target)) {
         log.info("the study is complete: " + target);
         remove_working_files(target, false, log);

@@ -73,7 +73,7 @@ void for_each_value(const Raster& part, const GridSpec& all, const Visit& visit)
 }
 
 Raster placed(const Raster& part, const GridSpec& all) {
-    Raster whole(all);
+    Raster whole(all, k_no_data);
     for_each_value(part, all, [&](std::size_t cell, double value) { whole.values[cell] = value; });
     return whole;
 }
@@ -115,7 +115,7 @@ void add_second(MapSource& source, const MapSource& second, const GridSpec& all)
     if (source.terrain.grid.columns > 0)
         for_each_value(source.terrain, all, [&](std::size_t cell, double value) { terrain.values[cell] = value; });
     source.terrain = std::move(terrain);
-    Raster extent(all);
+    Raster extent(all, k_no_data);
     const auto add = [&](const Raster& one) {
         if (one.grid.columns == 0) return;
         for_each_value(one, all, [&](std::size_t cell, double value) { extent.values[cell] = value; });
@@ -137,8 +137,8 @@ DifferenceMap difference_map(const ResultReader& first, const ResultReader& seco
     const MapSource other = second.map_source();
     const bool both = a.palette == "time";  // a time without flow is not 0
     MapLayer& layer = map.layer;
-    layer.values = Raster(all);
-    Raster seen(all);
+    layer.values = Raster(all, k_no_data);
+    Raster seen(all, k_no_data);
     for_each_value(a.values, all, [&](std::size_t cell, double value) {
         if (!both) layer.values.values[cell] = value;
         seen.values[cell] = value;

@@ -94,7 +94,9 @@ std::string recorded_inputs(const Prepared& prepared) {
         for (const fs::path& part : parts_of(file)) {
             const FileMark mark = mark_at(part);
             json["files"].push_back({{"key", named.key},
-                                     {"file", escaped_name(relative_path(part.string(), prepared.result_folder))},
+                                     {"file", escaped_name(prepared.result_folder.empty()
+                                                               ? part.string()
+                                                               : relative_path(part.string(), prepared.result_folder))},
                                      {"place", escaped_name(part.string())},
                                      {"bytes", mark.bytes},
                                      {"xxh128", mark.checksum.empty() ? Json() : Json(mark.checksum)}});
