@@ -29,6 +29,9 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Intensity, scenario {1}", "Intensità, scenario {1}", "Intensität, Szenario {1}", "Intensité, scénario {1}",
      "Intensidad, escenario {1}"},
 
+    {"Slopes", "Versanti", "Hänge", "Versants", "Laderas"},
+    {"Zones of hazard", "Zone di pericolo", "Gefahrenzonen", "Zones de danger", "Zonas de peligro"},
+
     // Degrees of hazard: src/analysis/hazard_degree.cpp.
     {"Degree of hazard", "Grado di pericolo", "Gefahrenstufe", "Degré de danger", "Grado de peligro"},
     {"Degree of hazard from intensity and return period", "Grado di pericolo da intensità e tempo di ritorno",

@@ -165,8 +165,8 @@ TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
          {"output.formats: netcdf and zarr contain the frames, but the scene writes none",
           "output.formats: ascii is a format of the AvaFrame rasters",
           "output.sample-interval: has no effect: there are no gauges or cross-sections",
-          "output.map-scale: needs a paper size: pixels have no scale until they are printed: "
-          "5000 (limit: A4, A3",
+          "output.map-scale: needs a paper size: pixels have no scale until they are printed (value "
+          "5000; allowed A4, A3",
           "output.map-background-licence: has no effect: there is no output.map-background",
           "hazard.scheme: scheme custom needs limits"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
