@@ -65,7 +65,7 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
     source.title = output.title.value_or(ground.event.name);
     const auto number = [&](double value) { return source.style.words.number(number_text(value, 3)); };
     source.subtitle = source.style.words("{1} runs weighted by the surveys, effective number {2}",
-                                   {std::to_string(ground.members.size()), number(result.effective)});
+                                         {std::to_string(ground.members.size()), number(result.effective)});
     source.notes = {source.style.words("Deeper than {1} m counts", {number(ground.threshold)})};
     source.terrain = part_of(base.scene.terrain, ground.window);
     const GridSpec& grid = source.terrain.grid;
@@ -80,8 +80,8 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
     source.scar = surveyed(base).survey.scar;
     if (const auto best = study::read_record(record_file(ground.runs.records, result.best))) {
         const Raster depth = best->raster(study::Quantity::depth, grid);
-        source.marks.push_back(
-            {source.style.words("Best run"), gis::polygonise(trace_mask(depth, ground.threshold)), k_best_colour, 1.8, true});
+        source.marks.push_back({source.style.words("Best run"), gis::polygonise(trace_mask(depth, ground.threshold)),
+                                k_best_colour, 1.8, true});
     }
     if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
     source.style.formats = output.map_formats;
@@ -106,7 +106,8 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
         directory.make_folder("maps");
         try {
             const MapSource source = source_of(ground, result);
-            MapLayer layer = read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
+            MapLayer layer =
+                read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
             LayerDrawer(source).draw(layer, false, directory.path("maps/" + name));
             log.note("drew maps/" + name);
         } catch (const Error& error) {

@@ -25,6 +25,7 @@
 #include "app/input/thin_release.h"
 #include "app/process/machine_memory.h"
 #include "app/process/terminal.h"
+#include "app/publish/publish_pictures.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
@@ -179,7 +180,10 @@ int cmd_check(const Arguments& arguments) {
     const std::optional<Problem> place_problem = check_result_directory(
         directory, true, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
     const Prepared prepared = prepare(reading, place_problem, log);
-    const std::int64_t in_use = resident_memory();
+    // The libraries that draw are loaded by a run alone, unless their addresses count: where the shell limits these.
+    const bool loads = std::isfinite(address_room());
+    if (loads) load_drawing(prepared.spec.output);
+    const std::int64_t in_use = resident_memory() + (loads ? 0 : drawing_library_bytes(prepared.spec.output));
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
     const std::int64_t memory = memory_of_run(prepared, in_use, expected, trial);

@@ -37,7 +37,7 @@ void add(TextTable& table, const UsedFile& file) {
 std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
     TextTable table({{"Input", 24},
                      {"CRS", 22},
-                     {"Extent (west south, east north)", 24},
+                     {"Extent (west south, east north)", 31},
                      {"Resolution, content", 22},
                      {"No data", 14},
                      {"Operation to the working CRS", 34},

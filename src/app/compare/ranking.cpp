@@ -84,7 +84,7 @@ std::vector<std::string> Ranking::varied() const {
 std::string Ranking::table(std::size_t width) const {
     const std::vector<std::string> keys = varied();
     std::vector<TextTable::Column> columns{{"rank", 4, true}, {"folder", 30}};
-    for (const std::string& key : keys) columns.push_back({key, 24});
+    for (const std::string& key : keys) columns.push_back({key, 40});
     for (const char* title :
          {"Jaccard index", "area difference [%]", "hits of observed [%]", "run-out difference [m]", "front [m]"})
         columns.push_back({title, 12, true});

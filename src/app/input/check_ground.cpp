@@ -27,8 +27,9 @@ std::string ground_text(const GroundStatistics& ground) {
 std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
     GroundSum sum(scene.terrain);
     for (const ReleaseArea& area : scene.release)
-        gis::visit_cells(area.outline, scene.grid, gis::Cover::centres,
-                         [&](std::int64_t row, std::int64_t column) { sum.add(row, column); });
+        for (const Polygon& polygon : area.outline)  // one at a time: memory is that of the window round it
+            gis::visit_cells({polygon}, scene.grid, gis::Cover::centres,
+                             [&](std::int64_t row, std::int64_t column) { sum.add(row, column); });
     return sum.statistics();
 }
 

@@ -136,12 +136,21 @@ void draw_animation(const ResultReader& written, const MapSource& source, Drawin
     });
 }
 
+/// Whether a run needs the library that draws pictures and writes tables of particles.
+bool draws(const OutputSpec& output) {
+    return output.animation || output.maps.front() != "off" || particle_formats(output.formats).vtp;
+}
+
 }  // namespace
 
 void load_drawing(const OutputSpec& output) {
-    const bool animation = output.animation;
-    if (animation || output.maps.front() != "off" || particle_formats(output.formats).vtp) render::vtk();
-    if (animation) render::libav();
+    if (draws(output)) render::vtk();
+    if (output.animation) render::libav();
+}
+
+std::int64_t drawing_library_bytes(const OutputSpec& output) {
+    constexpr std::int64_t k_vtk_bytes = 66'000'000, k_libav_bytes = 21'000'000;
+    return (draws(output) ? k_vtk_bytes : 0) + (output.animation ? k_libav_bytes : 0);
 }
 
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {

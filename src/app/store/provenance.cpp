@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/provenance.h"
 
+#include <filesystem>
+
 #include "app/text/text_hash.h"
 #include "app/text/version.h"
 #include "core/utf8.h"
@@ -34,11 +36,27 @@ std::string echoed_scene_here(const Prepared& prepared) {
     return scene_text(spec, prepared.resolved);
 }
 
+namespace {
+
+/// The scene with the names of its files alone: the same wherever they and the result lie.
+std::string scene_without_places(const Prepared& prepared) {
+    Prepared named;
+    named.spec = prepared.spec;
+    for (const Parameter& parameter : scene_parameters())
+        if (parameter.reads_files())
+            parameter.map_files(
+                named.spec, [](const std::string& path) { return std::filesystem::path(path).filename().string(); });
+    named.resolved = prepared.resolved;
+    return echoed_scene_here(named);
+}
+
+}  // namespace
+
 std::map<std::string, std::string> provenance(const Prepared& prepared) {
     return {{"PROGRAM", k_program},
             {"VERSION", k_version},
             {"SCENE", valid_utf8(scene_name(prepared.spec))},
-            {"SCENE_HASH", text_hash(echoed_scene(prepared))},
+            {"SCENE_HASH", text_hash(scene_without_places(prepared))},
             {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}};
 }
 

@@ -20,7 +20,7 @@ TEST_F(Document, OfCheckSaysWhatWouldRun) {
     EXPECT_EQ(json.at("exit_code"), 0);
     EXPECT_EQ(json.at("scene"), path("scene.ini"));
     EXPECT_EQ(json.at("inputs").at(0).at("role"), "DTM");
-    EXPECT_NE(json.at("inputs").at(0).at("crs").get<std::string>().find("32632"), std::string::npos);
+    EXPECT_NE(json.at("inputs").at(0).at("crs").get<std::string>().find("UTM zone 32N"), std::string::npos);
     EXPECT_EQ(json.at("grid").at("columns"), k_columns);
     EXPECT_EQ(json.at("grid").at("cell_size_m"), k_cell);
     EXPECT_EQ(json.at("release").at("area_m2"), 2000);

@@ -100,8 +100,10 @@ TEST_F(Modules, AreFoundWhereTheyAreInstalled) {
     fs::create_directories(path("moved"));
     fs::rename(path("bin"), path("moved/bin"));
     fs::rename(path("elsewhere"), path("moved/lib"));
+    fs::rename(path("share"), path("moved/share"));
     StartedProgram moved(folder_.string(), {"check", "study.ini"}, path("moved/bin/frana"));
-    EXPECT_EQ(moved.wait().exit_code, 0);
+    const Outcome there = moved.wait();
+    EXPECT_EQ(there.exit_code, 0) << there.err;
 }
 
 TEST_F(Modules, ADamagedOneIsNamed) {

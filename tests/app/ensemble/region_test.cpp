@@ -93,7 +93,7 @@ TEST_F(Region, UnionIsTheGreatestOfTheRunsOnTheirWindows) {
         depth.push_back(raster("alone/max_depth.tif"));
         velocity.push_back(raster("alone/max_velocity.tif"));
         pressure.push_back(raster("alone/max_pressure.tif"));
-        EXPECT_LT(depth.back().grid.rows, k_rows) << "no window";
+        EXPECT_LT(depth.back().grid.columns, k_columns) << "no window";
     }
     const Raster all = raster("out/union_max_depth.tif"), fast = raster("out/union_max_velocity.tif"),
                  hard = raster("out/union_max_pressure.tif"), hits = raster("out/hit_count.tif"),

@@ -198,7 +198,8 @@ TEST_F(ChangedInput, IsNotResumedAndNotCalledComplete) {
     for (const std::string result : {"begun", "done"}) {
         const Outcome outcome = frana(run(result, with({"--resume"})));
         EXPECT_EQ(outcome.exit_code, 2) << result << outcome.err;
-        EXPECT_NE(outcome.err.find("the content of Scar differs"), std::string::npos) << result << outcome.err;
+        EXPECT_NE(outcome.err.find("the content of Observed outline differs"), std::string::npos)
+            << result << outcome.err;
     }
 }
 

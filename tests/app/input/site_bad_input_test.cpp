@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"release.slip-depth", "contradicts release.volume"},
                     "release.thickness=slip-surface"},
         SiteProblem{"difference_measured_normal",
-                    "[release]\nthickness-direction = normal\n",
+                    "[release]\nthickness-direction = normal\ndtm-contains-release = on\n",
                     {"release.thickness-direction", "vertical"},
                     "release.thickness=difference:dtm.asc,one.asc"},
         SiteProblem{"start_attribute_missing",
