@@ -159,6 +159,8 @@ class Runs(unittest.TestCase):
         scene["time.stop-when-still"] = False
         scene["time.stop-change"] = 0
         scene["time.frame-interval"] = 3600
+        # Whoever started this in the background may have made it deaf to the signal.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         for work in (lambda: frana.run(scene), lambda: list(frana.run_frames(scene))):
             timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
             timer.start()

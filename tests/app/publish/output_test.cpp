@@ -78,7 +78,7 @@ TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
     run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\nnames = avaframe\n[hazard]\nscheme = "
         "swiss-flood\n"
         "[scar]\nperimeter = scar.geojson\n");
-    const std::string hash = app::text_hash(text("scene.ini"));
+    const std::string hash = json_text(text("manifest.json"), "scene_hash");
     EXPECT_EQ(hash.size(), 36U);
     int rasters = 0;
     const gis::GdalSession session;
