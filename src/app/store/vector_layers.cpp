@@ -27,6 +27,9 @@ const std::vector<VectorLayer>& vector_layers() {
     static const std::vector<VectorLayer> k_table{
         {k_gauge_places, "gauges", "Gauges", Shape::point, {{150, 0, 60}, 2.5, false, k_name}},
         {k_gauge_places, "sections", "Cross-sections", Shape::line, {{70, 50, 120}, 0.6, false, k_name}},
+        {k_exposure_file, "exposure_points", "Exposed places", Shape::point, {k_exposed_colour, 2, false, ""}},
+        {k_exposure_file, "exposure_lines", "Exposed lines", Shape::line, {k_exposed_colour, 0.6, false, ""}},
+        {k_exposure_file, "exposure_areas", "Exposed areas", Shape::area, {k_exposed_colour, 0.5, false, ""}},
         {k_outlines_file, "scar", "Surveyed outline", Shape::area, {k_scar_colour, 0.7, false, ""}},
         {k_outlines_file, "release", "Release", Shape::area, {k_release_colour, 0.6, true, k_name}},
         {k_outlines_file, "deposit", "Outline of the deposit", Shape::area, {{120, 70, 0}, 0.4, false, ""}},
