@@ -17,6 +17,7 @@ Scene scene_of(const StudyInput& input, const MemberTask& task) {
     SceneReading reading = input.scene_with(task.overrides);
     reading.scene.observed = {};  // read once, for the maps
     reading.scene.output.profiles.reset();
+    reading.scene.output.exposure.reset();
     if (const auto& region = input.reading.study.region) cut_terrain(*region, reading, silent);
     Scene scene = prepare(reading, silent).scene;
     scene.time.frame_interval = 0;
@@ -36,7 +37,7 @@ std::optional<study::MemberRecord> run_member(const StudyInput& input, const Mem
         const RunResult result = run(scene, options);
         if (result.stop_reason == StopReason::requested) return std::nullopt;
         study::RecordExtras extras = record_extras(input.base.spec);
-        extras.pressure = extras.pressure || input.reading.study.per_polygon();
+        extras.pressure = extras.pressure || input.reading.study.per_polygon() || input.base.extra.exposure;
         extras.final_depth = input.keeps_final_depth;
         return study::record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
     } catch (const Error& error) {

@@ -9,6 +9,7 @@
 #include "analysis/trace.h"
 #include "app/ensemble/publish_union.h"
 #include "app/ensemble/study_charts.h"
+#include "app/ensemble/study_exposure.h"
 #include "app/ensemble/study_files.h"
 #include "app/ensemble/study_report.h"
 #include "app/ensemble/study_result.h"
@@ -156,6 +157,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     facts.threads = study.threads;
     facts.computed = study.computed;
     std::vector<FigureSensitivity> figures;
+    const Bounds map = computed_ground(input);
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
         if (input.reading.study.per_polygon()) {
@@ -169,6 +171,10 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);
         }
         write_member_outlines(input, result, directory.folder(), directory.path(k_member_outlines));
+        facts.exposure = publish_study_exposure(input, result, map, directory);
+        if (facts.exposure)
+            log.info(exposure_sentence(*facts.exposure, input.base.spec.output.exposure_count.has_value()) +
+                     (input.slopes.empty() ? " by at least one run" : " by at least one slope"));
     }
     write_text_file(directory.path(k_member_table), members_csv(input, result));
     if (!input.reading.study.per_polygon())

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/publish/summary.h"
 #include "app/text/csv_cell.h"
 #include "app/text/version.h"
 #include "core/json.h"
@@ -156,6 +157,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     Json& failures = json["failures"] = Json::array();
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
+    if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
     json["warnings"] = facts.warnings;
     return json_text(json);
 }

@@ -8,6 +8,7 @@
 #include "app/ensemble/level_rounds.h"
 #include "app/ensemble/median_member.h"
 #include "app/ensemble/study_result.h"
+#include "app/publish/publish_exposure.h"
 
 namespace frana::app {
 
@@ -21,6 +22,7 @@ struct StudyFacts {
     study::MapError error;  ///< of all maps of probability
     std::optional<MedianMember> median;
     std::vector<LevelSummary> levels;  ///< of a multilevel study
+    std::optional<ExposureTotals> exposure;
     double wall_seconds = 0;
     std::size_t computed = 0;  ///< members in this session
     int threads = 1;

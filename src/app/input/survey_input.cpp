@@ -197,6 +197,13 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
             files.push_back(used_picture("Logo", *logo, gis::read_logo(*logo, where).checksum));
         });
     }
+    if (const auto& exposed = output.exposure) {
+        attempt([&] {
+            extra.exposure = gis::read_exposed(*exposed, grid.crs_wkt, reading.where("output.exposure"),
+                                               output.exposure_name.value_or(""), output.exposure_count.value_or(""));
+            files.push_back(used_exposed(*exposed, *extra.exposure));
+        });
+    }
     if (const auto& front = reading.scene.observed.front) {
         attempt([&] {
             const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));

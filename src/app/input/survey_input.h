@@ -9,6 +9,7 @@
 #include "app/text/run_log.h"
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
+#include "gis/vector/exposed_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
 #include "params/scene/read_scene.h"
@@ -46,12 +47,13 @@ UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::s
 /// Returns the polygons of all features of a layer.
 MultiPolygon parts_of(const std::vector<PolygonFeature>& features);
 
-/// Recordings and comparisons of a run besides its release, from the keys output.gauges, cross-sections, profiles and
-/// scar.front, deposit.
+/// Recordings, comparisons and exposed features of a run besides its release, from the keys output.gauges,
+/// cross-sections, profiles, exposure and scar.front, deposit.
 struct ExtraInput {
     Recording recording;
     std::vector<gis::NamedLine> profiles;
     Survey survey;  ///< without the scar, which is read with the release
+    std::optional<gis::ExposedLayer> exposure;
 };
 
 /// Reads them for a working grid. Adds every problem to `problems`, including places outside the grid, and the files

@@ -76,6 +76,17 @@ UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPo
     return file;
 }
 
+UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer) {
+    UsedFile file =
+        positioned("Exposed features", path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
+    file.layer = layer.layer_name;
+    file.content = counted(layer.features.size(), "feature");
+    for (const gis::ExposedFeature& one : layer.features)
+        file.checksum.add_all(one.name, one.count.value_or(-1), one.shape.areas, one.shape.lines, one.shape.points,
+                              one.numbers, one.texts);
+    return file;
+}
+
 UsedFile used_picture(const std::string& role, const std::string& path, std::uint32_t content) {
     UsedFile file;
     file.role = role;

@@ -7,6 +7,7 @@
 
 #include "app/input/checksum.h"
 #include "gis/raster/raster_in.h"
+#include "gis/vector/exposed_in.h"
 #include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
@@ -36,6 +37,7 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer);
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);
 UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points);
+UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer);
 /// `content`: its checksum.
 UsedFile used_picture(const std::string& role, const std::string& path, std::uint32_t content);
 

@@ -11,6 +11,7 @@
 #include "app/input/thickness_volume.h"
 #include "app/input/thin_release.h"
 #include "app/publish/publish_exchange.h"
+#include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_pictures.h"
 #include "app/publish/publish_project.h"
@@ -170,6 +171,20 @@ void log_accuracy(const AccuracyRecord& record, RunLog& log) {
     }
 }
 
+/// Writes what the flow does to the exposed features, if there are any.
+std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const RunResult& result,
+                                               const ResultDirectory& directory) {
+    const auto& layer = prepared.extra.exposure;
+    if (!layer) return std::nullopt;
+    const Raster& terrain = prepared.scene.terrain;
+    const bool is_known = !terrain.values.is_tiled() && terrain.grid.same_cells(result.max_depth.grid);
+    const ExposureRasters rasters{&result.max_depth, &result.max_velocity, &result.max_pressure, &result.arrival_time,
+                                  is_known ? &terrain : nullptr};
+    const auto cells = exposed_cells(*layer, result.max_depth.grid);
+    return write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
+                          prepared.scene.grid.crs_wkt, directory);
+}
+
 /// Writes the comparison with the survey, if there is one. A survey that cannot be compared does not fail the run: it
 /// is a warning.
 std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, RunLog& log) {
@@ -217,6 +232,8 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     publish_series(prepared, result, directory);
     publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.hazard = publish_hazard(prepared, result, directory);
+    facts.exposure = publish_exposure(prepared, result, directory);
+    if (facts.exposure) log.info(exposure_sentence(*facts.exposure, prepared.spec.output.exposure_count.has_value()));
     publish_avaframe(prepared, result, directory, log);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
     publish_frame_stacks(prepared, directory);

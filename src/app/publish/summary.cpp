@@ -34,6 +34,7 @@ void add_hazard(Json& json, const SummaryFacts& facts) {
                                   {"label", area.kind.name},
                                   {"thresholds", area.kind.thresholds},
                                   {"area_m2", area.area_m2}});
+    if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
 }
 
 void add_cost(Json& json, const RunResult& result, const SummaryFacts& facts) {
@@ -56,6 +57,14 @@ std::int64_t peak_memory_bytes() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+Json exposure_json(const ExposureTotals& totals) {
+    return {{"features", totals.features},
+            {"reached", totals.reached},
+            {"off_map", totals.off_map},
+            {"count", totals.count},
+            {"count_reached", totals.count_reached}};
 }
 
 std::string summary_json(const RunResult& result, const SummaryFacts& facts) {

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/accuracy_record.h"
 #include "app/store/main_statistics.h"
+#include "core/json.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/run_summary.h"
@@ -32,10 +34,14 @@ struct SummaryFacts {
     PeakStatistics high;                                          ///< over that trace
     std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
     std::vector<HazardArea> hazard;                               ///< empty: no scheme
+    std::optional<ExposureTotals> exposure;                       ///< none: no exposed features
     std::vector<std::string> warnings;
     std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data
 };
+
+/// Returns the sums over exposed features for it.
+Json exposure_json(const ExposureTotals& totals);
 
 /// Returns summary.json.
 std::string summary_json(const RunResult& result, const SummaryFacts& facts);

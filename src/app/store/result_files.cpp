@@ -64,9 +64,10 @@ std::vector<ResultFile> make_table() {
         table.add(FileKind::working, {folder + "/frames.csv", folder + "/particles.pvd"});
     }
     table.add_rasters();
-    table.add(FileKind::vector, {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file});
+    table.add(FileKind::vector,
+              {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file, k_exposure_file});
     table.add_styles(k_hazard_zones_file);
-    table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table});
+    table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table, k_exposure_table});
     table.add(FileKind::page, {k_report_file});
     table.add(FileKind::style, {k_project_file});
     table.add(FileKind::table, {k_frame_list, k_particle_list});

@@ -51,6 +51,8 @@ inline constexpr const char* k_profile_lines = "profiles.gpkg";
 inline constexpr const char* k_gauge_table = "gauges.csv";
 inline constexpr const char* k_section_table = "sections.csv";
 inline constexpr const char* k_gauge_places = "gauges.gpkg";
+inline constexpr const char* k_exposure_table = "exposure.csv";
+inline constexpr const char* k_exposure_file = "exposure.gpkg";
 inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
 inline constexpr const char* k_degree_zones_file = "hazard_degree_zones.gpkg";
 /// Items of a raster's metadata, numbered from 1: the limits of the intensities behind its classes.

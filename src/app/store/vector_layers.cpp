@@ -28,6 +28,9 @@ const std::vector<VectorLayer>& vector_layers() {
     static const std::vector<VectorLayer> k_table{
         {k_gauge_places, "gauges", worded("Gauges"), Shape::point, {{150, 0, 60}, 2.5, false, k_name}},
         {k_gauge_places, "sections", worded("Cross-sections"), Shape::line, {{70, 50, 120}, 0.6, false, k_name}},
+        {k_exposure_file, "exposure_points", worded("Exposed places"), Shape::point, {k_exposed_colour, 2, false, ""}},
+        {k_exposure_file, "exposure_lines", worded("Exposed lines"), Shape::line, {k_exposed_colour, 0.6, false, ""}},
+        {k_exposure_file, "exposure_areas", worded("Exposed areas"), Shape::area, {k_exposed_colour, 0.5, false, ""}},
         {k_outlines_file, "scar", worded("Surveyed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
         {k_outlines_file, "release", worded("Release"), Shape::area, {k_release_colour, 0.6, true, k_name}},
         {k_outlines_file, "deposit", worded("Outline of the deposit"), Shape::area, {{120, 70, 0}, 0.4, false, ""}},

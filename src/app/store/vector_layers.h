@@ -13,6 +13,7 @@ namespace frana::app {
 // Release and survey must be distinguishable from each other and from every palette.
 inline constexpr Rgb k_release_colour{20, 20, 20};
 inline constexpr Rgb k_scar_colour{0, 160, 220};
+inline constexpr Rgb k_exposed_colour{120, 30, 140};
 /// Of outlines of probability.
 inline constexpr Rgb k_unlikely_colour{90, 90, 90}, k_even_chance_colour{20, 20, 20}, k_likely_colour{150, 0, 60};
 

@@ -174,6 +174,8 @@ struct OutputSpec {
     std::vector<double> depth_thresholds{0.1, 0.5, 2};
     std::vector<double> velocity_thresholds{1, 5};
     std::vector<double> pressure_thresholds;
+    std::optional<std::string> exposure;  ///< buildings, roads, people
+    std::optional<std::string> exposure_name, exposure_count;
 };
 
 /// [hazard]

@@ -133,6 +133,7 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
         {"output.gauges", {scene, {shape}, point}},
         {"output.cross-sections", {scene, {shape}, line}},
         {"output.profiles", {scene, {shape}, line}},
+        {"output.exposure", {scene, {shape}, point}},
         {"observed.perimeter", {scene, {shape}, box(30)}},
         {"observed.front", {scene, {shape}, line}},
         {"observed.deposit", {scene, {shape}, box(100)}},

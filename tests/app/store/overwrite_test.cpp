@@ -55,7 +55,9 @@ void Overwrite::make_studies() const {
     write_scene(k_numbers_only + "pressure-thresholds = 5\n[hazard]\nscheme = swiss-debris-flow\n");
     write("study.ini", "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n" + two_keys);
     write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
-    write("region.ini", "[region]\nscene = scene.ini\nscenario = depth\nreturn-period = depth\nwindow = 120\n");
+    write("region.ini",
+          "[region]\nscene = scene.ini\nscenario = depth\nreturn-period = depth\nwindow = 120\n[set]\n"
+          "output.exposure = perimeter.geojson\n");
     write("surveyed.ini", read_text(path("scene.ini")) + "[scar]\nperimeter = scar.geojson\n");
     write("again.ini", read_text(path("surveyed.ini")));
     const std::string few = "\nsamples = 6\nrefine = 6\n[objective]\njaccard = 1\n" + two_keys;

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish_exposure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
+#include "app/text/csv_cell.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "core/shortest_text.h"
+
+namespace frana::app {
+namespace {
+
+double greatest_in(const Raster& raster, const std::vector<std::size_t>& cells) {
+    double greatest = 0;
+    for (const std::size_t cell : cells)
+        if (const double value = raster.values[cell]; value > greatest) greatest = value;
+    return greatest;
+}
+
+double least_in(const Raster& raster, const std::vector<std::size_t>& cells) {
+    double least = k_no_data;
+    for (const std::size_t cell : cells) least = std::fmin(least, raster.values[cell]);
+    return least;
+}
+
+std::string place_text(const gis::ExposedFeature& feature, const ExposureRow& row) {
+    if (feature.shape.empty()) return "no geometry";
+    if (row.place == MapPlace::outside) return "outside the map";
+    if (!row.has_ground) return "no elevation";
+    return row.place == MapPlace::partly ? "partly outside the map" : "on the map";
+}
+
+/// An attribute with the name of a figure, or of GeoPackage's columns, gets another.
+std::string renamed(const std::string& name, const std::set<std::string>& taken) {
+    std::string lower = name;
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return taken.count(lower) > 0 || lower == "geom" ? "input_" + name : name;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> exposed_cells(const gis::ExposedLayer& layer, const GridSpec& grid) {
+    std::vector<std::vector<std::size_t>> all;
+    all.reserve(layer.features.size());
+    for (const gis::ExposedFeature& feature : layer.features) all.push_back(touched_cells(feature.shape, grid));
+    return all;
+}
+
+std::vector<ExposureValues> exposure_values(const std::vector<std::vector<std::size_t>>& cells,
+                                            const ExposureRasters& rasters) {
+    std::vector<ExposureValues> all;
+    for (const std::vector<std::size_t>& own : cells) {
+        ExposureValues& values = all.emplace_back();
+        values.depth = greatest_in(*rasters.depth, own);
+        values.velocity = greatest_in(*rasters.velocity, own);
+        values.pressure = greatest_in(*rasters.pressure, own);
+        values.arrival = least_in(*rasters.arrival, own);
+        if (rasters.terrain != nullptr && !own.empty())
+            values.has_ground = std::any_of(own.begin(), own.end(), [&](std::size_t cell) {
+                return !std::isnan(std::as_const(*rasters.terrain).values[cell]);
+            });
+    }
+    return all;
+}
+
+std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std::vector<ExposureValues>& values,
+                                       const Bounds& map) {
+    std::vector<ExposureRow> rows;
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        const gis::ExposedFeature& feature = layer.features[i];
+        ExposureRow& row = rows.emplace_back();
+        row.place = feature.shape.empty() ? MapPlace::outside : place_of(feature.shape, map);
+        row.has_ground = values[i].has_ground;
+        row.depth = row.is_on_map() ? values[i].depth : k_no_data;
+        const auto add = [&](const char* name, double value) {
+            row.numbers.emplace_back(name, row.is_on_map() ? value : k_no_data);
+        };
+        const bool reached = row.is_reached();
+        add("reached", reached ? 1 : 0);
+        add("max_depth_m", values[i].depth);
+        add("max_velocity_ms", reached ? values[i].velocity : 0);
+        add("max_pressure_kpa", reached ? values[i].pressure : 0);
+        add("arrival_s", reached ? values[i].arrival : k_no_data);
+        row.texts.emplace_back("place", place_text(feature, row));
+    }
+    return rows;
+}
+
+ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows,
+                              const std::string& crs_wkt, const ResultDirectory& directory) {
+    ExposureTotals totals;
+    std::set<std::string> taken{"fid", "feature", "exposed", "count"};
+    for (const auto& [name, value] : rows.front().numbers) taken.insert(name);
+    for (const auto& [name, value] : rows.front().texts) taken.insert(name);
+    std::string head = "feature,exposed,count", table;
+    for (const auto& [name, value] : rows.front().texts) head += "," + csv_cell(name);
+    for (const auto& [name, value] : rows.front().numbers) head += "," + csv_cell(name);
+    for (const auto& [name, value] : layer.features.front().numbers) head += "," + csv_cell(renamed(name, taken));
+    for (const auto& [name, value] : layer.features.front().texts) head += "," + csv_cell(renamed(name, taken));
+    std::vector<gis::ExposedFeature> written;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const gis::ExposedFeature& from = layer.features[i];
+        const ExposureRow& row = rows[i];
+        gis::ExposedFeature& to = written.emplace_back();
+        to.shape = from.shape;
+        const double count = from.count.value_or(1);
+        ++totals.features;
+        totals.count += count;
+        totals.reached += row.is_reached() ? 1 : 0;
+        totals.count_reached += row.is_reached() ? count : 0;
+        totals.off_map += row.is_on_map() ? 0 : 1;
+        const auto cell = [](double value) { return std::isnan(value) ? std::string() : shortest_text(value); };
+        table += std::to_string(from.fid) + "," + csv_cell(from.name) + "," + cell(count);
+        for (const auto& [name, value] : row.texts) table += "," + csv_cell(value);
+        for (const auto& [name, value] : row.numbers) table += "," + cell(value);
+        for (const auto& [name, value] : from.numbers) {
+            table += "," + cell(value);
+            to.numbers[renamed(name, taken)] = value;
+        }
+        for (const auto& [name, value] : from.texts) {
+            table += "," + csv_cell(value);
+            to.texts[renamed(name, taken)] = value;
+        }
+        table += "\n";
+        for (const auto& [name, value] : row.numbers) to.numbers[name] = value;
+        for (const auto& [name, value] : row.texts) to.texts[name] = value;
+        to.numbers["feature"] = static_cast<double>(from.fid);
+        to.numbers["count"] = count;
+        to.texts["exposed"] = from.name;
+    }
+    write_text_file(directory.path(k_exposure_table), head + "\n" + table);
+    std::map<gis::Shape, gis::StyleText> styles;
+    for (const VectorLayer& one : vector_layers())
+        if (one.file == k_exposure_file) styles[one.shape] = gis::style_of(one.name, one.shape, one.look);
+    gis::write_exposed(directory.path(k_exposure_file), crs_wkt, "exposure", written, styles);
+    return totals;
+}
+
+std::string exposure_sentence(const ExposureTotals& totals, bool has_count) {
+    std::string text = grouped(static_cast<double>(totals.reached)) + " of " +
+                       grouped(static_cast<double>(totals.features)) + " exposed features are reached";
+    if (has_count)
+        text +=
+            " (" + number_text(totals.count_reached, 6) + " of " + number_text(totals.count, 6) + " by their count)";
+    if (totals.off_map > 0)
+        text += "; of " + grouped(static_cast<double>(totals.off_map)) + " the map says nothing, see exposure.csv";
+    return text;
+}
+
+}  // namespace frana::app

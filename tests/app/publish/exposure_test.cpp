@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a flow does to buildings, roads and people.
+#include <algorithm>
+#include <cmath>
+
+#include "core/mixed_shape.h"
+#include "ensemble/tiny_study.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/raster_in.h"
+#include "gis/vector/vector_in.h"
+
+namespace frana::test {
+namespace {
+
+class Exposure : public Ensemble {
+  protected:
+    Exposure() { write_scene("stop-when-still = off\n" + k_numbers_only + k_keys); }
+
+    /// In degrees, so that nothing fits the cells by chance; corners are offsets from the DTM's corner.
+    void write_exposed() const {
+        const gis::CrsTransform to_degrees(gis::crs_from_user("EPSG:32632", ""), gis::crs_from_user("EPSG:4326", ""));
+        const auto place = [&](double x, double y) {
+            const Point p = to_degrees({k_west + x, k_south + y});
+            char text[100];
+            std::snprintf(text, sizeof text, "[%.12f, %.12f]", p.x, p.y);
+            return std::string(text);
+        };
+        const auto box = [&](double x, double y, double side) {
+            return "[[" + place(x, y) + ", " + place(x + side, y) + ", " + place(x + side, y + side) + ", " +
+                   place(x, y + side) + ", " + place(x, y) + "]]";
+        };
+        const auto feature = [](const std::string& name, const std::string& people, const std::string& geometry) {
+            return R"({"type": "Feature", "properties": {"what": ")" + name + R"(", "people": )" + people +
+                   R"(, "reached": "before"}, "geometry": )" + geometry + "}";
+        };
+        const auto shape = [](const std::string& type, const std::string& coordinates) {
+            return R"({"type": ")" + type + R"(", "coordinates": )" + coordinates + "}";
+        };
+        write("exposed.geojson",
+              R"({"type": "FeatureCollection", "features": [)" +
+                  feature("house", "4", shape("Polygon", box(81, 71, 8))) + "," +
+                  feature("barn", "0", shape("Polygon", box(280, 130, 8))) + "," +
+                  feature("road", "10", shape("LineString", "[" + place(97.5, 5) + ", " + place(97.5, 145) + "]")) +
+                  "," + feature("people", "7", shape("Point", place(112, 73))) + "," +
+                  feature("rim", "1", shape("Polygon", box(-4, 71, 8))) + "," +
+                  feature("elsewhere", "2", shape("Point", place(5000, 73))) + "," +
+                  feature("drawn nowhere", "null", "null") + "]}");
+    }
+    [[nodiscard]] Rows rows(const std::string& result) const {
+        const gis::Table table = gis::read_table(path(result + "/exposure.csv"), "exposure");
+        Rows all;
+        for (const auto& cells : table.rows) {
+            auto& row = all.emplace_back();
+            for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
+        }
+        return all;
+    }
+    /// The greatest value of a raster in a rectangle, by offsets from the DTM's corner: of the cells that it overlaps.
+    static double greatest(const Raster& raster, double west, double south, double east, double north) {
+        double most = 0;
+        for (std::int64_t row = 0; row < raster.grid.rows; ++row)
+            for (std::int64_t column = 0; column < raster.grid.columns; ++column) {
+                const Point c = raster.grid.cell_centre(row, column);
+                const double x = c.x - k_west, y = c.y - k_south, half = k_cell / 2;
+                if (x + half > west && x - half < east && y + half > south && y - half < north)
+                    most = std::fmax(most, raster.at(row, column));
+            }
+        return most;
+    }
+    const std::string k_keys = "exposure = exposed.geojson\nexposure-name = what\nexposure-count = people\n";
+};
+
+TEST_F(Exposure, OfARunIsThatOfTheCellsTouched) {
+    write_exposed();
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Rows all = rows("out");
+    ASSERT_EQ(all.size(), 7U) << "a feature is lost";
+    const Raster depth = gis::read_result_raster(path("out/max_depth.tif")),
+                 speed = gis::read_result_raster(path("out/max_velocity.tif")),
+                 pressure = gis::read_result_raster(path("out/max_pressure.tif"));
+    const auto number = [&](std::size_t i, const std::string& key) { return std::stod(all[i].at(key)); };
+    // The table has the run's double values, rasters are Float32.
+    constexpr double k_float = 1e-6;
+    const auto expect = [&](std::size_t i, const Raster& raster, const std::string& key, double west, double south,
+                            double east, double north) {
+        const double expected = greatest(raster, west, south, east, north);
+        EXPECT_GT(expected, 0) << all[i].at("exposed");
+        EXPECT_NEAR(number(i, key), expected, k_float * expected) << all[i].at("exposed") << ' ' << key;
+    };
+    expect(0, depth, "max_depth_m", 81, 71, 89, 79);
+    expect(0, speed, "max_velocity_ms", 81, 71, 89, 79);
+    expect(0, pressure, "max_pressure_kpa", 81, 71, 89, 79);
+    expect(2, depth, "max_depth_m", 97, 5, 98, 145);
+    expect(3, depth, "max_depth_m", 111.9, 72.9, 112.1, 73.1);
+    EXPECT_GT(number(0, "arrival_s"), 0);
+    EXPECT_EQ(all[1].at("max_depth_m"), "0") << "not reached";
+    EXPECT_EQ(all[1].at("arrival_s"), "");
+    EXPECT_EQ(all[1].at("reached"), "0");
+    EXPECT_EQ(all[4].at("place"), "partly outside the map");
+    for (const std::size_t i : {5U, 6U}) EXPECT_EQ(all[i].at("max_depth_m"), "") << i;
+    EXPECT_EQ(all[5].at("place"), "outside the map");
+    EXPECT_EQ(all[6].at("place"), "no geometry");
+    EXPECT_EQ(all[0].at("input_reached"), "before") << "an attribute with the name of a figure";
+    EXPECT_EQ(all[3].at("exposed"), "people");
+    const std::string summary = read_text(path("out/summary.json"));
+    EXPECT_EQ(json_number(summary, "exposure.features"), 7);
+    EXPECT_EQ(json_number(summary, "exposure.reached"), 3);
+    EXPECT_EQ(json_number(summary, "exposure.off_map"), 2);
+    EXPECT_EQ(json_number(summary, "exposure.count_reached"), 21);
+    const gis::PolygonLayer areas = gis::read_polygons(path("out/exposure.gpkg") + "|layer=exposure_areas", "", "test");
+    ASSERT_EQ(areas.features.size(), 3U);
+    EXPECT_NEAR(areas.features[0].numbers.at("max_depth_m"), number(0, "max_depth_m"), 0);
+    EXPECT_NEAR(area(areas.features[0].parts), 64, 0.1) << "in the working CRS";
+    for (const std::string layer : {"exposure_lines", "exposure_points"})
+        EXPECT_TRUE(gis::has_layer(path("out/exposure.gpkg"), layer, "test")) << layer;
+}
+
+// Of two members, one reaches farther: the probability of a feature is that of its own, not of one of its cells.
+TEST_F(Exposure, OfAnEnsembleHasProbabilities) {
+    write_exposed();
+    write_study("sampling = table:values.csv\nkeep = all\n", "");
+    write("values.csv", "material.friction-angle,weight\n8,3\n26,1\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Rows all = rows("out");
+    ASSERT_EQ(all.size(), 7U);
+    for (const std::size_t feature : {0U, 2U, 3U}) {
+        double reached = 0, deep = 0, most = 0;
+        for (int member = 0; member < 2; ++member) {
+            const Raster depth =
+                gis::read_result_raster(path("out/members/member_000000" + std::to_string(member) + "/max_depth.tif"));
+            const double here = feature == 0   ? greatest(depth, 81, 71, 89, 79)
+                                : feature == 2 ? greatest(depth, 97, 5, 98, 145)
+                                               : greatest(depth, 111.9, 72.9, 112.1, 73.1);
+            const double weight = member == 0 ? 0.75 : 0.25;
+            reached += here > 0 ? weight : 0;
+            deep += here > 0.5 ? weight : 0;
+            most = std::max(most, here);
+        }
+        EXPECT_EQ(std::stod(all[feature].at("probability_reached")), reached) << feature;
+        EXPECT_EQ(std::stod(all[feature].at("probability_depth_0.5")), deep) << feature;
+        EXPECT_EQ(std::stod(all[feature].at("max_depth_m")), most) << feature;
+    }
+    EXPECT_EQ(all[1].at("probability_reached"), "0");
+    EXPECT_EQ(all[5].at("probability_reached"), "");
+}
+
+TEST_F(Exposure, MistakesAreRefused) {
+    write_exposed();
+    const auto refused = [&](const std::string& set) {
+        const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", set});
+        EXPECT_EQ(outcome.exit_code, 2) << set;
+        return outcome.err;
+    };
+    EXPECT_NE(refused("output.exposure-name=names").find("Its columns are what, people"), std::string::npos);
+    EXPECT_NE(refused("output.exposure-count=what").find("a count that is no number"), std::string::npos);
+    EXPECT_NE(refused("output.exposure=missing.gpkg").find("output.exposure"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frana::test
