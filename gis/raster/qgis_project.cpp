@@ -71,7 +71,8 @@ class Document {
             << extent_element(project_.extent) << "<rotation>0</rotation><destinationsrs>" << crs_
             << "</destinationsrs></mapcanvas>\n  <projectlayers>\n"
             << layers_ << "  </projectlayers>\n"
-            << "  <properties><Paths><Absolute type=\"bool\">false</Absolute></Paths></properties>\n"
+            << "  <properties><Paths><Absolute type=\"bool\">false</Absolute></Paths>" << crs_switch()
+            << "</properties>\n"
             << time_settings() << "</qgis>\n";
         return out.str();
     }
@@ -117,6 +118,13 @@ class Document {
 
     static std::string source_of(const ProjectLayer& layer) {
         return "./" + layer.file + (layer.layer.empty() ? "" : "|layername=" + layer.layer);
+    }
+
+    /// QGIS takes no notice of projectCrs without it.
+    [[nodiscard]] std::string crs_switch() const {
+        return project_.crs_wkt.empty()
+                   ? ""
+                   : "<SpatialRefSys><ProjectionsEnabled type=\"int\">1</ProjectionsEnabled></SpatialRefSys>";
     }
 
     [[nodiscard]] std::string time_settings() const {

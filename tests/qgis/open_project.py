@@ -62,6 +62,7 @@ def check_frames(group, folder, name):
 def check_project(folder, picture):
     project = QgsProject.instance()
     assert project.read(os.path.join(folder, "result.qgz")), project.error()
+    assert project.crs().authid() == "EPSG:32632", project.crs().authid()
     layers = project.mapLayers().values()
     invalid = [layer.name() + ": " + layer.source() for layer in layers if not layer.isValid()]
     assert layers and not invalid, invalid

@@ -23,9 +23,8 @@ th { font-weight: bold; border-bottom-color: #888; }
 .n { text-align: right; font-variant-numeric: tabular-nums; }
 td.n { white-space: nowrap; } td.u { overflow-wrap: normal; } td.u { padding-left: 0; }
 .soft { color: #555; }
-table.keys { table-layout: fixed; } table.keys th { width: 21%; } table.keys th:nth-child(2) { width: 22%; }
-table.keys th:nth-child(3) { width: 8%; } table.keys th:nth-child(4) { width: 10%; }
-table.keys th:last-child { width: auto; }
+table.keys { table-layout: fixed; } table.keys th { width: 20%; } table.keys th:nth-child(2) { width: 23%; }
+table.keys th:nth-child(3) { width: 10%; } table.keys th:last-child { width: auto; }
 tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal; }
 .answer p { margin: .4rem 0; }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(22rem, 100%), 1fr)); gap: .4rem 1.6rem;

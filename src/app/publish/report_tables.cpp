@@ -257,7 +257,7 @@ std::string inputs_table(const Prepared& p, const Words& words) {
 }
 
 std::string parameters_table(const Prepared& p, bool only_used, const Words& words) {
-    HtmlTable table({words("key"), words("value"), words("unit"), words("origin"), words("meaning")});
+    HtmlTable table({words("key"), words("value"), words("origin"), words("meaning")});
     for (const Parameter& parameter : scene_parameters()) {
         const std::string name = parameter.name();
         const auto chosen = p.resolved.find(name);
@@ -265,7 +265,8 @@ std::string parameters_table(const Prepared& p, bool only_used, const Words& wor
         std::string value = parameter.write(p.spec).value_or("");
         if (value.empty()) value = "(" + parameter.absent + ")";
         if (chosen != p.resolved.end() && chosen->second != value) value += " → " + chosen->second;
-        table.row({name, value, parameter.unit, origin_text(p.spec, name, words), parameter.meaning},
+        if (!parameter.unit.empty()) value += " [" + parameter.unit + "]";
+        table.row({name, value, origin_text(p.spec, name, words), parameter.meaning},
                   p.spec.origin_of(name) == Origin::default_value ? "" : "given");
     }
     return table.html("keys");
