@@ -18,7 +18,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"DTM", "DTM", "DGM", "MNT", "MDT"},
     {"zones", "zone", "Zonen", "zones", "zonas"},
     {"observed outline", "perimetro osservato", "beobachteter Umriss", "contour observé", "contorno observado"},
-    {"deposit", "deposito", "Ablagerung", "dépôt", "depósito"},
     {"thickness", "spessore", "Mächtigkeit", "épaisseur", "espesor"},
     {"thickness {1}", "spessore {1}", "Mächtigkeit {1}", "épaisseur {1}", "espesor {1}"},
     {"perimeter", "perimetro", "Umriss", "périmètre", "perímetro"},

@@ -201,6 +201,11 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "der beobachtete Umriss reicht über die Raster des Ergebnisses hinaus; sein Teil außerhalb zählt als verfehlt",
      "le contour observé dépasse les rasters du résultat\u202F; sa partie extérieure compte comme manquée",
      "el contorno observado sobrepasa los rásteres del resultado; su parte exterior cuenta como no acertada"},
+    {"report.html is of an older frana and stays without this comparison; run the scene again",
+     "report.html è di una frana precedente e resta senza questo confronto; rifare il calcolo della scena",
+     "report.html stammt von einer älteren frana und bleibt ohne diesen Vergleich; die Szene neu rechnen",
+     "report.html vient d’une frana plus ancienne et reste sans cette comparaison\u202F; recalculer la scène",
+     "report.html es de una frana anterior y queda sin esta comparación; vuelva a calcular la escena"},
     // Many runs.
     {"{1} of {2} members failed and are in no map; the first, member {3}: {4}. members.csv has the reason of each",
      "{1} simulazioni su {2} sono fallite e non sono in alcuna mappa; la prima, la {3}: {4}. members.csv ha il motivo "
