@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t k_figures_on_first_page = 12;
+
 std::string keys_table(const StudyInput& input, const Words& words) {
     HtmlTable table({words("key"), words("distribution")});
     for (const study::Variation& one : input.reading.study.vary) table.row({one.key, one.distribution.text});
@@ -137,8 +139,11 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     page.expect_pictures(maps.size() + charts.size() + 1);
     page.add(study_answer(input, result, facts, words));
     if (!maps.empty()) page.add_pictures({maps.front()}, words("Map"));
+    // The first page of paper has room for a short table under its picture.
+    const bool is_short = !input.reading.study.per_polygon() && result.figures().size() <= k_figures_on_first_page;
+    if (is_short) page.add(study_values(input, result, facts, words));
     page.end_answer();
-    page.add(study_values(input, result, facts, words));
+    if (!is_short) page.add(study_values(input, result, facts, words));
     page.add_heading("maps", words("Maps"));
     if (maps.size() > 1) page.add_pictures({maps.begin() + 1, maps.end()}, words("Map"));
     if (maps.size() == 1) page.add("<p>" + escaped_markup(words("The only map is on the first page.")) + "</p>\n");
