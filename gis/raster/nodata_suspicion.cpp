@@ -12,11 +12,11 @@ namespace {
 // Fraction of the value itself: ground does not fall by a quarter of its height from one cell to the next.
 constexpr double k_wall = 0.25;
 
-std::string undeclared(const std::string& path, std::int64_t cells, double value) {
-    return path + ": " + std::to_string(cells) + " cells have the value " + shortest_text(value) +
-           ", which the file does not declare as nodata; they were read as values. If they are nodata, declare it: "
-           "gdal_edit.py -a_nodata " +
-           shortest_text(value) + " FILE";
+Sentence undeclared(const std::string& path, std::int64_t cells, double value) {
+    return worded(
+        "{1}: {2} cells have the value {3}, which the file does not declare as nodata; they were read as values. If "
+        "they are nodata, declare it: gdal_edit.py -a_nodata {3} FILE",
+        {path, std::to_string(cells), shortest_text(value)});
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ std::int64_t NodataSuspicion::zero_rim(double steep) const {
     return 2 * static_cast<std::size_t>(n) > jumps_.size() ? zeros_ : 0;
 }
 
-std::string NodataSuspicion::warning(const std::string& path) const {
+std::optional<Sentence> NodataSuspicion::warning(const std::string& path) const {
     for (std::size_t i = 0; i < k_customary.size(); ++i) {
         if (found_[i] == 0) continue;
         return undeclared(path, found_[i], k_customary[i]);
@@ -75,7 +75,7 @@ std::string NodataSuspicion::warning(const std::string& path) const {
     for (const Plateau& plateau : plateaus_)
         if (plateau.cells > 0 && 2 * plateau.walls > plateau.borders)
             return undeclared(path, plateau.cells, plateau.value);
-    return {};
+    return std::nullopt;
 }
 
 }  // namespace frana::gis

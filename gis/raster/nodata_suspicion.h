@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "core/words/sentence.h"
 
 namespace frana::gis {
 
@@ -18,9 +21,9 @@ class NodataSuspicion {
     /// stored): a frame of zeros around a terrain model. None if the values approach zero gradually, as at the sea.
     [[nodiscard]] std::int64_t zero_rim(double steep) const;
 
-    /// Returns a warning about a common value (-9999 and similar; 9999 and similar if they form walls), or an empty
-    /// text.
-    [[nodiscard]] std::string warning(const std::string& path) const;
+    /// Returns a warning about a common value (-9999 and similar; 9999 and similar if they form walls), or
+    /// none.
+    [[nodiscard]] std::optional<Sentence> warning(const std::string& path) const;
 
   private:
     static constexpr std::array<double, 8> k_customary{

@@ -94,15 +94,16 @@ Method method_for(Resampling wanted, Point source_cells_per_cell) {
     throw Error(error.kind(), std::move(problems));
 }
 
-std::string unit_warning(const RasterInfo& info, const VerticalUnit& unit, const std::string& crs) {
+std::optional<Sentence> unit_warning(const RasterInfo& info, const VerticalUnit& unit, const std::string& crs) {
     if (!unit.known) {
-        return info.path + ": its values are in \"" + unit.name +
-               "\", which is not a unit of length; used without conversion";
+        return worded("{1}: its values are in \"{2}\", which is not a unit of length; used without conversion",
+                      {info.path, unit.name});
     }
     if (!unit.stated && std::abs(metres_per_unit(crs) - 1) > 1e-9) {
-        return info.path +
-               ": eastings and northings are not in metres and the file does not state the unit of its "
-               "values; they were taken as metres. If they are feet, set the vertical unit";
+        return worded(
+            "{1}: eastings and northings are not in metres and the file does not state the unit of its values; they "
+            "were taken as metres. If they are feet, set the vertical unit",
+            {info.path});
     }
     return {};
 }
@@ -135,9 +136,7 @@ void read_onto(const RasterSource& source, const std::string& source_crs, Resamp
     const CrsTransform to_grid = transform_to_grid(source_crs, grid);
     read.transform = to_grid.info();
     const VerticalUnit unit = unit_of(source, source_crs, vertical_unit);
-    if (std::string warning = unit_warning(source.info(), unit, source_crs); !warning.empty()) {
-        read.warnings.push_back(std::move(warning));
-    }
+    if (auto warning = unit_warning(source.info(), unit, source_crs)) read.warnings.push_back(std::move(*warning));
     Point corner;
     if (cells_coincide(source, to_grid, grid, corner)) {
         copy_cells(source, corner, unit.metres, read.raster);
@@ -148,9 +147,7 @@ void read_onto(const RasterSource& source, const std::string& source_crs, Resamp
         RasterWarp(source, to_grid, method.algorithm, unit.metres).fill(read.raster);
         read.resampling_used = method.name;
     }
-    if (std::string warning = source.suspicion(); !warning.empty()) {
-        read.warnings.push_back(std::move(warning));
-    }
+    if (auto warning = source.suspicion()) read.warnings.push_back(std::move(*warning));
     read.zero_rim_cells = source.zero_rim(k_wall_cells * grid.cell_size, unit.metres);
 }
 
@@ -203,8 +200,7 @@ RasterOnDemand::RasterOnDemand(const std::string& path, const GridSpec& target, 
         p.known.transform = p.to_grid.info();
         const VerticalUnit unit = unit_of(p.source, crs, vertical_unit);
         p.unit = unit.metres;
-        if (std::string warning = unit_warning(p.source.info(), unit, crs); !warning.empty())
-            p.known.warnings.push_back(std::move(warning));
+        if (auto warning = unit_warning(p.source.info(), unit, crs)) p.known.warnings.push_back(std::move(*warning));
         Point corner;
         if (cells_coincide(p.source, p.to_grid, target, corner)) {
             p.corner = corner;
@@ -226,9 +222,9 @@ const RasterRead& RasterOnDemand::known() const noexcept {
     return parts_->known;
 }
 
-std::vector<std::string> RasterOnDemand::suspicions() const {
-    const std::string warning = parts_->source.suspicion();
-    return warning.empty() ? std::vector<std::string>() : std::vector{warning};
+std::vector<Sentence> RasterOnDemand::suspicions() const {
+    const std::optional<Sentence> warning = parts_->source.suspicion();
+    return warning ? std::vector{*warning} : std::vector<Sentence>();
 }
 
 void RasterOnDemand::read(const CellWindow& window, double* values) const {

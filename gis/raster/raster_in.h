@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/raster.h"
+#include "core/words/sentence.h"
 #include "gis/crs/crs_transform.h"
 
 namespace frana::gis {
@@ -50,7 +51,7 @@ struct RasterRead {
     std::int64_t nodata_cells = 0;
     std::string resampling_used;  ///< "exact copy", "average", ...
     TransformInfo transform;
-    std::vector<std::string> warnings;
+    std::vector<Sentence> warnings;
     std::int64_t zero_rim_cells = 0;  ///< source cells of value 0 that form walls; see NodataSuspicion
 };
 
@@ -79,7 +80,7 @@ class RasterOnDemand {
     /// Properties known before anything is read: no raster, no counts.
     [[nodiscard]] const RasterRead& known() const noexcept;
     /// Warnings of common "no data" values that were read so far and that the file does not declare.
-    [[nodiscard]] std::vector<std::string> suspicions() const;
+    [[nodiscard]] std::vector<Sentence> suspicions() const;
 
   private:
     struct Parts;

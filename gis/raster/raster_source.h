@@ -51,7 +51,7 @@ class RasterSource {
     void declare_nodata(double stored) noexcept { declared_ = stored; }
     /// Returns a warning if the values read include a common "no data" value that the file does not declare, else an
     /// empty text.
-    [[nodiscard]] std::string suspicion() const { return suspicion_.warning(info_.path); }
+    [[nodiscard]] std::optional<Sentence> suspicion() const { return suspicion_.warning(info_.path); }
     /// Returns the number of cells read that look like a frame of zeros: see NodataSuspicion. `steep` in metres.
     [[nodiscard]] std::int64_t zero_rim(double steep, double unit) const;
 

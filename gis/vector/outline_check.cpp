@@ -54,8 +54,9 @@ void repair(const OGRGeometry& geometry, const std::string& error_text, double a
     if (repaired) polygons = polygon_parts(*repaired).polygons;
     double area_after = 0;
     for (const auto& polygon : polygons) area_after += polygon->get_Area();
-    found.repairs.push_back("the outline was repaired (" + error_text + "): area " + area_text(area_before) +
-                            " before, " + area_text(area_after) + " after, in its own units squared");
+    found.repairs.push_back(
+        worded("the outline was repaired ({1}): area {2} before, {3} after, in its own units squared",
+               {error_text, numeral(area_text(area_before)), numeral(area_text(area_after))}));
     for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
 }
 
@@ -108,8 +109,9 @@ OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
     if (united) found.polygons = polygon_parts(*united).polygons;
     double area_after = 0;
     for (const auto& polygon : found.polygons) area_after += polygon->get_Area();
-    found.repairs.push_back("parts overlap or touch and were united (" + error_text + "): area " + area_text(sum) +
-                            " before, " + area_text(area_after) + " after, in its own units squared");
+    found.repairs.push_back(
+        worded("parts overlap or touch and were united ({1}): area {2} before, {3} after, in its own units squared",
+               {error_text, numeral(area_text(sum)), numeral(area_text(area_after))}));
     return found;
 }
 

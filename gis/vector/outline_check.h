@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/words/sentence.h"
 
 namespace frana::gis {
 
@@ -17,7 +18,7 @@ namespace frana::gis {
 struct OutlineCheck {
     std::vector<std::unique_ptr<OGRPolygon>> polygons;  ///< as given, or repaired
     std::optional<std::string> crossing;                ///< where it crosses itself: "at 526950.2, 5094120.7"
-    std::vector<std::string> repairs;                   ///< list of repairs
+    std::vector<Sentence> repairs;                      ///< list of repairs
 };
 
 /// Checks the polygons of one feature. One that crosses itself has no well-defined interior and is not repaired; one

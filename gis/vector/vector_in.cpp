@@ -57,18 +57,19 @@ void read_attributes(const OGRFeature& from, PolygonFeature& feature) {
 PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, Problems& problems,
                             CountedTexts& warnings) {
     PolygonFeature feature;
-    const std::string name = "feature " + std::to_string(from.GetFID());
+    const std::string number = std::to_string(from.GetFID());
     const auto problem = [&](const std::string& what, const std::string& value, const std::string& remedy) {
-        problems.add(Problem{name + " " + what, source.where, value, "", remedy});
+        problems.add(Problem{"feature " + number + " " + what, source.where, value, "", remedy});
     };
     const OGRGeometry* geometry = from.GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
-        warnings.add("empty", source.where + ": " + name + " has no geometry and was left out");
+        warnings.add("empty", worded("{1}: feature {2} has no geometry and was left out", {source.where, number}));
         return feature;
     }
     PolygonParts parts = polygon_parts(*geometry);
     if (parts.closed_lines > 0) {
-        warnings.add("line", source.where + ": " + name + " is a closed line and was taken as an area");
+        warnings.add("line",
+                     worded("{1}: feature {2} is a closed line and was taken as an area", {source.where, number}));
     }
     if (parts.unbounded > 0) {
         problem("has a coordinate that is non-finite or too large", "beyond " + shortest_text(k_furthest), "Redraw it");
@@ -89,7 +90,8 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
                 "Redraw the outline there, so that inside and outside are unambiguous");
         return feature;
     }
-    for (const std::string& repair : check.repairs) warnings.add("repair", source.where + ": " + name + ": " + repair);
+    for (const Sentence& repair : check.repairs)
+        warnings.add("repair", worded("{1}: feature {2}: {3}", {source.where, number, repair}));
     for (const auto& polygon : check.polygons) {
         if (auto part = from_ogr(*polygon); part && area(*part) > 0) feature.parts.push_back(std::move(*part));
     }
@@ -137,7 +139,7 @@ std::string condition_of(OGRLayer& layer, const OGRFeature& feature) {
 }
 
 std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source, TimeLimit& limit,
-                                          std::vector<std::string>& warnings, std::vector<std::string>& conditions) {
+                                          std::vector<Sentence>& warnings, std::vector<std::string>& conditions) {
     Problems problems;
     CountedTexts counted;
     std::vector<PolygonFeature> features;
@@ -180,7 +182,7 @@ bool same_vertices(const MultiPolygon& a, const MultiPolygon& b) {
 
 /// Area common to two features: the caller decides what it means.
 bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorSource& source, TimeLimit& limit,
-                      std::vector<std::string>& warnings) {
+                      std::vector<Sentence>& warnings) {
     std::vector<Bounds> boxes;
     std::vector<double> areas;
     for (const PolygonFeature& feature : features) {
@@ -212,12 +214,13 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
     });
     CountedTexts counted;
     for (const auto& [one, other, shared] : found) {
-        counted.add("overlap", source.where + ": areas " + std::to_string(one + 1) + " and " +
-                                   std::to_string(other + 1) + " overlap by " +
-                                   shortest_text(std::round(shared * 10) / 10) + " square units");
+        counted.add("overlap", worded("{1}: areas {2} and {3} overlap by {4} square units",
+                                      {source.where, std::to_string(one + 1), std::to_string(other + 1),
+                                       numeral(shortest_text(std::round(shared * 10) / 10))}));
     }
-    for (std::string& text : counted.texts()) warnings.push_back(std::move(text));
-    if (found.size() >= k_most_overlaps) warnings.back() += " (further pairs were not checked)";
+    for (Sentence& text : counted.texts()) warnings.push_back(std::move(text));
+    if (found.size() >= k_most_overlaps)
+        warnings.back() = worded("{1} (further pairs were not checked)", {warnings.back()});
     return !found.empty();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/words/sentence.h"
 #include "gis/crs/crs_transform.h"
 
 namespace frana::gis {
@@ -18,7 +19,7 @@ struct PolygonLayer {
     TransformInfo transform;
     Bounds bounds;      ///< in the target CRS
     Bounds own_bounds;  ///< in the file's
-    std::vector<std::string> warnings;
+    std::vector<Sentence> warnings;
     bool overlap = false;  ///< features overlap
 };
 

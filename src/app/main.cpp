@@ -54,8 +54,7 @@ int dispatch(Arguments words) {
     for (const Command& command : commands()) {
         if (name == command.name) {
             const int code = command.run({words.begin() + 1, words.end()});
-            if (const std::string warning = letter_warning(); !warning.empty())
-                std::cerr << "frana: warning: " << warning << '\n';
+            if (const auto warning = letter_warning()) std::cerr << "frana: warning: " << warning->text() << '\n';
             return code;
         }
         names.emplace_back(command.name);

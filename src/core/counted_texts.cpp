@@ -16,7 +16,7 @@ std::string grouped_digits(std::int64_t count) {
 
 }  // namespace
 
-void CountedTexts::add(const std::string& kind, const std::string& text) {
+void CountedTexts::add(const std::string& kind, const Sentence& text) {
     auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.name == kind; });
     if (found == kinds_.end()) found = kinds_.insert(kinds_.end(), Kind{kind, {}, 0});
     if (found->first.size() < k_printed) {
@@ -26,11 +26,12 @@ void CountedTexts::add(const std::string& kind, const std::string& text) {
     }
 }
 
-std::vector<std::string> CountedTexts::texts() const {
-    std::vector<std::string> all;
+std::vector<Sentence> CountedTexts::texts() const {
+    std::vector<Sentence> all;
     for (const Kind& kind : kinds_) {
         all.insert(all.end(), kind.first.begin(), kind.first.end());
-        if (kind.more > 0) all.back() += "; and " + grouped_digits(kind.more) + " more of this kind";
+        if (kind.more > 0)
+            all.back() = worded("{1}; and {2} more of this kind", {all.back(), numeral(grouped_digits(kind.more))});
     }
     return all;
 }

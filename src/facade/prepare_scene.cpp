@@ -91,7 +91,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     Problems problems = reading.problems;
     EngineScene prepared;
     prepared.spec = reading.scene;
-    prepared.warnings = reading.warnings;
+    prepared.warnings = texts_of(reading.warnings);
     const SceneSpec& spec = prepared.spec;
     frana::Scene& scene = prepared.scene;
     scene.grid = spec_of(data.grid);

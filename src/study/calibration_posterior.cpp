@@ -56,18 +56,18 @@ void add_interval(const KeySample& key, const std::vector<double>& weights, KeyP
     to.prior_high = prior.numbers[1][0];
 }
 
-std::string name_of(const KeyPosterior& key) {
-    return key.event.empty() ? key.key : key.key + " of " + key.event;
+Sentence name_of(const KeyPosterior& key) {
+    return key.event.empty() ? Sentence(key.key) : worded("{1} of {2}", {key.key, key.event});
 }
 
-std::string short_number(double value) {
+Sentence short_number(double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
+    return numeral(text);
 }
 
-std::string percent(double fraction) {
-    return std::to_string(std::lround(100 * fraction)) + " %";
+Sentence percent(double fraction) {
+    return numeral(std::to_string(std::lround(100 * fraction)));
 }
 
 }  // namespace
@@ -168,27 +168,31 @@ std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys,
     return pairs;
 }
 
-std::vector<std::string> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs,
-                                   double effective) {
-    std::vector<std::string> all;
+std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs,
+                                double effective) {
+    std::vector<Sentence> all;
     for (const KeyPosterior& key : keys) {
         if (key.determined()) continue;
-        all.push_back("The surveys do not determine " + name_of(key) + ": its interval of 90 %, " +
-                      short_number(key.low) + " to " + short_number(key.high) + ", is " + percent(key.width) +
-                      " as wide as before.");
+        all.push_back(
+            worded("The surveys do not determine {1}: its interval of 90 %, {2} to {3}, is {4} % as wide as before.",
+                   {name_of(key), short_number(key.low), short_number(key.high), percent(key.width)}));
     }
     for (const IndistinctPair& pair : pairs)
-        all.push_back("The surveys cannot tell " + name_of(keys[pair.first]) + " from " + name_of(keys[pair.second]) +
-                      ": greater values of one explain them as well with " +
-                      (pair.correlation > 0 ? "greater" : "smaller") + " values of the other (correlation " +
-                      short_number(pair.correlation) + ").");
+        all.push_back(worded(pair.correlation > 0
+                                 ? "The surveys cannot tell {1} from {2}: greater values of one explain them as well "
+                                   "with greater values of the other (correlation {3})."
+                                 : "The surveys cannot tell {1} from {2}: greater values of one explain them as well "
+                                   "with smaller values of the other (correlation {3}).",
+                             {name_of(keys[pair.first]), name_of(keys[pair.second]), short_number(pair.correlation)}));
     if (all.empty())
-        all.push_back(
-            "The interval of every key is narrower than before, and no two keys are so correlated that the "
-            "surveys could not tell them apart.");
+        all.emplace_back(
+            worded("The interval of every key is narrower than before, and no two keys are so correlated that the "
+                   "surveys could not tell them apart."));
     if (effective < k_few_members)
-        all.push_back("The posterior rests on few members (effective number " + short_number(effective) +
-                      "): its intervals are rough. Raise study.refine.");
+        all.push_back(
+            worded("The posterior rests on few members (effective number {1}): its intervals are rough. Raise "
+                   "study.refine.",
+                   {short_number(effective)}));
     return all;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/words/sentence.h"
 #include "study/calibration_spec.h"
 #include "study/sampling.h"
 
@@ -82,7 +83,7 @@ std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, con
 std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys, const std::vector<double>& weights);
 
 /// Returns plain sentences on what the surveys tell and do not tell.
-std::vector<std::string> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs,
-                                   double effective);
+std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs,
+                                double effective);
 
 }  // namespace frana::study

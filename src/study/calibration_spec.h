@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/words/words.h"
 #include "study/read_study.h"
 #include "study/study_spec.h"
 
@@ -26,18 +27,18 @@ struct MeasureRow {
     const char* formula;
 };
 inline constexpr MeasureRow k_measures[] = {
-    {Measure::jaccard, "jaccard", Evidence::scar, "1 - Jaccard index of trace and scar"},
-    {Measure::area, "area", Evidence::scar, "r(area of the trace, area of the scar)"},
-    {Measure::runout, "runout", Evidence::runout, "r(simulated run-out, observed run-out)"},
+    {Measure::jaccard, "jaccard", Evidence::scar, worded("1 - Jaccard index of trace and scar")},
+    {Measure::area, "area", Evidence::scar, worded("r(area of the trace, area of the scar)")},
+    {Measure::runout, "runout", Evidence::runout, worded("r(simulated run-out, observed run-out)")},
     {Measure::outline, "outline", Evidence::scar,
-     "d / (d + R): d mean distance of both outlines, R radius of a circle with the scar's area"},
-    {Measure::deposit, "deposit", Evidence::deposit, "1 - Jaccard index of simulated and surveyed deposit"},
+     worded("d / (d + R): d mean distance of both outlines, R radius of a circle with the scar's area")},
+    {Measure::deposit, "deposit", Evidence::deposit, worded("1 - Jaccard index of simulated and surveyed deposit")},
     {Measure::deposit_depth, "deposit-depth", Evidence::elevation_change,
-     "sum |h - h_obs| / sum (h + h_obs) over the cells of either deposit"},
+     worded("sum |h - h_obs| / sum (h + h_obs) over the cells of either deposit")},
     {Measure::arrival, "arrival", Evidence::arrival,
-     "mean over gauges of r(arrival time, observed one); 1: no arrival"},
-    {Measure::speed, "speed", Evidence::speed, "mean over gauges of r(greatest speed, observed one)"},
-    {Measure::depth, "depth", Evidence::depth, "mean over gauges of r(greatest depth, observed one)"}};
+     worded("mean over gauges of r(arrival time, observed one); 1: no arrival")},
+    {Measure::speed, "speed", Evidence::speed, worded("mean over gauges of r(greatest speed, observed one)")},
+    {Measure::depth, "depth", Evidence::depth, worded("mean over gauges of r(greatest depth, observed one)")}};
 
 /// Where an event's evidence comes from, for messages.
 const char* source_of(Evidence evidence);

@@ -13,6 +13,7 @@
 #include "core/archive.h"
 #include "core/error.h"
 #include "core/file_aside.h"
+#include "core/words/words.h"
 #include "simulation/run_check.h"
 #include "simulation/run_intensity.h"
 #include "simulation/simulation.h"
@@ -136,7 +137,7 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     record.failure = failure_of(result);
     for (const RunValue& value : reported_values(result, scene, threshold))
         record.figures.push_back({value.key, value.title, value.unit, value.value});
-    record.figures.push_back({"volume_m3", "volume", "m3", result.volume_entered});
+    record.figures.push_back({"volume_m3", worded("volume"), "m3", result.volume_entered});
     record.engine_seconds = result.engine_seconds;
     record.particle_steps = result.particle_steps;
     add_cells(result, record);

@@ -94,7 +94,7 @@ TEST(CountedTexts, ListTheFirstAndCountTheRest) {
     CountedTexts texts;
     texts.add("b", "one other");
     for (int i = 1; i <= 1503; ++i) texts.add("a", "number " + std::to_string(i));
-    EXPECT_EQ(texts.texts(),
+    EXPECT_EQ(texts_of(texts.texts()),
               (std::vector<std::string>{"one other", "number 1", "number 2", "number 3; and 1 500 more of this kind"}));
 }
 

@@ -121,7 +121,7 @@ TEST(Posterior, IntervalsAreThoseOfTheClosedForm) {
     EXPECT_FALSE(keys[1].determined());
     const auto said = sentences(keys, {}, effective_count(weights));
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_NE(said[0].find("do not determine material.turbulence"), std::string::npos) << said[0];
+    EXPECT_NE(said[0].text().find("do not determine material.turbulence"), std::string::npos) << said[0].text();
 }
 
 // The same posterior from members drawn elsewhere: weights divide by the density from which they were drawn. A quantile
@@ -193,7 +193,8 @@ TEST(Posterior, KeysOnARidgeCannotBeToldApart) {
     ASSERT_EQ(pairs.size(), 1U);
     EXPECT_LT(pairs[0].correlation, -0.95);
     const auto said = sentences(key_posteriors(keys, weights), pairs, effective_count(weights));
-    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const std::string& text) {
+    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Sentence& one) {
+        const std::string text = one.text();
         return text.find("cannot tell material.friction-coefficient from material.turbulence") != std::string::npos &&
                text.find("smaller values of the other") != std::string::npos;
     }));
@@ -211,7 +212,8 @@ TEST(Posterior, ChoicesHaveProbabilities) {
 
 TEST(Posterior, FewMembersAreTold) {
     const auto said = sentences({}, {}, 7);
-    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const std::string& text) {
+    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Sentence& one) {
+        const std::string text = one.text();
         return text.find("effective number 7") != std::string::npos;
     }));
 }

@@ -12,6 +12,7 @@
 #include "app/publish/publish_rasters.h"
 #include "app/store/saved_work.h"
 #include "app/text/number_text.h"
+#include "app/text/today.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/rasterize.h"
 #include "study/study_maps.h"
@@ -86,6 +87,9 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
     if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
     source.style.formats = output.map_formats;
     source.style.attribution = output.map_attribution.value_or("");
+    source.style.author = output.map_author.value_or("");
+    source.style.organisation = output.map_organisation.value_or("");
+    source.style.date = date_on_maps(output.map_date, today());
     return source;
 }
 
@@ -111,7 +115,7 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
             LayerDrawer(source).draw(layer, false, directory.path("maps/" + name));
             log.note("drew maps/" + name);
         } catch (const Error& error) {
-            log.warn("maps/" + name + " could not be drawn: " + error.what());
+            log.warn(worded("{1} could not be drawn: {2}", {"maps/" + name, std::string(error.what())}));
             good = false;
         }
     }

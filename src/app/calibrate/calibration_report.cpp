@@ -1,81 +1,156 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/calibrate/calibration_report.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "app/input/scene_language.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
+#include "app/publish/report_numbers.h"
+#include "app/publish/report_scenario.h"
+#include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
-#include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/markup.h"
 
 namespace frana::app {
 namespace {
 
-std::string range(double low, double high) {
-    return number_text(low, 3) + " to " + number_text(high, 3);
+std::string range(double low, double high, const Words& words) {
+    const ReportNumbers number(words);
+    return words("{1} to {2}", {number(low, 3), number(high, 3)});
 }
 
-std::string keys_table(const CalibrationInput& input, const CalibrationResult& result) {
-    HtmlTable table({"key", "distribution before", "best", "median", "90 % after", "width, of that before"});
+/// As column_of, in a language.
+std::string name_of(const study::CalibrationSpec& calibration, const study::KeySample& key, const Words& words) {
+    return key.event.empty() || calibration.events.size() == 1 ? key.key : words("{1} of {2}", {key.key, key.event});
+}
+
+std::string keys_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    HtmlTable table({words("key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
+                     words("width, of that before")});
     for (std::size_t k = 0; k < result.keys.size(); ++k) {
         const study::KeySample& key = result.keys[k];
         const study::KeyPosterior& after = result.posteriors[k];
+        const std::string name = name_of(input.spec(), key, words);
         std::string probabilities;
         for (const auto& [value, probability] : after.values)
-            probabilities += (probabilities.empty() ? "" : ", ") + value + ": " + number_text(probability, 2);
-        const std::string best = after.nominal ? key.texts[result.best] : number_text(key.numbers[result.best], 4);
-        table.row(after.nominal ? std::vector<std::string>{column_of(input.spec(), key), key.prior.text, best, "",
-                                                           probabilities, ""}
-                                : std::vector<std::string>{column_of(input.spec(), key), key.prior.text, best,
-                                                           number_text(after.median, 3), range(after.low, after.high),
-                                                           number_text(after.width, 2)});
+            probabilities += (probabilities.empty() ? "" : ", ") + words.labelled(value, number(probability, 2));
+        if (after.nominal)
+            table.row({name, key.prior.text, key.texts[result.best], "", probabilities, ""});
+        else
+            table.row({name, key.prior.text, number(key.numbers[result.best], 4), number(after.median, 3),
+                       range(after.low, after.high, words), number(after.width, 2)});
     }
     return table.html();
 }
 
-std::vector<std::string> scores_row(const std::string& event, const std::string& kind, const Explained& one) {
-    if (!one.possible) return {event, kind, "no member finished", "", "", ""};
+std::vector<std::string> scores_row(const std::string& event, const std::string& kind, const Explained& one,
+                                    const Words& words) {
+    if (!one.possible) return {event, kind, words("no member finished"), "", "", ""};
+    const ReportNumbers number(words);
     return {event,
             kind,
-            number_text(one.best_score, 3),
-            number_text(one.mean, 3),
-            range(one.low, one.high),
-            number_text(one.effective, 3)};
+            number(one.best_score, 3),
+            number(one.mean, 3),
+            range(one.low, one.high, words),
+            number(one.effective, 3)};
 }
 
-std::string scores_table(const CalibrationInput& input, const CalibrationResult& result) {
-    HtmlTable table({"event", "values", "score of the best", "mean", "5 to 95 %", "effective members"});
+std::string scores_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+    HtmlTable table({words("event"), words("values"), words("score of the best"), words("mean"), words("5 to 95 %"),
+                     words("effective members")});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const std::string& event = input.spec().events[e].name;
-        table.row(scores_row(event, "fitted to all surveys", result.events[e].fitted));
+        table.row(scores_row(event, words("fitted to all surveys"), result.events[e].fitted, words));
         if (input.events() > 1)
-            table.row(scores_row(event, "from the other surveys alone", result.events[e].predicted));
+            table.row(scores_row(event, words("from the other surveys alone"), result.events[e].predicted, words));
     }
     return table.html();
 }
 
-std::string misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
-    HtmlTable table({"event", "measure", "weight", "misfit of the best", "formula"});
+std::string misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                          const Words& words) {
+    const ReportNumbers number(words);
+    HtmlTable table({words("event"), words("measure"), words("weight"), words("misfit of the best"), words("formula")});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventRuns& event = runs.last().events[e];
         for (std::size_t m = 0; m < event.measures.size(); ++m) {
             const study::MeasureRow& measure = row_of(event.measures[m].measure);
-            table.row({input.spec().events[e].name, measure.name, number_text(event.measures[m].weight),
-                       number_text(event.members[result.best].agreement.parts[m], 3), measure.formula});
+            table.row({input.spec().events[e].name, measure.name, number(event.measures[m].weight),
+                       number(event.members[result.best].agreement.parts[m], 3), words(measure.formula)});
         }
     }
     return table.html();
 }
 
-std::string failures_table(const CalibrationInput& input, const Stage& stage) {
-    HtmlTable table({"member", "event", "reason"});
+std::string failures_table(const CalibrationInput& input, const Stage& stage, const Words& words) {
+    HtmlTable table({words("member"), words("event"), words("reason")});
     for (std::size_t e = 0; e < input.events(); ++e)
         for (std::size_t i = 0; i < stage.size(); ++i)
             if (const std::string& why = stage.events[e].members[i].failure; !why.empty())
                 table.row({std::to_string(i), input.spec().events[e].name, why});
     return table.html();
+}
+
+std::string surveys_say(const CalibrationResult& result, const Words& words) {
+    std::string list;
+    for (const Sentence& sentence : result.sentences) list += "<li>" + escaped_markup(sentence.in(words)) + "</li>\n";
+    return "<p><b>" + escaped_markup(words("What the surveys say.")) + "</b></p>\n<ul>\n" + list + "</ul>\n";
+}
+
+/// How well the best values repeat each event, fitted and, with several events, predicted from the others.
+std::string scores_told(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    std::string text = words("A score is 1 minus the misfit: 1 agrees.");
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventResult& event = result.events[e];
+        const std::string& name = input.spec().events[e].name;
+        text += " " + (event.predicted.possible
+                           ? words("{1}: {2} fitted, {3} predicted from the other events.",
+                                   {name, number(event.fitted.best_score, 3), number(event.predicted.best_score, 3)})
+                           : words("{1}: {2} fitted.", {name, number(event.fitted.best_score, 3)}));
+    }
+    if (input.events() == 1)
+        text += " " + words("With one event there is no forecast to check: the score is that of a fit.");
+    return paragraph(words("How well the events are explained."), text);
+}
+
+std::string runs_told(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    std::string cells;
+    for (const EventRuns& event : runs.last().events) cells += (cells.empty() ? "" : ", ") + number(event.cell_size);
+    std::string text = words(
+        "{1} first members, then {2} where these explain the surveys, on cells of {3} m; effective number {4}. "
+        "Likelihood of an event: misfit to the power of -{5}.",
+        {std::to_string(runs.design.size()), std::to_string(runs.refined ? runs.refined->size() : 0), cells,
+         number(result.effective, 3), number(result.exponent, 2)});
+    if (const std::size_t failed = runs.last().failed(); failed > 0)
+        text += " " + words("{1} runs failed and have no weight.", {std::to_string(failed)});
+    return paragraph(words("How sure."), text);
+}
+
+std::string not_done(const Words& words) {
+    return paragraph(words("Not done."),
+                     words("The values fit these events with this model; another place, another size or another model "
+                           "needs its own calibration."));
+}
+
+std::string answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                   const CalibrationFacts& facts, const Words& words) {
+    return "<h2 id=\"answer\">" + escaped_markup(words("Values and answer")) + "</h2>\n" +
+           keys_table(input, result, words) + surveys_say(result, words) + scores_told(input, result, words) +
+           runs_told(runs, result, words) + first_warnings(facts.warnings, words) + not_done(words);
+}
+
+void add_inputs(const CalibrationInput& input, const Words& words, HtmlPage& page) {
+    page.add_heading("inputs", words("Inputs"));
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        if (input.events() > 1) page.add("<h3>" + escaped_markup(input.spec().events[e].name) + "</h3>\n");
+        page.add(inputs_table(input.own[e].base, words));
+    }
 }
 
 }  // namespace
@@ -89,35 +164,31 @@ std::string calibration_title(const CalibrationInput& input) {
 void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
                               const CalibrationResult& result, const CalibrationFacts& facts,
                               const ResultDirectory& directory) {
-    HtmlPage page(directory.path(k_report_file), calibration_title(input) + ": calibration",
-                  std::string("Computed with ") + k_program + " " + k_version + ", study " + input.spec().study.file);
+    const Words words = words_of(input.own.front().base.spec);
     const std::vector<std::string> maps = pictures_in(directory.path("maps")),
                                    charts = pictures_in(directory.path("charts"));
+    HtmlPage page(directory.path(k_report_file), words("{1}: calibration", {calibration_title(input)}),
+                  words("Computed with {1}, study {2}, {3}",
+                        {std::string(k_program) + " " + k_version, input.spec().study.file, words.date(facts.date)}),
+                  words, Opening::answer);
     page.expect_pictures(maps.size() + charts.size());
-    page.add_warnings(facts.warnings);
-    std::string cells;
-    for (const EventRuns& event : runs.last().events)
-        cells += (cells.empty() ? "" : ", ") + number_text(event.cell_size);
-    page.add("<h2 id=\"says\">What the surveys say</h2>\n<ul>\n");
-    for (const std::string& sentence : result.sentences) page.add("<li>" + escaped_markup(sentence) + "</li>\n");
-    page.add("</ul>\n<p>" + std::to_string(runs.design.size()) + " first members, then " +
-             std::to_string(runs.refined ? runs.refined->size() : 0) +
-             " where these explain the surveys, on cells of " + cells + " m; effective number " +
-             number_text(result.effective, 3) +
-             ". A score is 1 minus the misfit: 1 agrees. Likelihood of an event: misfit to the power of -" +
-             number_text(result.exponent, 2) + ".</p>\n");
-    page.add("<h2 id=\"values\">Values</h2>\n" + keys_table(input, result));
-    page.add("<h2 id=\"scores\">How well the events are explained</h2>\n" + scores_table(input, result) +
-             (input.events() > 1
-                  ? ""
-                  : "<p>With one event there is no forecast to check: the score is that of a fit.</p>\n") +
-             misfits_table(input, runs, result));
-    page.add("<h2 id=\"maps\">Maps</h2>\n");
-    page.add_pictures(maps, "Map");
-    page.add("<h2 id=\"charts\">Charts</h2>\n");
-    page.add_pictures(charts, "Chart");
-    if (runs.last().failed() > 0)
-        page.add("<h2 id=\"failures\">Failed members</h2>\n" + failures_table(input, runs.last()));
+    page.add(answer(input, runs, result, facts, words));
+    page.end_answer();
+    page.add_heading("maps", words("Maps"));
+    if (maps.empty()) page.add("<p>" + escaped_markup(words("There are no maps.")) + "</p>\n");
+    page.add_pictures(maps, words("Map"));
+    page.add_heading("scores", words("How well the events are explained"));
+    page.add(scores_table(input, result, words) + misfits_table(input, runs, result, words));
+    if (!charts.empty()) {
+        page.add_heading("charts", words("Charts"));
+        page.add_pictures(charts, words("Chart"));
+    }
+    add_inputs(input, words, page);
+    if (!facts.warnings.empty()) page.add_warnings(facts.warnings);
+    if (runs.last().failed() > 0) {
+        page.add_heading("failures", words("Failed members"));
+        page.add(failures_table(input, runs.last(), words));
+    }
     page.finish();
 }
 

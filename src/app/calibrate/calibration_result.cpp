@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/calibrate/calibration_result.h"
-#include "app/text/number_text.h"
 
 #include <cmath>
 #include <numeric>
@@ -94,11 +93,11 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     result.indistinct = study::indistinct_pairs(result.keys, result.weights);
     result.sentences = study::sentences(result.posteriors, result.indistinct, result.effective);
     if (result.exponent < exponent)
-        result.sentences.push_back(
-            "Few of the members explain the surveys: the exponent of the likelihood is lowered from " +
-            number_text(exponent) + " to " + number_text(result.exponent, 2) + " so that " +
-            number_text(result.effective, 2) +
-            " of them count. The intervals are wider than the surveys allow; raise study.refine.");
+        result.sentences.push_back(worded(
+            "Few of the members explain the surveys: the exponent of the likelihood is lowered from {1} to {2} so that "
+            "{3} of them count. The intervals are wider than the surveys allow; raise study.refine.",
+            {numeral(number_text(exponent)), numeral(number_text(result.exponent, 2)),
+             numeral(number_text(result.effective, 2))}));
     for (std::size_t e = 0; e < input.events(); ++e) {
         EventResult& event = result.events.emplace_back();
         event.fitted = explained(misfits, stage, exponent, e, std::nullopt, result.keys);

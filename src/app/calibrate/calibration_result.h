@@ -34,7 +34,7 @@ struct CalibrationResult {
     std::vector<study::KeyPosterior> posteriors;  ///< by key
     std::vector<study::IndistinctPair> indistinct;
     std::vector<EventResult> events;
-    std::vector<std::string> sentences;
+    std::vector<Sentence> sentences;  ///< what the surveys say
 };
 
 /// Throws Error(numerical) if no member finished for all events.

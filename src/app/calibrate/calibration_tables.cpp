@@ -183,7 +183,7 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
         if (input.events() > 1) event["leave_one_out"] = json_of(result, result.events[e].predicted);
         events.push_back(std::move(event));
     }
-    json["says"] = result.sentences;
+    json["says"] = texts_of(result.sentences);
     return json_text(json);
 }
 
@@ -196,6 +196,7 @@ std::string calibration_summary_json(const CalibrationInput& input, const Calibr
         {"program", k_program},
         {"version", k_version},
         {"format", k_result_format},
+        {"date", facts.date},
         {"kind", "calibration"},
         {"study", study.file},
         {"sampling", study::name_of(study.sampling)},
@@ -207,7 +208,7 @@ std::string calibration_summary_json(const CalibrationInput& input, const Calibr
         {"wall_seconds", facts.wall_seconds},
         {"threads", facts.threads},
         {"runs_per_hour", facts.wall_seconds > 0 ? 3600 * static_cast<double>(runs.computed) / facts.wall_seconds : 0},
-        {"warnings", facts.warnings}};
+        {"warnings", texts_of(facts.warnings)}};
     return json_text(json);
 }
 

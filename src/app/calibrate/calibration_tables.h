@@ -25,7 +25,8 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
 struct CalibrationFacts {
     double wall_seconds = 0;
     int threads = 1;
-    std::vector<std::string> warnings;
+    std::vector<Sentence> warnings;
+    std::string date;  ///< the day it was written, "2026-11-24"
 };
 /// Returns summary.json.
 std::string calibration_summary_json(const CalibrationInput& input, const CalibrationRuns& runs,

@@ -11,6 +11,7 @@
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/today.h"
 #include "params/grammar/picture_text.h"
 #include "params/scene/write_scene.h"
 
@@ -25,6 +26,7 @@ MapSource chart_source(const CalibrationInput& input) {
     if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
     source.style.formats = output.map_formats;
     source.style.attribution = output.map_attribution.value_or("");
+    source.style.date = date_on_maps(output.map_date, today());
     return source;
 }
 
@@ -42,7 +44,7 @@ bool draw(const CalibrationInput& input, const CalibrationRuns& runs, const Cali
                                 source.style, one.chart.title, directory.path("charts/" + one.name));
             log.note("drew charts/" + one.name);
         } catch (const Error& error) {
-            log.warn("charts/" + one.name + " could not be drawn: " + error.what());
+            log.warn(worded("{1} could not be drawn: {2}", {"charts/" + one.name, std::string(error.what())}));
             good = false;
         }
     }
@@ -71,14 +73,14 @@ void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog
                         : ", not predicted: no member finished for the others";
         log.info(text);
     }
-    for (const std::string& sentence : result.sentences) log.info(sentence);
+    for (const Sentence& sentence : result.sentences) log.info(sentence.text());
 }
 
 bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
     const std::size_t failed = runs.last().failed(), all = runs.last().size() * events;
     if (failed == 0) return false;
-    log.warn(std::to_string(failed) + " of " + std::to_string(all) +
-             " runs failed: their members have no weight. posterior.csv has the reason of each");
+    log.warn(worded("{1} of {2} runs failed: their members have no weight. posterior.csv has the reason of each",
+                    {std::to_string(failed), std::to_string(all)}));
     return static_cast<double>(failed) > k_most_failed * static_cast<double>(all);
 }
 
@@ -100,7 +102,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const bool mapped = publish_calibration_maps(input, runs, result, directory, log);
     outcome.pictures_failed = !draw(input, runs, result, directory, log) || !mapped;
     tell(input, result, log);
-    const CalibrationFacts facts{since_start.seconds(), threads, log.warnings()};
+    const CalibrationFacts facts{since_start.seconds(), threads, log.warnings(), today()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);
     write_text_file(directory.path(k_summary_file), calibration_summary_json(input, runs, facts));
     write_text_file(directory.path(k_log_file), log.text());

@@ -42,7 +42,7 @@ Json check_document(const CheckedScene& checked) {
     const GridSpec& grid = prepared.scene.grid;
     Json json = document_of("check");
     json["scene"] = prepared.spec.file;
-    json["warnings"] = checked.warnings;
+    json["warnings"] = texts_of(checked.warnings);
     json["inputs"] = Json::array();
     for (const UsedFile& file : prepared.files) json["inputs"].push_back(input_json(file));
     json["grid"] = {{"crs", prepared.ground.crs_label},

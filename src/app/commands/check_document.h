@@ -18,7 +18,7 @@ struct CheckedScene {
     std::int64_t memory_bytes;
     int threads;
     std::string result;  ///< folder
-    const std::vector<std::string>& warnings;
+    const std::vector<Sentence>& warnings;
 };
 Json check_document(const CheckedScene& checked);
 

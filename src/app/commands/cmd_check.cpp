@@ -131,8 +131,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
-    if (prepared.release.ground) line("release", ground_text(*prepared.release.ground));
-    if (trial && trial->path) line("path", ground_text(*trial->path) + ", of the trial");
+    if (prepared.release.ground) line("release", ground_sentence(*prepared.release.ground).text());
+    if (trial && trial->path) line("path", ground_sentence(*trial->path).text() + ", of the trial");
     const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes per ";
     if (expected.particles == 0) {
         line("fields", node_bytes + "cell");
@@ -167,7 +167,7 @@ int cmd_check(const Arguments& arguments) {
                                                   "Set the key in the study's scene"});
         const auto check = study::is_calibration(file) ? check_calibration : check_study;
         Json document = check(file, text_option(*values, "out"), threads, !json, log);
-        document["warnings"] = log.warnings();
+        document["warnings"] = texts_of(log.warnings());
         if (json) print_document(document);
         return static_cast<int>(ExitCode::done);
     }

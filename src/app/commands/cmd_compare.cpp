@@ -19,6 +19,7 @@
 #include "app/process/terminal.h"
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
+#include "app/publish/report_probability.h"
 #include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
@@ -126,7 +127,7 @@ Survey read_survey(const std::optional<std::string>& scar, const std::optional<s
                    const GridSpec& grid, RunLog& log) {
     Survey survey;
     if (grid.crs_wkt.empty())
-        log.warn("the raster has no CRS: the survey's coordinates are used without transformation");
+        log.warn(worded("the raster has no CRS: the survey's coordinates are used without transformation"));
     if (scar) add_surveyed(*scar, grid.crs_wkt, "--observed", log, survey);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;
@@ -251,6 +252,15 @@ std::vector<std::string> existing(const std::vector<std::string>& files) {
     return there;
 }
 
+/// Adds the report of a result to the files that were written, or warns that it could not be renewed.
+void add_report(const std::string& folder, bool renewed, RunLog& log, std::vector<std::string>& files) {
+    const std::string report = (fs::path(folder) / k_report_file).string();
+    if (!renewed)
+        log.warn(worded("report.html is of an older frana and stays without this comparison; run the scene again"));
+    else if (fs::exists(report))
+        files.push_back(report);
+}
+
 /// Prints a table and the files that were written.
 void print_table(const std::string& table, const std::vector<std::string>& files) {
     std::cout << table << "\nWritten:\n";
@@ -283,15 +293,17 @@ int compare_probability(const Pair& pair, const std::optional<double>& threshold
     begin_own(pair.folder, files);
     write_probability_comparison(scores, map, survey, pair.folder);
     record_files(files);
+    std::vector<std::string> written = existing(files);
+    add_report(pair.folder, renew_report(pair.folder, scores, map), log, written);
     if (json) {
         Json document = document_of("compare");
-        document["warnings"] = log.warnings();
+        document["warnings"] = texts_of(log.warnings());
         document["folder"] = pair.folder;
-        document["files"] = existing(files);
+        document["files"] = written;
         document["comparison"] = Json::parse(probability_json(scores, map, survey));
         print_document(document);
     } else {
-        print_table(probability_table(scores, output_width()), existing(files));
+        print_table(probability_table(scores, output_width()), written);
     }
     return static_cast<int>(ExitCode::done);
 }
@@ -346,11 +358,7 @@ int cmd_compare(const Arguments& arguments) {
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);
         std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
-        if (!renew_report(pair.folder, comparison, simulated.source)) {
-            log.warn("report.html is of an older frana and stays without this comparison; run the scene again");
-        } else if (const std::string report = (fs::path(pair.folder) / k_report_file).string(); fs::exists(report)) {
-            files.push_back(report);
-        }
+        add_report(pair.folder, renew_report(pair.folder, comparison, simulated.source), log, files);
         written.insert(written.end(), files.begin(), files.end());
         document["comparisons"].push_back({{"folder", pair.folder},
                                            {"files", files},
@@ -362,7 +370,7 @@ int cmd_compare(const Arguments& arguments) {
         ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison,
                     scene_values(pair.operand));
     }
-    document["warnings"] = log.warnings();
+    document["warnings"] = texts_of(log.warnings());
     if (pairs.size() == 1) {
         const Json only = document["comparisons"].front();
         for (const auto& [name, value] : only.items()) document[name] = value;

@@ -14,9 +14,12 @@
 #include "app/commands/json_output.h"
 #include "app/commands/scene_variants.h"
 #include "app/input/scene_language.h"
+#include "app/input/share_directory.h"
 #include "app/process/signals.h"
 #include "app/process/terminal.h"
+#include "app/publish/report_answer.h"
 #include "app/store/error_estimate.h"
+#include "app/store/json_file.h"
 #include "app/store/kept_files.h"
 #include "app/store/layers.h"
 #include "app/store/manifest.h"
@@ -32,6 +35,7 @@
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "params/keys/result_rasters.h"
+#include "params/scene/read_scene.h"
 #include "render/chart/chart.h"
 #include "simulation/run_statistics.h"
 #include "simulation/simulation.h"
@@ -234,6 +238,24 @@ fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& s
     return folder;
 }
 
+/// Puts the errors into the report of the scene's own result, if that is of exactly this scene and has no estimate of
+/// its own. Returns the report; empty: there is none, or it stays as it is.
+std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double cell_size) {
+    const std::string result = output_directory(spec);
+    const fs::path scene = fs::path(result) / k_scene_file, summary = fs::path(result) / k_summary_file,
+                   report = fs::path(result) / k_report_file;
+    if (folder != fs::absolute(convergence_directory(result)) || !fs::exists(report) || !fs::exists(scene)) return {};
+    const std::optional<Json> json = read_json_file(summary.string());
+    if (!json || json->contains("accuracy")) return {};
+    const SceneReading read = read_scene(scene.string(), {}, materials_directory());
+    if (!read.problems.empty() || numbers_fingerprint(read.scene) != numbers_fingerprint(spec)) return {};
+    SummaryFacts facts;
+    facts.spec = spec;
+    const ErrorEstimates errors = error_estimates(facts, result);
+    const auto parts = [&](const Words& words) { return error_parts(errors, cell_size, words); };
+    return renew_page(result, parts) ? report.string() : std::string();
+}
+
 }  // namespace
 
 int cmd_converge(const Arguments& arguments) {
@@ -281,10 +303,12 @@ int cmd_converge(const Arguments& arguments) {
     write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(levels, spec));
     record_files(files_of(folder));
+    const std::string report = renewed_report(folder, spec, finest);
     if (values->count("json") > 0) {
         Json document = document_of("converge");
         document["folder"] = folder.string();
         document["files"] = files_of(folder);
+        if (!report.empty()) document["files"].push_back(report);
         document["convergence"] = Json::parse(study_json(levels, spec));
         document["levels"] = rows_of(csv_text(levels));
         print_document(document);
@@ -292,6 +316,7 @@ int cmd_converge(const Arguments& arguments) {
         std::cout << table_text(levels) << '\n' << folded(text, output_width());
     }
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
+    if (!quiet && !report.empty()) std::cerr << "frana: " << report << " shows these errors beside its values\n";
     return static_cast<int>(ExitCode::done);
 }
 

@@ -81,7 +81,7 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
     run_with.on_problem = [&progress, &log](const RunProblem& run_problem) {
         progress.finish();
-        log.warn(describe(run_problem) + ": the run stops here");
+        log.warn(worded("{1}: the run stops here", {describe(run_problem)}));
     };
     run_with.stop_requested = [frames] { return stop_signal() != 0 || (frames != nullptr && frames->failed()); };
     run_with.after_step = [&checkpoints](const Progress& now, const SaveState& state) {
@@ -106,8 +106,10 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     log.info("resuming from " + number_text(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
              from.path());
     if (head.build != checkpoint_build()) {
-        log.warn("the checkpoint is from another build (" + head.build + "; this is " + checkpoint_build() +
-                 "): the result can differ in rounding from that of an uninterrupted run");
+        log.warn(worded(
+            "the checkpoint is from another build ({1}; this is {2}): the result can differ in rounding from that of "
+            "an uninterrupted run",
+            {head.build, std::string(checkpoint_build())}));
     }
 }
 
@@ -204,8 +206,10 @@ void log_run(const RunResult& result, double end, RunLog& log) {
                  " node-steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
-        log.warn("the run was stopped at " + number_text(result.simulated_seconds, 4) + " s of at most " +
-                 number_text(end, 4) + " s: the maps are incomplete; the same command with --resume continues it");
+        log.warn(worded(
+            "the run was stopped at {1} s of at most {2} s: the maps are incomplete; the same command with --resume "
+            "continues it",
+            {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
     }
 }
 
@@ -342,7 +346,7 @@ void print_run_document(const std::string& target, int code, const RunLog& log) 
     document["result"] = target;
     const auto manifest = read_manifest(target);
     document["finished"] = code == static_cast<int>(ExitCode::done);
-    document["warnings"] = log.warnings();
+    document["warnings"] = texts_of(log.warnings());
     document["summary"] = read_json_file((std::filesystem::path(target) / k_summary_file).string()).value_or(Json());
     document["files"] = Json::array();
     if (manifest)

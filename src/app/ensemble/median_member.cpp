@@ -92,9 +92,9 @@ bool film_member(const StudyInput& input, const StudyResult& result, const Media
         if (complete)
             log.note(std::string("drew ") + k_animation_file + ": " + sentence(median));
         else
-            log.warn(std::string(k_animation_file) + " is left out because of the signal");
+            log.warn(worded("{1} is left out because of the signal", {k_animation_file}));
     } catch (const Error& error) {
-        log.warn(std::string(k_animation_file) + " could not be drawn: " + error.what());
+        log.warn(worded("{1} could not be drawn: {2}", {k_animation_file, std::string(error.what())}));
     }
     remove_frames(directory);
     return complete;

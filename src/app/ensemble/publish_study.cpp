@@ -20,6 +20,7 @@
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/today.h"
 #include "core/shortest_text.h"
 #include "gis/raster/rasterize.h"
 #include "study/read_region.h"
@@ -125,9 +126,10 @@ bool warn_of_failures(const StudyInput& input, const StudyResult& result, const 
     const double fraction = static_cast<double>(result.failed()) / static_cast<double>(result.members.size());
     const auto first = std::find_if(result.members.begin(), result.members.end(),
                                     [](const MemberResult& member) { return !member.failure.empty(); });
-    log.warn(std::to_string(result.failed()) + " of " + std::to_string(result.members.size()) +
-             " members failed and are in no map; the first, member " + std::to_string(first->member) + ": " +
-             first->failure + ". members.csv has the reason of each");
+    log.warn(worded(
+        "{1} of {2} members failed and are in no map; the first, member {3}: {4}. members.csv has the reason of each",
+        {std::to_string(result.failed()), std::to_string(result.members.size()), std::to_string(first->member),
+         first->failure}));
     const bool level_failed = std::any_of(levels.begin(), levels.end(), [](const LevelSummary& level) {
         return static_cast<double>(level.failed) > k_most_failed * static_cast<double>(level.statistics.members);
     });
@@ -139,7 +141,8 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const stu
              percent(error.largest) + " at most, " + percent(error.mean) + " on average where it is not 0");
     const auto& until = input.reading.study.until;
     if (until && error.largest > *until)
-        log.warn("study.until = " + shortest_text(*until) + " is not reached with all members: raise study.samples");
+        log.warn(
+            worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
 }  // namespace
@@ -156,16 +159,17 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
                     is_region ? study::region_text(input.reading.study) : study::study_text(input.reading.study));
     facts.threads = study.threads;
     facts.computed = study.computed;
+    facts.date = today();
     std::vector<FigureSensitivity> figures;
     const Bounds map = computed_ground(input);
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
         if (input.reading.study.per_polygon()) {
-            publish_unions(input, result, directory);
+            publish_unions(input, result, directory, facts);
         } else {
             publish_study_ground(input, directory);
             figures = sensitivities(result);
-            facts.error = publish_study_maps(input, result, directory);
+            publish_study_maps(input, result, directory, facts);
             warn_of_error(input, result, facts.error, log);
             facts.median = median_member(input, result);
             if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);

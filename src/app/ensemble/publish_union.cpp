@@ -3,11 +3,11 @@
 
 #include <map>
 #include <utility>
-#include "app/input/scene_language.h"
 
 #include "analysis/trace.h"
 #include "app/ensemble/map_writer.h"
 #include "app/ensemble/study_files.h"
+#include "app/input/scene_language.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
@@ -39,12 +39,12 @@ std::vector<study::UnionMember> members_of(const StudyInput& input, const StudyR
     return members;
 }
 
-void write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
+std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
     const auto scheme = hazard_scheme_of(input.base.spec.hazard);
     const DegreeMatrix& matrix = input.reading.study.region->degrees;
     ClassMap map{"hazard_degree",    "Degree of hazard",  degree_classes(matrix),   scheme->name,
                  k_two_publications, k_degree_zones_file, intensity_limits(*scheme)};
-    publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
+    return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
 }
 
 void write_reached(const StudyInput& input, const Raster& depth, const ResultDirectory& directory) {
@@ -56,6 +56,12 @@ void write_reached(const StudyInput& input, const Raster& depth, const ResultDir
     reached.numbers["threshold_m"] = threshold;
     if (!reached.parts.empty()) layers.back().features.push_back(std::move(reached));
     write_result_outlines(directory.path(k_outlines_file), depth.grid.crs_wkt, layers);
+}
+
+double covered_area(const Raster& depth, double threshold) {
+    std::int64_t cells = 0;
+    depth.values.for_each_stored([&](std::size_t, double value) { cells += value > threshold; });
+    return static_cast<double>(cells) * depth.grid.cell_area();
 }
 
 /// Of a large map, whose elevations are read where somebody asks for them.
@@ -106,7 +112,7 @@ void write_scenario(const StudyInput& input, const std::vector<study::UnionMembe
 
 }  // namespace
 
-void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
+void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory, StudyFacts& facts) {
     const auto& region = input.reading.study.region;
     const std::vector<study::UnionMember> all = members_of(input, result, std::nullopt);
     {
@@ -117,9 +123,11 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
         read_ground_under(depth, input.base.scene.terrain);
         publish_study_ground(input, directory);
         write_reached(input, depth, directory);
+        facts.reached_threshold = input.base.spec.output.trace_threshold;
+        facts.reached_m2 = {covered_area(depth, facts.reached_threshold)};
     }
     if (region && region->return_period)
-        write_degree(input, study::worst_degree(all, result.grid, region->degrees), directory);
+        facts.degrees = write_degree(input, study::worst_degree(all, result.grid, region->degrees), directory);
     if (!region || !region->scenario) return;
     std::map<std::string, bool> scenarios;
     for (const study::UnionMember& member : all) scenarios[input.slopes[member.number].scenario] = true;

@@ -3,6 +3,7 @@
 
 #include "app/ensemble/study_input.h"
 #include "app/ensemble/study_result.h"
+#include "app/ensemble/study_tables.h"
 #include "app/store/result_directory.h"
 #include "gis/vector/vector_out.h"
 
@@ -10,8 +11,8 @@ namespace frana::app {
 
 /// Writes the terrain and the rasters of a study with a polygon for each member: the union of all, how many reach each
 /// cell, which is the worst; of a region also those of each scenario, and the degree of hazard where it has return
-/// periods.
-void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory);
+/// periods. Adds the area of the union and those of the degrees to the facts.
+void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory, StudyFacts& facts);
 
 /// Writes a region's table of slopes as a layer: every release polygon, also of those that failed, with what its
 /// attributes say, its status, its figures, and the outline of what it reaches.

@@ -49,6 +49,12 @@ PolygonFeature probability_outline(const Raster& probability, double least) {
     return feature;
 }
 
+double area_at_least(const Raster& probability, double least) {
+    std::int64_t cells = 0;
+    probability.values.for_each_stored([&](std::size_t, double value) { cells += value >= least; });
+    return static_cast<double>(cells) * probability.grid.cell_area();
+}
+
 /// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
 void write_probability_outlines(const StudyInput& input, const Raster& probability, const std::string& path) {
     std::vector<gis::OutlineLayer> layers = known_outlines(input);
@@ -100,8 +106,8 @@ void publish_study_ground(const StudyInput& input, const ResultDirectory& direct
     publish_ground(input.base, directory);
 }
 
-study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
-                                   const ResultDirectory& directory) {
+void publish_study_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
+                        StudyFacts& facts) {
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input.base, directory);
     std::vector<Raster> errors;
@@ -113,8 +119,12 @@ study::MapError publish_study_maps(const StudyInput& input, const StudyResult& r
         if (events.quantity == study::Quantity::depth) {
             write_distribution(maps, "depth", writer);
             writer.write("hit_count", maps.hits);
-            if (!maps.probability.empty())
+            if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
+                facts.reached_threshold = events.thresholds.front();
+                for (const StudyQuantile& quantile : k_study_quantiles)
+                    facts.reached_m2.push_back(area_at_least(maps.probability.front(), quantile.fraction));
+            }
         }
         if (events.quantity == study::Quantity::velocity) write_distribution(maps, "velocity", writer);
         std::move(maps.error.begin(), maps.error.end(), std::back_inserter(errors));
@@ -129,7 +139,7 @@ study::MapError publish_study_maps(const StudyInput& input, const StudyResult& r
             study::sensitivity_maps(result.design, result.points, result.groups, result.grid, threshold);
         for (std::size_t k = 0; k < maps.size(); ++k) writer.write("sensitivity_" + input.table.keys[k], maps[k]);
     }
-    return study::map_error(errors);
+    facts.error = study::map_error(errors);
 }
 
 void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
@@ -162,7 +172,7 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
             draw();
             log.note("drew " + what);
         } catch (const Error& error) {
-            log.warn(what + " could not be drawn: " + error.what());
+            log.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
             good = false;
         }
     };

@@ -7,6 +7,7 @@
 
 #include "app/ensemble/study_input.h"
 #include "app/ensemble/study_result.h"
+#include "app/ensemble/study_tables.h"
 #include "app/store/result_directory.h"
 #include "gis/vector/vector_out.h"
 #include "study/member_record.h"
@@ -18,9 +19,10 @@ namespace frana::app {
 void publish_study_ground(const StudyInput& input, const ResultDirectory& directory);
 
 /// Writes all rasters of the table of result rasters that a study makes, and the outlines where the least depth of
-/// output.depth-thresholds is exceeded with probabilities of 5, 50 and 95 %. Returns the error of the probabilities.
-study::MapError publish_study_maps(const StudyInput& input, const StudyResult& result,
-                                   const ResultDirectory& directory);
+/// output.depth-thresholds is exceeded with probabilities of 5, 50 and 95 %. Adds the error of the probabilities and
+/// these areas to the facts.
+void publish_study_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
+                        StudyFacts& facts);
 
 /// Returns the layers of extent.gpkg that are known before the members run.
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);

@@ -3,99 +3,125 @@
 
 #include <filesystem>
 
+#include "app/ensemble/study_answer.h"
+#include "app/ensemble/study_charts.h"
+#include "app/input/scene_language.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
+#include "app/publish/report_comparison.h"
+#include "app/publish/report_numbers.h"
+#include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
-#include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/markup.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string keys_table(const StudyInput& input) {
-    HtmlTable table({"key", "distribution"});
+constexpr std::size_t k_figures_on_first_page = 12;
+
+std::string keys_table(const StudyInput& input, const Words& words) {
+    HtmlTable table({words("key"), words("distribution")});
     for (const study::Variation& one : input.reading.study.vary) table.row({one.key, one.distribution.text});
     for (const study::Correlation& one : input.reading.study.correlate)
-        table.row({one.first + " and " + one.second, "rank correlation " + number_text(one.rho)});
+        table.row(
+            {one.first + ", " + one.second, words("rank correlation {1}", {words.number(shortest_text(one.rho))})});
     return table.html();
 }
 
-std::string figures_table(const StudyResult& result) {
-    HtmlTable table({"figure", "unit", "mean", "5 %", "50 %", "95 %"});
-    const std::vector<double>& weights = result.finished.weights;
-    for (std::size_t f = 0; f < result.figures().size(); ++f) {
-        const std::vector<double> values = result.figure(f);
-        table.row({result.figures()[f].title, result.figures()[f].unit, number_text(weighted_mean(values, weights)),
-                   number_text(figure_quantile(values, weights, 0.05)),
-                   number_text(figure_quantile(values, weights, 0.5)),
-                   number_text(figure_quantile(values, weights, 0.95))});
-    }
-    return table.html();
-}
-
-std::string levels_table(const std::vector<LevelSummary>& levels) {
+std::string levels_table(const std::vector<LevelSummary>& levels, const Words& words) {
+    const ReportNumbers number(words);
     double all = 0;
     for (const LevelSummary& level : levels) all += level.statistics.cost * static_cast<double>(level.members);
-    HtmlTable table({"level", "cells", "members", "variance of the difference", "part of the cost"});
+    HtmlTable table({words("level"), words("cells [m]"), words("members"),
+                     words("variance of the difference, of that on level 0 [%]"), words("part of the cost [%]")});
     for (std::size_t l = 0; l < levels.size(); ++l) {
         const LevelSummary& level = levels[l];
         const double cost = level.statistics.cost * static_cast<double>(level.members);
-        table.row({std::to_string(l), number_text(level.cell_size) + " m", std::to_string(level.members),
-                   number_text(100 * level.statistics.variance / levels.front().statistics.variance, 2) +
-                       " % of that on level 0",
-                   number_text(100 * cost / all, 2) + " %"});
+        table.row({std::to_string(l), number(level.cell_size), std::to_string(level.members),
+                   number.percent(level.statistics.variance / levels.front().statistics.variance),
+                   number.percent(cost / all)});
     }
     return table.html();
 }
 
-std::string interval_text(const std::optional<study::Interval>& one) {
+std::string interval_text(const std::optional<study::Interval>& one, const Words& words) {
     if (!one) return "";
-    return number_text(one->value, 2) + " (" + number_text(one->low, 2) + " to " + number_text(one->high, 2) + ")";
+    const ReportNumbers number(words);
+    return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
 }
 
-std::string sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    HtmlTable table({"figure", "key", "first order", "total", "rank correlation", "method"});
+std::string sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures,
+                              const Words& words) {
+    HtmlTable table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"),
+                     words("method")});
     for (const FigureSensitivity& figure : figures)
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const study::KeySensitivity& one = figure.keys[k];
-            table.row({figure.figure.title, input.table.keys[k], interval_text(one.first_order),
-                       interval_text(one.total), interval_text(one.rank_correlation),
-                       one.method.empty() ? "not measurable" : one.method});
+            table.row({figure_title(figure.figure, words), input.table.keys[k], interval_text(one.first_order, words),
+                       interval_text(one.total, words), interval_text(one.rank_correlation, words),
+                       one.method.empty() ? words("not measurable") : one.method});
         }
-    return table.html();
+    return table.html() + "<p class=\"small\">" +
+           escaped_markup(words("What part of the variance of a value its key explains, alone (first order) and with "
+                                "others (total), or how the two are correlated; in brackets the interval of 95 %.")) +
+           "</p>\n";
 }
 
-std::string median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory) {
+std::string median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory,
+                             const Words& words) {
+    const ReportNumbers number(words);
     std::string values;
     for (const std::string& one : input.table.overrides(median.member)) values += (values.empty() ? "" : ", ") + one;
-    const bool has_film = fs::exists(directory.path(k_animation_file));
-    return "<h2 id=\"median\">Median member</h2>\n<p>Member " + std::to_string(median.member) + ": " +
-           escaped_markup(median.figure.title) + " " + number_text(median.figure.value) + " " +
-           escaped_markup(median.figure.unit) + ", nearest to the weighted median of all, " +
-           number_text(median.median) + ". Its values: " + escaped_markup(values) + "." +
-           (has_film ? std::string(" <a href=\"") + k_animation_file + "\">Film of this member</a>." : "") + "</p>\n";
+    std::string html = escaped_markup(
+        words("Member {1}: {2} {3} {4}, nearest to the weighted median of all, {5}. Its values: {6}.",
+              {std::to_string(median.member), figure_title(median.figure, words), number.grouped(median.figure.value),
+               ReportNumbers::unit(median.figure.unit), number.grouped(median.median), values}));
+    if (fs::exists(directory.path(k_animation_file)))
+        html += std::string(" <a href=\"") + k_animation_file + "\">" + escaped_markup(words("Film of this member")) +
+                "</a>.";
+    return "<p>" + html + "</p>\n";
 }
 
-std::string failures_list(const StudyResult& result) {
-    HtmlTable table({"member", "reason"});
+std::string failures_list(const StudyResult& result, const Words& words) {
+    HtmlTable table({words("member"), words("reason")});
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) table.row({std::to_string(member.member), member.failure});
     return table.html();
 }
 
-std::string study_sentence(const StudyInput& input, const StudyFacts& facts) {
-    const study::StudySpec& study = input.reading.study;
-    if (study.per_polygon())
-        return "one for each polygon of the release perimeter. Maps show the worst of all: what at least one of the "
-               "sources causes, not all of them together.</p>\n";
-    return "sampling " + study::name_of(study.sampling) + ", seed " + std::to_string(study.seed) +
-           ". Standard error of the probabilities: at most " + number_text(100 * facts.error.largest, 2) +
-           " %, on average " + number_text(100 * facts.error.mean, 2) +
-           " % where it is not 0. It measures the number of members, not how well model, terrain and distributions "
-           "describe nature.</p>\n";
+/// The map that answers the question of the study, first.
+std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDirectory& directory) {
+    std::vector<std::string> maps = pictures_in(directory.path("maps"));
+    const std::vector<double>& depths = input.base.spec.output.depth_thresholds;
+    const std::string of_runs = depths.empty() ? "" : "probability_depth_" + shortest_text(depths.front());
+    for (const std::string& main : {std::string("union_max_depth"), std::string("hazard_degree"), of_runs}) {
+        const auto found = std::find_if(maps.begin(), maps.end(),
+                                        [&](const std::string& map) { return fs::path(map).stem() == main; });
+        if (found != maps.end()) std::rotate(maps.begin(), found, found + 1);
+    }
+    return maps;
+}
+
+std::string title_of(const StudyInput& input, const Words& words) {
+    const SceneSpec& spec = input.base.spec;
+    const std::string name = spec.output.title.value_or(scene_name(spec));
+    return !input.slopes.empty()               ? words("{1}: a region of many slopes", {name})
+           : input.reading.study.per_polygon() ? words("{1}: each source alone", {name})
+                                               : words("{1}: a range of runs", {name});
+}
+
+void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& words, HtmlPage& page) {
+    page.add_heading("inputs", words("Distributions and inputs"));
+    if (!input.reading.study.vary.empty()) page.add(keys_table(input, words));
+    if (!facts.levels.empty())
+        page.add("<h3>" + escaped_markup(words("Levels")) + "</h3>\n" + levels_table(facts.levels, words));
+    page.add(inputs_table(input.base, words));
+    page.add("<details>\n<summary>" + escaped_markup(words("Keys used")) + "</summary>\n" +
+             parameters_table(input.base, true, words) + "</details>\n");
 }
 
 }  // namespace
@@ -103,26 +129,44 @@ std::string study_sentence(const StudyInput& input, const StudyFacts& facts) {
 void write_study_report(const StudyInput& input, const StudyResult& result,
                         const std::vector<FigureSensitivity>& figures, const StudyFacts& facts,
                         const ResultDirectory& directory) {
-    const SceneSpec& spec = input.base.spec;
-    const std::string title = spec.output.title.value_or(scene_name(spec)) +
-                              (input.slopes.empty() ? ": a range of runs" : ": a region of many slopes");
-    HtmlPage page(directory.path(k_report_file), title,
-                  std::string("Computed with ") + k_program + " " + k_version + ", study " + input.reading.study.file);
-    const std::vector<std::string> maps = pictures_in(directory.path("maps")),
+    const Words words = words_of(input.base.spec);
+    const std::vector<std::string> maps = maps_in_order(input, directory),
                                    charts = pictures_in(directory.path("charts"));
-    page.expect_pictures(maps.size() + charts.size());
-    page.add_warnings(facts.warnings);
-    page.add("<h2 id=\"study\">Study</h2>\n<p>" + std::to_string(result.finished_at.size()) + " members of " +
-             std::to_string(result.members.size()) + " finished, " + study_sentence(input, facts) + keys_table(input));
-    if (!facts.levels.empty()) page.add("<h2 id=\"levels\">Levels</h2>\n" + levels_table(facts.levels));
-    if (!result.figures().empty()) page.add("<h2 id=\"figures\">Figures</h2>\n" + figures_table(result));
-    if (facts.median) page.add(median_paragraph(input, *facts.median, directory));
-    page.add("<h2 id=\"maps\">Maps</h2>\n");
-    page.add_pictures(maps, "Map");
-    if (!figures.empty()) page.add("<h2 id=\"sensitivity\">Sensitivity</h2>\n" + sensitivity_table(input, figures));
-    if (!input.reading.study.per_polygon()) page.add("<h2 id=\"charts\">Charts</h2>\n");
-    page.add_pictures(charts, "Chart");
-    if (result.failed() > 0) page.add("<h2 id=\"failures\">Failed members</h2>\n" + failures_list(result));
+    HtmlPage page(directory.path(k_report_file), title_of(input, words),
+                  words("Computed with {1}, study {2}, {3}",
+                        {std::string(k_program) + " " + k_version, input.reading.study.file, words.date(facts.date)}),
+                  words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
+    page.expect_pictures(maps.size() + charts.size() + 1);
+    page.add(study_answer(input, result, facts, words));
+    if (!maps.empty()) page.add_pictures({maps.front()}, words("Map"));
+    // The first page of paper has room for a short table under its picture.
+    const bool is_short = !input.reading.study.per_polygon() && result.figures().size() <= k_figures_on_first_page;
+    if (is_short) page.add(study_values(input, result, facts, words));
+    page.end_answer();
+    if (!is_short) page.add(study_values(input, result, facts, words));
+    page.add_heading("maps", words("Maps"));
+    if (maps.size() > 1) page.add_pictures({maps.begin() + 1, maps.end()}, words("Map"));
+    if (maps.size() == 1) page.add("<p>" + escaped_markup(words("The only map is on the first page.")) + "</p>\n");
+    if (maps.empty()) page.add("<p>" + escaped_markup(words("There are no maps.")) + "</p>\n");
+    page.add(page_part(k_comparison_section, ""));
+    add_inputs(input, facts, words, page);
+    if (!figures.empty()) {
+        page.add_heading("sensitivity", words("Sensitivity"));
+        page.add(sensitivity_table(input, figures, words));
+    }
+    if (!charts.empty()) {
+        page.add_heading("charts", words("Charts"));
+        page.add_pictures(charts, words("Chart"));
+    }
+    if (facts.median) {
+        page.add_heading("median", words("Median member"));
+        page.add(median_paragraph(input, *facts.median, directory, words));
+    }
+    if (!facts.warnings.empty()) page.add_warnings(facts.warnings);
+    if (result.failed() > 0) {
+        page.add_heading("failures", words("Failed members"));
+        page.add(failures_list(result, words));
+    }
     page.finish();
 }
 

@@ -105,6 +105,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     Json json{{"program", k_program},
               {"version", k_version},
               {"format", k_result_format},
+              {"date", facts.date},
               {"kind", study.region ? "region" : "ensemble"},
               {"language", input.base.spec.output.language},
               {"study", study.file},
@@ -158,7 +159,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
     if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
-    json["warnings"] = facts.warnings;
+    json["warnings"] = texts_of(facts.warnings);
     return json_text(json);
 }
 

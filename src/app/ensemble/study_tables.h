@@ -9,6 +9,7 @@
 #include "app/ensemble/median_member.h"
 #include "app/ensemble/study_result.h"
 #include "app/publish/publish_exposure.h"
+#include "app/publish/publish_hazard.h"
 
 namespace frana::app {
 
@@ -23,10 +24,16 @@ struct StudyFacts {
     std::optional<MedianMember> median;
     std::vector<LevelSummary> levels;  ///< of a multilevel study
     std::optional<ExposureTotals> exposure;
+    std::string date;  ///< the day it was written, "2026-11-24"
+    /// Areas deeper than the threshold at some time [m2]: with the probability of each of k_study_quantiles at least;
+    /// of sources that fail alone one value, that of all of them. Empty: there is no such map.
+    std::vector<double> reached_m2;
+    double reached_threshold = 0;     ///< [m]
+    std::vector<HazardArea> degrees;  ///< of hazard, of a region with return periods
     double wall_seconds = 0;
     std::size_t computed = 0;  ///< members in this session
     int threads = 1;
-    std::vector<std::string> warnings;
+    std::vector<Sentence> warnings;
 };
 std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts);
 

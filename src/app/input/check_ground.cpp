@@ -12,16 +12,16 @@ constexpr double k_flat_release = 2, k_steep_release = 55;
 // Granular flows and mudflows run out over 5 to 35 degrees. Feet read as metres turn 30 degrees into 62.
 constexpr double k_steep_path = 45;
 
-const char* const k_steep_remedy =
-    ". Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
-    "terrain.vertical-unit, and the DTM for steps and towers";
+const char* const k_steep_remedy = worded(
+    "Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
+    "terrain.vertical-unit, and the DTM for steps and towers");
 
 }  // namespace
 
-std::string ground_text(const GroundStatistics& ground) {
-    return number_text(ground.lowest, 5) + " to " + number_text(ground.highest, 5) + " m, slope " +
-           number_text(ground.mean_slope_deg, 2) + " degrees on average, " + number_text(ground.steepest_slope_deg, 2) +
-           " at most";
+Sentence ground_sentence(const GroundStatistics& ground) {
+    return worded("{1} to {2} m, slope {3} degrees on average, {4} at most",
+                  {numeral(number_text(ground.lowest, 5)), numeral(number_text(ground.highest, 5)),
+                   numeral(number_text(ground.mean_slope_deg, 2)), numeral(number_text(ground.steepest_slope_deg, 2))});
 }
 
 std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
@@ -35,17 +35,20 @@ std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
 
 void warn_of_release_ground(const GroundStatistics& ground, RunLog& log) {
     if (ground.mean_slope_deg > k_steep_release) {
-        log.warn("the release is nearly vertical: " + ground_text(ground) + k_steep_remedy);
+        log.warn(worded("the release is nearly vertical: {1}. {2}", {ground_sentence(ground), k_steep_remedy}));
     } else if (ground.mean_slope_deg < k_flat_release) {
-        log.warn("the release is nearly flat: " + ground_text(ground) +
-                 ". Check that perimeter and DTM belong to the same place (coordinate reference systems), that the "
-                 "elevations are in metres (terrain.vertical-unit), and that the DTM has its elevations there");
+        log.warn(worded(
+            "the release is nearly flat: {1}. Check that perimeter and DTM belong to the same place (coordinate "
+            "reference systems), that the elevations are in metres (terrain.vertical-unit), and that the DTM has its "
+            "elevations there",
+            {ground_sentence(ground)}));
     }
 }
 
 void warn_of_path_ground(const GroundStatistics& ground, RunLog& log) {
     if (ground.mean_slope_deg > k_steep_path)
-        log.warn("the path is steeper than those of landslides: " + ground_text(ground) + k_steep_remedy);
+        log.warn(worded("the path is steeper than those of landslides: {1}. {2}",
+                        {ground_sentence(ground), k_steep_remedy}));
 }
 
 }  // namespace frana::app

@@ -11,7 +11,7 @@
 namespace frana::app {
 
 /// Returns "412 to 780 m, slope 27 degrees on average, 51 at most".
-std::string ground_text(const GroundStatistics& ground);
+Sentence ground_sentence(const GroundStatistics& ground);
 
 /// Statistics of the DTM under the outlines of the release; none if nothing is released.
 std::optional<GroundStatistics> ground_of_release(const Scene& scene);

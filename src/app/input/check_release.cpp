@@ -22,7 +22,7 @@ constexpr int k_cells_named = 5;
 /// Counts the covered cells that satisfy a test, and lists the first few by row, column and coordinates.
 struct CellList {
     std::int64_t count = 0;
-    std::string text;
+    std::vector<Sentence> first;
 };
 
 CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>& test) {
@@ -32,15 +32,17 @@ CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>
         const std::int64_t row = static_cast<std::int64_t>(cell) / cover.grid.columns,
                            column = static_cast<std::int64_t>(cell) % cover.grid.columns;
         const Point centre = cover.grid.cell_centre(row, column);
-        list.text += (list.text.empty() ? "row " : "; row ") + std::to_string(row) + " column " +
-                     std::to_string(column) + " at " + number_text(centre.x, 9) + ", " + number_text(centre.y, 9);
+        list.first.push_back(worded(
+            "row {1} column {2} at {3}",
+            {std::to_string(row), std::to_string(column), number_text(centre.x, 9) + ", " + number_text(centre.y, 9)}));
     });
-    if (list.count > k_cells_named) list.text += "; ...";
+    if (list.count > k_cells_named) list.first.emplace_back(std::string("..."));
     return list;
 }
 
-std::string cells_text(const CellList& list) {
-    return grouped(list.count) + (list.count == 1 ? " cell: " : " cells: ") + list.text;
+Sentence cells_of(const CellList& list) {
+    return worded(list.count == 1 ? "{1} cell: {2}" : "{1} cells: {2}",
+                  {numeral(grouped(list.count)), listed(list.first)});
 }
 
 /// Returns false if the outlines reach beyond the working grid.
@@ -61,8 +63,8 @@ bool check_extent(const SceneReading& reading, const TerrainInput& ground, const
 void check_ground(const SceneReading& reading, const TerrainInput& ground, const Raster& cover, Problems& problems) {
     const CellList holes = cells_where(cover, [&](std::size_t i) { return std::isnan(ground.terrain.values[i]); });
     if (holes.count == 0) return;
-    problems.add({"the DTM has no elevation under the release", reading.where("terrain.dtm"), cells_text(holes), "",
-                  "Repair the DTM, change the perimeter, or set terrain.nodata-policy = fill to interpolate"});
+    problems.add({"the DTM has no elevation under the release", reading.where("terrain.dtm"), cells_of(holes).text(),
+                  "", "Repair the DTM, change the perimeter, or set terrain.nodata-policy = fill to interpolate"});
 }
 
 void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover, RunLog& log,
@@ -70,7 +72,8 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
     const std::string where = reading.where("release.thickness");
     const CellList negative = cells_where(cover, [&](std::size_t i) { return thickness.values[i] < 0; });
     if (negative.count > 0) {
-        problems.add({"the thickness raster is negative inside the perimeter", where, cells_text(negative), "0 or more",
+        problems.add({"the thickness raster is negative inside the perimeter", where, cells_of(negative).text(),
+                      "0 or more",
                       "A raster of after minus before has the wrong sign: use difference:PRE,POST or negate it"});
         return;
     }
@@ -80,8 +83,8 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
         problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter", where, "",
                       "", "Check the raster's position and coordinate reference system"});
     } else if (empty.count > 0) {
-        log.warn("the thickness raster has no value on part of the perimeter, nothing is released there: " +
-                 cells_text(empty));
+        log.warn(worded("the thickness raster has no value on part of the perimeter, nothing is released there: {1}",
+                        {cells_of(empty)}));
     }
 }
 
@@ -114,9 +117,10 @@ void check_difference(const SceneReading& reading, const TerrainInput& ground, c
         problems.add({"would dig the release out of ground that it has left: the DTM is that of after the failure",
                       where, "on", "off", "Set it to off, or take the DTM of before the failure as terrain.dtm"});
     } else if (std::abs(fraction - (contains ? 1 : 0)) > k_most_doubt) {
-        log.warn("the DTM lies at " + number_text(100 * fraction, 3) +
-                 " % of the way from the elevations after the failure to those before it (release.thickness): neither "
-                 "of the two. Check that all three are of the same place and height system");
+        log.warn(worded(
+            "the DTM lies at {1} % of the way from the elevations after the failure to those before it "
+            "(release.thickness): neither of the two. Check that all three are of the same place and height system",
+            {numeral(number_text(100 * fraction, 3))}));
     }
 }
 
@@ -173,7 +177,7 @@ void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& lo
     }
     const CellList twice = cells_where(times, [&](std::size_t i) { return times.values[i] > 1; });
     if (twice.count > 0)
-        log.warn("polygons of the perimeter overlap, their thicknesses add up there: " + cells_text(twice));
+        log.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
 }
 
 }  // namespace
@@ -201,9 +205,10 @@ void question_outline(const ReleaseInput& release, const gis::PolygonLayer& outl
     const auto all = static_cast<double>(released.size() + observed.size() - both.size());
     const double alike = all > 0 ? static_cast<double>(both.size()) / all : 0;
     if (alike > k_nearly)
-        log.warn(where + " is nearly the release (" + number_text(100 * alike, 3) +
-                 " % of the cells of either are in both): it must be the outline of all the ground that the event "
-                 "covered, not that of its source alone");
+        log.warn(worded(
+            "{1} is nearly the release ({2} % of the cells of either are in both): it must be the outline of all the "
+            "ground that the event covered, not that of its source alone",
+            {where, numeral(number_text(100 * alike, 3))}));
 }
 
 void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,

@@ -65,15 +65,16 @@ void warn_of_keys_without_effect(const SceneReading& reading, const StructuredMa
         for (const char* key : {"structured.mobility", "structured.viscosity-growth",
                                 "structured.solids-profile-factor", "structured.velocity-profile-factor"})
             if (is_given(reading, key))
-                log.warn(reading.where(key) + " has no effect: structured.fluid-viscosity is 0");
+                log.warn(worded("{1} has no effect: structured.fluid-viscosity is 0", {reading.where(key)}));
     }
     const std::string confined = "structured.confined-fraction";
     if (!is_given(reading, confined) || !(m.confined_fraction > 0)) return;
     if (e.cohesion == 0)
-        log.warn(reading.where(confined) +
-                 " has no effect: without structured.cohesion nothing confines fluid, and all of it is free");
+        log.warn(worded("{1} has no effect: without structured.cohesion nothing confines fluid, and all of it is free",
+                        {reading.where(confined)}));
     else if (e.least_solid_fraction == 1)
-        log.warn(reading.where(confined) + " has no effect: with structured.solid-fraction = 1 there are no pores");
+        log.warn(worded("{1} has no effect: with structured.solid-fraction = 1 there are no pores",
+                        {reading.where(confined)}));
 }
 
 }  // namespace
@@ -86,23 +87,27 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
         problems.add(problem);
     warn_of_keys_without_effect(reading, m, e, log);
     if (e.bed_over_own > 1e-6)
-        log.warn("structured.bed-friction-angle is up to " + number_text(e.bed_over_own, 3) +
-                 " degrees more than the material's internal-friction-angle: it would shear within itself and leave a "
-                 "layer on the bed, which the model does not compute. Take at most the internal angle");
+        log.warn(worded(
+            "structured.bed-friction-angle is up to {1} degrees more than the material's internal-friction-angle: it "
+            "would shear within itself and leave a layer on the bed, which the model does not compute. Take at most "
+            "the internal angle",
+            {numeral(number_text(e.bed_over_own, 3))}));
     if (e.strain > m.critical_strain)
-        log.warn("at its strength the material has an elastic strain of " + number_text(e.strain, 2) +
-                 ", more than structured.critical-strain = " + number_text(m.critical_strain, 2) +
-                 ": it loses its cohesion before it yields. Raise structured.young-modulus (and bulk-modulus) or the "
-                 "critical strain, or lower the cohesion");
+        log.warn(worded(
+            "at its strength the material has an elastic strain of {1}, more than structured.critical-strain = {2}: it "
+            "loses its cohesion before it yields. Raise structured.young-modulus (and bulk-modulus) or the critical "
+            "strain, or lower the cohesion",
+            {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
     // share/doc/structured.md, "Solids with confined fluid": edges on a grid.
     constexpr double k_edge = 1.53;
     const double thickness = thickest(release, grid),
                  least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * grid.cell_size;
     if (thickness > 0 && thickness < least)
-        log.warn("the release is at most " + number_text(thickness, 3) + " m thick, less than 1.53 tan(" +
-                 number_text(e.steepest_bed, 3) + " degrees) times the cell size, " + number_text(least, 3) +
-                 " m: its edges stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = " +
-                 number_text(0.5 * thickness / least * grid.cell_size, 2) + " or less");
+        log.warn(worded(
+            "the release is at most {1} m thick, less than 1.53 tan({2} degrees) times the cell size, {3} m: its edges "
+            "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
+            {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
+             numeral(number_text(least, 3)), number_text(0.5 * thickness / least * grid.cell_size, 2)}));
 }
 
 }  // namespace frana::app

@@ -15,10 +15,10 @@ Point centre_of(const Bounds& bounds) {
     return {(bounds.west + bounds.east) / 2, (bounds.south + bounds.north) / 2};
 }
 
-std::string scale_text(const gis::MapScale& scale) {
-    return scale.greatest - scale.least < 1e-4
-               ? number_text(scale.least, 5)
-               : number_text(scale.least, 5) + " to " + number_text(scale.greatest, 5) + " by direction";
+Sentence scale_of(const gis::MapScale& scale) {
+    const Sentence least = numeral(number_text(scale.least, 5));
+    if (scale.greatest - scale.least < 1e-4) return least;
+    return worded("{1} to {2} by direction", {least, numeral(number_text(scale.greatest, 5))});
 }
 
 /// Returns the working CRS named by terrain.crs, which must measure the ground in metres at the DTM.
@@ -37,7 +37,7 @@ std::string requested_crs(const SceneReading& reading, const gis::RasterInfo& dt
     const gis::MapScale scale = gis::map_scale(horizontal, to_working(centre));
     if (scale.error() > k_largest_scale_error) {
         throw Error(ErrorKind::input, Problem{"lengths in this system are not lengths on the ground", where,
-                                              requested + " with a scale of " + scale_text(scale) + " at the DTM",
+                                              requested + " with a scale of " + scale_of(scale).text() + " at the DTM",
                                               "a scale within 1 % of 1", "Choose a UTM zone, or remove the key"});
     }
     return horizontal;
@@ -57,8 +57,10 @@ std::string automatic_crs(const gis::RasterInfo& dtm, RunLog& log) {
         std::string own = gis::horizontal_crs(dtm.crs_wkt);
         const gis::MapScale scale = gis::map_scale(own, centre);
         if (scale.error() <= k_largest_scale_error) return own;
-        log.warn("DTM: lengths in " + dtm.crs_label + " are not lengths on the ground (scale " + scale_text(scale) +
-                 "); the run is computed in the UTM zone instead");
+        log.warn(
+            worded("DTM: lengths in {1} are not lengths on the ground (scale {2}); the run is computed in the UTM zone "
+                   "instead",
+                   {dtm.crs_label, scale_of(scale)}));
     }
     const Point degrees = gis::to_longitude_latitude(dtm.crs_wkt, centre);
     return gis::utm_crs_for(degrees.x, degrees.y);

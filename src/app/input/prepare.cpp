@@ -38,9 +38,9 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
             gis::read_polygons(*reading.scene.observed.perimeter, crs, where,
                                layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
         files.push_back(used_polygons("Observed outline", *reading.scene.observed.perimeter, layer));
-        for (const std::string& warning : layer.warnings) log.warn("observed outline: " + warning);
+        log.warn_of(worded("observed outline"), layer.warnings);
         if (ground != nullptr) {
-            report_transform("observed outline", layer.transform, ground->terrain.grid.cell_size, log);
+            report_transform(worded("observed outline"), layer.transform, ground->terrain.grid.cell_size, log);
             const Bounds map = ground->terrain.grid.bounds(), box = layer.bounds;
             if (box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north) {
                 problems.add({"lies outside the DTM", where, extent_text(box),
@@ -97,7 +97,7 @@ void refuse_what_cannot_start(const Scene& scene) {
 
 Prepared prepare(const SceneReading& reading, RunLog& log) {
     Problems problems = reading.problems;
-    for (const std::string& warning : reading.warnings) log.warn(warning);
+    for (const Sentence& warning : reading.warnings) log.warn(warning);
     std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
     std::vector<UsedFile> files;

@@ -157,7 +157,8 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
         log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
                  layer.crs_label);
         files.push_back(used_lines("Inflow line", *spec.line, layer));
-        if (ground != nullptr) report_transform("inflow line", layer.transform, ground->terrain.grid.cell_size, log);
+        if (ground != nullptr)
+            report_transform(worded("inflow line"), layer.transform, ground->terrain.grid.cell_size, log);
         if (layer.features.size() > 1 && spec.hydrograph->rfind("attribute:", 0) != 0) {
             problems.add({"the layer contains several lines for one hydrograph", reading.where("inflow.line"),
                           std::to_string(layer.features.size()) + " lines", "1",

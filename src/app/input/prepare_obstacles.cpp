@@ -22,7 +22,7 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
                                             std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
     log.note(key + " " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
-    for (const std::string& warning : layer.warnings) log.warn(key + ": " + warning);
+    log.warn_of(key, layer.warnings);
     files.push_back(used_polygons(key == "terrain.walls" ? "Walls" : "Obstacles", file, layer));
     if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
     if (ground == nullptr || !is_on_ground(reading, key, layer.bounds, *ground, false, problems)) return std::nullopt;
@@ -38,14 +38,15 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
         ++cells;
         raster.at(row, column) = std::max(raster.at(row, column), value);
     });
-    const std::string name = "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
     const double footprint = static_cast<double>(cells) * raster.grid.cell_area(), drawn = area(parts);
     if (cells == 0) {
-        problems.add({name + " covers no cell", where, grouped(drawn) + " m2", "", "Choose smaller cells"});
+        problems.add({"feature " + std::to_string(feature + 1) + " of " + layer.layer_name + " covers no cell", where,
+                      grouped(drawn) + " m2", "", "Choose smaller cells"});
     } else if (footprint > k_widened * drawn) {
-        warnings.add("narrow", key + ": " + name + " is narrower than the cells: it covers " + grouped(footprint) +
-                                   " m2 of the working grid, the drawn area is " + grouped(drawn) +
-                                   " m2; choose smaller cells");
+        warnings.add("narrow", worded("{1}: feature {2} of {3} is narrower than the cells: it covers {4} m2 of the "
+                                      "working grid, the drawn area is {5} m2; choose smaller cells",
+                                      {key, std::to_string(feature + 1), layer.layer_name, numeral(grouped(footprint)),
+                                       numeral(grouped(drawn))}));
     }
 }
 
@@ -61,7 +62,7 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
         const auto metres = value_of(reading, "terrain.obstacle-height", *spec.obstacle_height, *layer, f, problems);
         if (metres) stamp(*layer, f, *metres, key, height, warnings, problems, reading.where(key));
     }
-    for (const std::string& warning : warnings.texts()) log.warn(warning);
+    for (const Sentence& warning : warnings.texts()) log.warn(warning);
     double most = 0;
     std::int64_t raised = 0;
     height.values.for_each_stored([&](std::size_t cell, double metres) {
@@ -93,7 +94,7 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
         CountedTexts warnings;
         for (std::size_t f = 0; f < layer->features.size(); ++f)
             stamp(*layer, f, 1, key, *walls, warnings, problems, reading.where(key));
-        for (const std::string& warning : warnings.texts()) log.warn(warning);
+        for (const Sentence& warning : warnings.texts()) log.warn(warning);
         std::int64_t cells = 0;
         walls->values.for_each_stored([&](std::size_t, double wall) { cells += wall == 1; });
         log.note("walls stand on " + grouped(cells) + " cells");

@@ -107,8 +107,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                 read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt, gis::Resampling::automatic, unit,
                                            nodata, where);
             }
-            for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
-            report_transform("thickness " + file, read.transform, ground->terrain.grid.cell_size, log);
+            log.warn_of(worded("thickness"), read.warnings);
+            report_transform(worded("thickness {1}", {file}), read.transform, ground->terrain.grid.cell_size, log);
             log.note("thickness " + file + ": resampling " + read.resampling_used);
             release.rasters.push_back(info);
             files.push_back(used_raster("Release thickness", info, read));
@@ -164,8 +164,8 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std
     files.push_back(used_polygons("Release perimeter", *reading.scene.release.perimeter, layer));
     log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
              " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
-    for (const std::string& warning : layer.warnings) log.warn("perimeter: " + warning);
-    if (ground != nullptr) report_transform("perimeter", layer.transform, ground->terrain.grid.cell_size, log);
+    log.warn_of(worded("perimeter"), layer.warnings);
+    if (ground != nullptr) report_transform(worded("perimeter"), layer.transform, ground->terrain.grid.cell_size, log);
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInpu
     }
     const std::string key = "structured.zones";
     own = gis::read_polygons(*file, target_crs(reading, ground), reading.where(key));
-    for (const std::string& warning : own->warnings) log.warn(key + ": " + warning);
+    log.warn_of(key, own->warnings);
     files.push_back(used_polygons("Zones", *file, *own));
     if (ground == nullptr) return nullptr;
     report_transform(key, own->transform, ground->terrain.grid.cell_size, log);
@@ -155,7 +155,7 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
                                       std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     const std::string& file = (*property.source)->name;
     if (ground == nullptr || !ground->on_demand)
-        return read_zone_raster(reading, ground, property.key, file, "", files, log, problems);
+        return read_zone_raster(reading, ground, property.key, file, nullptr, files, log, problems);
     const std::vector<Parameter> parameters = scene_parameters();
     const auto within = [reading, key = property.key,
                          fits = find_parameter(parameters, property.key)->fits](double value) {

@@ -160,7 +160,7 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
         spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling), spec.vertical_unit,
         spec.nodata_value, where);
     gis::RasterRead known = file->known();
-    for (const std::string& warning : known.warnings) log.warn("DTM: " + warning);
+    log.warn_of(worded("DTM"), known.warnings);
     input.on_demand = file;
     input.terrain.grid = grid;
     input.terrain.values = CellValues::tiled(grid.rows, grid.columns, k_no_data,
@@ -210,11 +210,12 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     gis::RasterRead read =
         gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling),
                             spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
-    for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
+    log.warn_of(worded("DTM"), read.warnings);
     if (read.zero_rim_cells > 0) {
-        log.warn("DTM: " + grouped(read.zero_rim_cells) +
-                 " cells are 0 and stand like walls against their neighbours; they were read as elevations. If they "
-                 "are nodata, set terrain.nodata-value = 0");
+        log.warn(worded(
+            "DTM: {1} cells are 0 and stand like walls against their neighbours; they were read as elevations. If they "
+            "are nodata, set terrain.nodata-value = 0",
+            {numeral(grouped(read.zero_rim_cells))}));
     }
     input.used = used_raster("DTM", input.file, read);
     input.terrain = std::move(read.raster);
@@ -242,17 +243,20 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
         log.note("elevations read in the given unit: " + reading.scene.terrain.vertical_unit);
     else if (input.file.vertical_scale_to_metres != 1)
         log.note("elevations converted from " + input.file.vertical_unit + " to metres");
-    report_transform("DTM", input.used.transform, grid.cell_size, log);
+    report_transform(worded("DTM"), input.used.transform, grid.cell_size, log);
     if (const auto& error = reading.scene.terrain.error)
         log.note("terrain.error: a field of " + shortest_text(error->standard_deviation) + " m, range " +
                  shortest_text(error->range) + " m and seed " + std::to_string(error->seed) +
                  " was added to the elevations");
     if (input.nodata_cells > 0) {
-        const std::string cells = grouped(input.nodata_cells) + " cells of the working grid have no elevation";
+        const std::string cells = grouped(input.nodata_cells);
         if (input.filled_cells > 0)
-            log.warn(cells + "; " + grouped(input.filled_cells) + " of them were interpolated (nodata-policy = fill)");
+            log.warn(worded(
+                "{1} cells of the working grid have no elevation; {2} of them were interpolated (nodata-policy = fill)",
+                {numeral(cells), numeral(grouped(input.filled_cells))}));
         else
-            log.note(cells + "; nodata-policy = " + reading.scene.terrain.nodata_policy);
+            log.note(cells + " cells of the working grid have no elevation; nodata-policy = " +
+                     reading.scene.terrain.nodata_policy);
     }
 }
 
@@ -272,7 +276,7 @@ void check_ground_read(const SceneReading& reading, const TerrainInput& ground, 
     if (!ground.on_demand) return;
     for (const CellWindow& window : terrain.values.stored_windows(terrain.grid.columns))
         check_terrain(reading, part_of(terrain, window), terrain.grid, log);
-    for (const std::string& warning : ground.on_demand->suspicions()) log.warn("DTM: " + warning);
+    log.warn_of(worded("DTM"), ground.on_demand->suspicions());
 }
 
 std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems) {

@@ -80,10 +80,11 @@ double converted(double value, bool degrees) {
     return degrees ? std::tan(value * std::numbers::pi / 180) : value;
 }
 
-std::string fraction_text(std::int64_t cells, const GridSpec& grid) {
-    return grouped(static_cast<double>(cells) * grid.cell_area()) + " m2, " +
-           number_text(100.0 * static_cast<double>(cells) / static_cast<double>(grid.cell_count()), 3) +
-           " % of the working grid";
+Sentence fraction_of(std::int64_t cells, const GridSpec& grid) {
+    return worded(
+        "{1} m2, {2} % of the working grid",
+        {numeral(grouped(static_cast<double>(cells) * grid.cell_area())),
+         numeral(number_text(100.0 * static_cast<double>(cells) / static_cast<double>(grid.cell_count()), 3))});
 }
 
 void refuse_large_friction(const SceneReading& reading, double greatest, Problems& problems) {
@@ -132,11 +133,12 @@ void report_cover(const std::vector<int>& times, const GridSpec& grid, RunLog& l
         never += n == 0;
     }
     if (twice > 0)
-        log.warn("zones overlap on " + fraction_text(twice, grid) + ": the later feature of the layer applies there");
+        log.warn(
+            worded("zones overlap on {1}: the later feature of the layer applies there", {fraction_of(twice, grid)}));
     if (const std::int64_t gaps = enclosed_gaps(times, grid); gaps > 0)
-        log.warn("there are gaps between the zones on " + fraction_text(gaps, grid) +
-                 ": the material's own values apply there");
-    if (never > 0) log.note("outside all zones, with the material's own values: " + fraction_text(never, grid));
+        log.warn(worded("there are gaps between the zones on {1}: the material's own values apply there",
+                        {fraction_of(gaps, grid)}));
+    if (never > 0) log.note("outside all zones, with the material's own values: " + fraction_of(never, grid).text());
 }
 
 void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
@@ -186,11 +188,11 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
     const std::string key = "terrain.friction-zones", file = *reading.scene.terrain.friction_zones;
     const gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
     log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
-    for (const std::string& warning : layer.warnings) log.warn("zones: " + warning);
+    log.warn_of(worded("zones"), layer.warnings);
     files.push_back(used_polygons("Zones", file, layer));
     name_columns(reading, layer, list, log, problems);
     if (ground == nullptr) return;
-    report_transform("zones", layer.transform, ground->terrain.grid.cell_size, log);
+    report_transform(worded("zones"), layer.transform, ground->terrain.grid.cell_size, log);
     if (!is_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems)) return;
     const GridSpec& grid = ground->terrain.grid;
     if (ground->on_demand) {
@@ -223,8 +225,8 @@ Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput
 }  // namespace
 
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
-                                       const std::string& file, const std::string& elsewhere,
-                                       std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                       const std::string& file, const char* elsewhere, std::vector<UsedFile>& files,
+                                       RunLog& log, Problems& problems) {
     const std::string where = reading.where(key);
     const gis::RasterInfo info = gis::inspect_raster(file, where);
     if (ground == nullptr) return std::nullopt;
@@ -234,7 +236,7 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
         return std::nullopt;
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
-    for (const std::string& warning : read.warnings) log.warn(key + ": " + warning);
+    log.warn_of(key, read.warnings);
     report_transform(key, read.transform, grid.cell_size, log);
     files.push_back(used_raster("Zones: " + key, info, read));
     if (read.nodata_cells >= grid.cell_count()) {
@@ -251,8 +253,8 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     if (!within_limits(reading, key, least, "the raster's least value", problems) ||
         !within_limits(reading, key, greatest, "the raster's greatest value", problems))
         return std::nullopt;
-    if (read.nodata_cells > 0 && !elsewhere.empty())
-        log.warn(key + " has no value on " + fraction_text(read.nodata_cells, grid) + ": " + elsewhere);
+    if (read.nodata_cells > 0 && elsewhere != nullptr)
+        log.warn(worded("{1} has no value on {2}: {3}", {key, fraction_of(read.nodata_cells, grid), elsewhere}));
     return std::move(read.raster);
 }
 
@@ -275,7 +277,7 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
             }
             std::optional<Raster> raster =
                 read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
-                                 "the material's own value applies there", files, log, problems);
+                                 worded("the material's own value applies there"), files, log, problems);
             if (!raster) continue;
             for (double& value : raster->values) value = converted(value, quantity.key->degrees());
             zones.*quantity.target = std::move(raster);

@@ -20,11 +20,11 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
                             std::vector<UsedFile>& files, RunLog& log, Problems& problems);
 
 /// Returns a raster of values of `key` on the working grid, checked against the key's limits; none, with a problem
-/// added or without terrain, if it cannot be read. `elsewhere` describes the value where it has none; empty: not
+/// added or without terrain, if it cannot be read. `elsewhere` describes the value where it has none; null: not
 /// reported.
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
-                                       const std::string& file, const std::string& elsewhere,
-                                       std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+                                       const std::string& file, const char* elsewhere, std::vector<UsedFile>& files,
+                                       RunLog& log, Problems& problems);
 
 /// Adds problems for zones of quantities that the scene's laws do not read.
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems);

@@ -110,7 +110,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
     const auto areas = marks.polygons + std::count_if(marks.lines.begin(), marks.lines.end(), closed);
     if (areas > 0) {
         const gis::PolygonLayer layer = gis::read_polygons(file, crs_wkt, where);
-        for (const std::string& warning : layer.warnings) log.warn("observed outline: " + warning);
+        log.warn_of(worded("observed outline"), layer.warnings);
         const MultiPolygon parts = parts_of(layer.features);
         survey.scar.insert(survey.scar.end(), parts.begin(), parts.end());
         survey.scar_label = file;
@@ -132,12 +132,12 @@ UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::s
     }
     if (!info) {
         const gis::PolygonLayer layer = gis::read_polygons(file, grid.crs_wkt, where);
-        for (const std::string& warning : layer.warnings) log.warn("deposit: " + warning);
+        log.warn_of(worded("deposit"), layer.warnings);
         survey.deposit = parts_of(layer.features);
         return used_polygons("Surveyed deposit", file, layer);
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
-    for (const std::string& warning : read.warnings) log.warn("deposit: " + warning);
+    log.warn_of(worded("deposit"), read.warnings);
     log.note("elevation change resampled to the grid: " + read.resampling_used);
     UsedFile used = used_raster("Surveyed elevation change", *info, read);
     survey.elevation_change = std::move(read.raster);

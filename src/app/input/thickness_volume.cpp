@@ -116,12 +116,12 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, Used
 void compare_volumes(std::optional<double> in_file, double released, RunLog& log) {
     if (!in_file || !(*in_file > 0)) return;
     const double difference = released / *in_file - 1;
-    const std::string text = "the thickness raster contains " + grouped(*in_file) +
-                             " m3 inside the perimeter; the release has " + grouped(released) + " m3";
+    const Sentence both = worded("the thickness raster contains {1} m3 inside the perimeter; the release has {2} m3",
+                                 {numeral(grouped(*in_file)), numeral(grouped(released))});
     if (std::abs(difference) > k_worth_a_warning)
-        log.warn(text + " (" + number_text(100 * difference, 2) + " %)");
+        log.warn(worded("{1} ({2} %)", {both, numeral(number_text(100 * difference, 2))}));
     else
-        log.note(text);
+        log.note(both.text());
 }
 
 }  // namespace frana::app

@@ -24,7 +24,7 @@ File open_zones(const SceneReading& reading, const TerrainInput& ground, const s
                     Problem{"has no coordinate reference system", where, info.path, "", k_state_zone_crs});
     auto file = std::make_shared<const gis::RasterOnDemand>(info.path, grid, "", gis::Resampling::automatic, "metre",
                                                             std::nullopt, where);
-    for (const std::string& warning : file->known().warnings) log.warn(key + ": " + warning);
+    log.warn_of(key, file->known().warnings);
     report_transform(key, file->known().transform, grid.cell_size, log);
     return file;
 }

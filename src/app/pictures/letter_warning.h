@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <optional>
+
+#include "core/words/sentence.h"
 
 namespace frana::app {
 
 /// Returns a warning that names the letters on the pictures drawn since the last call for which no font is installed;
-/// empty: there are none.
-std::string letter_warning();
+/// none: there are none.
+std::optional<Sentence> letter_warning();
 
 }  // namespace frana::app

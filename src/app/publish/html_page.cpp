@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "app/pictures/class_words.h"
 #include "app/publish/page_style.h"
 #include "core/base64.h"
 #include "core/error.h"
@@ -26,6 +27,31 @@ namespace fs = std::filesystem;
 constexpr std::size_t k_all_picture_bytes = 2'400'000;
 constexpr int k_picture_columns = 1600;
 constexpr std::size_t k_foot_letters = 60;
+constexpr std::size_t k_warnings = 4, k_warning_letters = 240;  // of an answer
+
+/// Charts of studies and calibrations, by the names of their files.
+struct ChartTitle {
+    const char *name, *title;
+};
+constexpr ChartTitle k_chart_titles[] = {
+    {"exceedance", worded("exceedance")},
+    {"sensitivity", worded("sensitivity of the results")},
+    {"convergence", worded("convergence of the probabilities")},
+    {"response", worded("score over pairs of values")},
+    {"posterior", worded("values before and after the calibration")},
+    {"forecast", worded("fitted, and predicted from the other events")},
+};
+
+/// The title of a map or chart from the name of its file; names that no table has stay, with spaces.
+std::string picture_title(const std::string& name, const Words& words) {
+    const std::string layer = raster_of_map(name);
+    if (const ResultRaster* const row = find_result_raster(layer)) return raster_title(*row, layer, words);
+    for (const ChartTitle& chart : k_chart_titles)
+        if (name == chart.name) return words(chart.title);
+    std::string title = name;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    return title;
+}
 
 /// A text as a string of CSS: whatever it contains, it ends neither the string nor the style.
 std::string css_text(const std::string& text) {
@@ -76,11 +102,11 @@ void HtmlPage::add_heading(const std::string& id, const std::string& text) {
     add("<h2 id=\"" + id + "\">" + escaped_markup(text) + "</h2>\n");
 }
 
-void HtmlPage::add_warnings(const std::vector<std::string>& warnings) {
+void HtmlPage::add_warnings(const std::vector<Sentence>& warnings) {
     add_heading("warnings", words_("Warnings"));
     if (warnings.empty()) add("<p class=\"good\">" + escaped_markup(words_("The run gave no warnings.")) + "</p>\n");
-    for (const std::string& warning : warnings)
-        add("<p class=\"warning\" lang=\"en\">" + escaped_markup(warning) + "</p>\n");
+    for (const Sentence& warning : warnings)
+        add("<p class=\"warning\">" + escaped_markup(valid_utf8(warning.in(words_))) + "</p>\n");
 }
 
 void HtmlPage::add_picture(const std::string& path, const std::string& caption, const std::string& alt) {
@@ -89,11 +115,8 @@ void HtmlPage::add_picture(const std::string& path, const std::string& caption, 
 
 void HtmlPage::add_pictures(const std::vector<std::string>& paths, const std::string& kind) {
     for (const std::string& path : paths) {
-        const std::string name = fs::path(path).stem().string(), layer = raster_of_map(name);
-        const ResultRaster* const row = find_result_raster(layer);
-        std::string title = row == nullptr ? name : text_for(*row, row->title, layer);
-        if (row == nullptr) std::replace(title.begin(), title.end(), '_', ' ');
-        add_picture(path, title, kind + ": " + title);
+        const std::string title = picture_title(fs::path(path).stem().string(), words_);
+        add_picture(path, title, words_.labelled(kind, title));
     }
 }
 
@@ -113,6 +136,18 @@ std::string figure_html(const std::string& path, const std::string& caption, con
     return "<figure>\n<img alt=\"" + escaped_markup(alt) + "\" width=\"" + std::to_string(picture.width) +
            "\" height=\"" + std::to_string(picture.height) + "\" src=\"data:" + picture.mime + ";base64," +
            base64(picture.bytes) + "\">\n<figcaption>" + escaped_markup(caption) + "</figcaption>\n</figure>\n";
+}
+
+std::string first_warnings(const std::vector<Sentence>& warnings, const Words& words) {
+    if (warnings.empty()) return "<p>" + escaped_markup(words("The run gave no warnings.")) + "</p>\n";
+    std::string html;
+    for (std::size_t i = 0; i < std::min(k_warnings, warnings.size()); ++i)
+        html += "<p class=\"warning\"><b>" + escaped_markup(words("Warning:")) + "</b> " +
+                escaped_markup(elided(valid_utf8(warnings[i].in(words)), k_warning_letters)) + "</p>\n";
+    if (warnings.size() > k_warnings)
+        html += "<p>" + escaped_markup(words("{1} warnings in all, see below.", {std::to_string(warnings.size())})) +
+                "</p>\n";
+    return html;
 }
 
 std::vector<std::string> pictures_in(const std::string& folder) {

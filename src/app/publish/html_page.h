@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/file_aside.h"
-#include "core/words/words.h"
+#include "core/words/sentence.h"
 
 namespace frana::app {
 
@@ -35,11 +35,12 @@ class HtmlPage {
     /// Adds a heading; later ones of the same level begin new sections. The text is escaped.
     void add_heading(const std::string& id, const std::string& text);
     /// Adds a section with the warnings of a run, or the sentence that there were none.
-    void add_warnings(const std::vector<std::string>& warnings);
+    void add_warnings(const std::vector<Sentence>& warnings);
     /// Adds a PNG file, embedded.
     /// @param caption below it  @param alt what it shows, for those who cannot see it
     void add_picture(const std::string& path, const std::string& caption, const std::string& alt);
-    /// Adds PNG files under the titles of their rasters, or their names. @param kind "Map"
+    /// Adds PNG files under the titles of their rasters or charts, or their names. @param kind "Map", in the page's
+    /// language
     void add_pictures(const std::vector<std::string>& paths, const std::string& kind);
     /// Throws Error(environment).
     void finish();
@@ -57,6 +58,10 @@ inline constexpr std::size_t k_picture_bytes = 250'000;
 /// Returns a PNG file as a figure of a page, as a JPEG of at most these bytes if it is larger.
 std::string figure_html(const std::string& path, const std::string& caption, const std::string& alt,
                         std::size_t most_bytes = k_picture_bytes);
+
+/// Returns the first warnings of a page's answer, shortened, and how many there are; or the sentence that there are
+/// none.
+std::string first_warnings(const std::vector<Sentence>& warnings, const Words& words);
 
 /// Returns the paths of the PNG files in a folder, sorted.
 std::vector<std::string> pictures_in(const std::string& folder);

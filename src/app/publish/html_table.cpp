@@ -10,6 +10,11 @@ std::string cell(const char* open, const std::string& text, const char* close) {
     return open + escaped_markup(text) + close;
 }
 
+std::string value_cells(const std::string& name, const std::string& value, const std::string& unit) {
+    return cell("<td>", name, "</td>") + cell("<td class=\"n\">", value, "</td>") +
+           cell("<td class=\"u\">", unit, "</td>");
+}
+
 }  // namespace
 
 HtmlTable::HtmlTable(const std::vector<std::string>& heads) {
@@ -27,10 +32,15 @@ HtmlTable& HtmlTable::row(const std::vector<std::string>& cells, const std::stri
 
 HtmlTable& HtmlTable::number(const std::string& name, const std::string& value, const std::string& unit,
                              const std::vector<std::string>& more) {
-    rows_ += "<tr>" + cell("<td>", name, "</td>") + cell("<td class=\"n\">", value, "</td>") +
-             cell("<td class=\"u\">", unit, "</td>");
+    rows_ += "<tr>" + value_cells(name, value, unit);
     for (const std::string& text : more) rows_ += cell("<td class=\"soft\">", text, "</td>");
     rows_ += "</tr>\n";
+    return *this;
+}
+
+HtmlTable& HtmlTable::number_with(const std::string& name, const std::string& value, const std::string& unit,
+                                  const std::string& cells) {
+    rows_ += "<tr>" + value_cells(name, value, unit) + cells + "</tr>\n";
     return *this;
 }
 

@@ -16,6 +16,9 @@ class HtmlTable {
     /// A name, a number aligned to the right, its unit, and perhaps more.
     HtmlTable& number(const std::string& name, const std::string& value, const std::string& unit,
                       const std::vector<std::string>& more = {});
+    /// The same with more cells as HTML.
+    HtmlTable& number_with(const std::string& name, const std::string& value, const std::string& unit,
+                           const std::string& cells);
     /// Rows as HTML.
     HtmlTable& raw(const std::string& html);
 

@@ -59,43 +59,48 @@ double released_volume(const RunResult& result) {
 void note_volumes(const RunResult& result, RunLog& log) {
     for (std::size_t i = 0; i < result.released.size(); ++i) {
         const ReleasedArea& area = result.released[i];
-        std::string text = "release area " + std::to_string(i + 1) + (area.name.empty() ? "" : " '" + area.name + "'") +
-                           ": " + grouped(area.volume) + " m3 from " + grouped(area.area) + " m2";
-        if (area.start > 0) text += ", at " + shortest_text(area.start) + " s";
+        const Sentence name = area.name.empty() ? worded("release area {1}", {std::to_string(i + 1)})
+                                                : worded("release area {1} '{2}'", {std::to_string(i + 1), area.name});
+        const std::vector<Sentence> values{name, numeral(grouped(area.volume)), numeral(grouped(area.area)),
+                                           numeral(shortest_text(area.start))};
+        const Sentence released =
+            worded(area.start > 0 ? "{1}: {2} m3 from {3} m2, at {4} s" : "{1}: {2} m3 from {3} m2", values);
         if (!area.failed) {
-            log.warn(text + ": not before the end of the run");
+            log.warn(worded("{1}: not before the end of the run", {released}));
         } else {
-            log.note(text);
+            log.note(released.text());
         }
     }
     if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
 }
 
-std::string percent(double fraction) {
-    return number_text(100 * fraction, 2) + " %";
+Sentence percent(double fraction) {
+    return numeral(number_text(100 * fraction, 2));
 }
 
 /// Summed over the window: material that keeps moving is counted more than once.
-std::string volume_that_moved(double fraction) {
-    if (fraction <= 1) return percent(fraction) + " of the volume changed cell";
-    return "all of the volume changed cell, " + number_text(fraction, 2) + " times over";
+Sentence volume_that_moved(double fraction) {
+    if (fraction <= 1) return worded("{1} % of the volume changed cell", {percent(fraction)});
+    return worded("all of the volume changed cell, {1} times over", {numeral(number_text(fraction, 2))});
 }
 
 /// At the end time: the moving volume, and how fast the main results still grow.
 void warn_of_motion(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     if (!moves_at_end(result)) return;
-    std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_fraction_limit) +
-                       " of its volume faster than " + number_text(run.prepared.scene.time.moving_speed) + " m/s";
+    Sentence motion =
+        worded("the flow still moves when time.end is reached: {1} % of its volume faster than {2} m/s",
+               {percent(result.moving_fraction_limit), numeral(number_text(run.prepared.scene.time.moving_speed))});
     // The series contains the speed shown on maps.
     if (const double fastest = result.series.back().max_speed; fastest > 0)
-        text += ", the fastest at " + number_text(fastest, 3) + " m/s";
+        motion = worded("{1}, the fastest at {2} m/s", {motion, numeral(number_text(fastest, 3))});
     if (result.settling) {
         const Settling& s = *result.settling;
-        text += "; in its last " + number_text(s.window, 2) + " s the run-out grew by " + number_text(s.runout, 3) +
-                " m, the area by " + percent(s.area) + " and " + volume_that_moved(s.deposit);
+        motion = worded("{1}; in its last {2} s the run-out grew by {3} m, the area by {4} % and {5}",
+                        {motion, numeral(number_text(s.window, 2)), numeral(number_text(s.runout, 3)), percent(s.area),
+                         volume_that_moved(s.deposit)});
     }
-    log.warn(text + ". Final depth and run-out are not those of the deposit: raise time.end");
+    log.warn(worded("{1}. Final depth and run-out are not those of the deposit: raise time.end", {motion}));
 }
 
 /// Warns of flow not shown on maps.
@@ -104,21 +109,25 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
     if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = run.prepared.scene.numerics.minimum_depth;
     const bool was_visible = maximum(result.max_depth) > 0;
-    log.warn((was_visible ? "at one time " + percent(result.thin_fraction) + " of the flow was thinner than"
-                          : std::string("the maps are empty: the flow was nowhere as deep as")) +
-             " numerics.minimum-depth = " + shortest_text(minimum) +
-             " m, and is not included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-             "hundredth of the usual flow depth");
+    log.warn(worded(
+        was_visible ? "at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
+                      "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                      "hundredth of the usual flow depth"
+                    : "the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
+                      "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                      "hundredth of the usual flow depth",
+        {percent(result.thin_fraction), shortest_text(minimum)}));
 }
 
 /// Warns of flow on maps that is not in outlines and run-out.
 void warn_of_empty_trace(const Finished& run, RunLog& log) {
     const double threshold = run.prepared.spec.output.trace_threshold, deepest = maximum(run.result.max_depth);
     if (!(deepest > 0) || deepest > threshold) return;
-    log.warn("the flow was nowhere deeper than output.trace-threshold = " + shortest_text(threshold) + " m, but " +
-             number_text(deepest, 3) +
-             " m: trace, deposit and covered area are empty, run-out is 0 and a comparison finds nothing. Set "
-             "output.trace-threshold to about a tenth of the usual flow depth");
+    log.warn(worded(
+        "the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, deposit and covered area "
+        "are empty, run-out is 0 and a comparison finds nothing. Set output.trace-threshold to about a tenth of the "
+        "usual flow depth",
+        {shortest_text(threshold), numeral(number_text(deepest, 3))}));
 }
 
 /// Run-out, drop and angle of reach are those of one flow.
@@ -135,28 +144,29 @@ void warn_of_problem(const Finished& run, RunLog& log) {
     note_volumes(result, log);
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (result.stop_reason == StopReason::reached_no_data) {
-        log.warn(
+        log.warn(worded(
             "the run ended because the flow reached ground without elevation: the map is incomplete; use a larger DTM, "
-            "or set terrain.nodata-policy to wall or fill");
+            "or set terrain.nodata-policy to wall or fill"));
     }
     if (!result.hard_events.none())
-        log.warn(
-            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json");
+        log.warn(worded(
+            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json"));
     warn_of_motion(run, log);
     warn_of_thin_flow(run, log);
     warn_of_empty_trace(run, log);
     const double shown = shown_volume(result);
     if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
-        log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow has " +
-                 grouped(result.volume_final) +
-                 " m3: where particles are crowded, in gullies narrower than a few cells, the depths shown are too "
-                 "small. Choose smaller cells, or take deposit volumes from summary.json");
+        log.warn(worded(
+            "the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are crowded, in "
+            "gullies narrower than a few cells, the depths shown are too small. Choose smaller cells, or take deposit "
+            "volumes from summary.json",
+            {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
     }
     if (result.volume_left > 0) {
-        log.warn(grouped(result.volume_left) + " m3 left the computed ground (" +
-                 number_text(100 * result.volume_left / result.volume_entered, 2) +
-                 " % of all volume that came in): the map does not show its full run-out; use a larger DTM or "
-                 "terrain.bounds");
+        log.warn(
+            worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
+                   "run-out; use a larger DTM or terrain.bounds",
+                   {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}));
     }
 }
 
@@ -198,7 +208,7 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
         return comparison;
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::input) throw;
-        log.warn(std::string("the survey could not be compared: ") + error.what());
+        log.warn(worded("the survey could not be compared: {1}", {std::string(error.what())}));
         return std::nullopt;
     }
 }

@@ -86,8 +86,10 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
     const Raster thickness = normal_thickness(result.max_depth, result.bed);
     const bool large = result.max_depth.values.is_tiled(), text_files = has_format(prepared.spec, "ascii");
     if (text_files && large)
-        log.warn("the AvaFrame rasters are written as GeoTIFF: an ASCII grid would hold all " +
-                 grouped(result.max_depth.grid.cell_count()) + " cells of the map, reached or not");
+        log.warn(worded(
+            "the AvaFrame rasters are written as GeoTIFF: an ASCII grid would hold all {1} cells of the map, reached "
+            "or not",
+            {numeral(grouped(result.max_depth.grid.cell_count()))}));
     const Raster* const values_of[] = {&result.max_pressure, &thickness, &result.max_velocity};
     static_assert(std::size(values_of) == std::size(k_peak_files));
     for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {

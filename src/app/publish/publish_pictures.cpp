@@ -64,14 +64,14 @@ class Drawings {
             outcome_.files.insert(outcome_.files.end(), files.begin(), files.end());
             log_.note("drew " + what);
         } catch (const Error& error) {
-            log_.warn(what + " could not be drawn: " + error.what());
+            log_.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
             outcome_.failed.push_back(what);
         }
     }
     [[nodiscard]] PictureOutcome outcome() const {
         if (!outcome_.left_out.empty())
-            log_.warn("left out because of the signal: " + joined(outcome_.left_out, ", ") +
-                      "; the same command with --resume draws them");
+            log_.warn(worded("left out because of the signal: {1}; the same command with --resume draws them",
+                             {joined(outcome_.left_out, ", ")}));
         return outcome_;
     }
 
@@ -174,7 +174,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     }
     if (output.charts && output.maps.front() != "off") draw_all_charts(written, source, drawings);
     if (output.animation) draw_animation(written, source, drawings);
-    if (const std::string warning = letter_warning(); !warning.empty()) log.warn(warning);
+    if (const auto warning = letter_warning()) log.warn(*warning);
     return drawings.outcome();
 }
 

@@ -21,7 +21,8 @@ namespace {
 
 constexpr double k_moving_volume = 0.01;  // fraction that moves at the end time, however thin
 constexpr std::size_t k_gauges = 4, k_name_letters = 30;
-constexpr std::size_t k_warnings = 4, k_warning_letters = 240;
+constexpr const char* k_cell_error = "cell error";
+const std::string k_error_of = "error of ";
 
 /// Numbers in the report's language.
 class Numbers {
@@ -71,10 +72,9 @@ std::string where_sentences(const ReportInput& input) {
     return paragraph(words("Where it goes."), text + arrivals(input));
 }
 
-std::string cell_error_sentence(const ReportInput& input) {
-    const Words& words = input.words;
-    const std::string size = Numbers(words)(input.result.max_depth.grid.cell_size);
-    if (input.errors.of.empty())
+std::string cell_error_sentence(const ErrorEstimates& errors, double cell_size, const Words& words) {
+    const std::string size = Numbers(words)(cell_size);
+    if (errors.of.empty())
         return words(
             "On cells of {1} m; there is no estimate of the error from their size (frana converge or "
             "numerics.accuracy gives one).",
@@ -108,16 +108,8 @@ std::string end_sentences(const ReportInput& input) {
     return text;
 }
 
-std::string warnings_html(const ReportInput& input) {
-    const std::vector<std::string>& warnings = input.facts.warnings;
-    if (warnings.empty()) return paragraph("", input.words("The run gave no warnings."));
-    std::string html;
-    for (std::size_t i = 0; i < std::min(k_warnings, warnings.size()); ++i)
-        html += "<p class=\"warning\"><b>" + escaped_markup(input.words("Warning:")) + "</b> <span lang=\"en\">" +
-                escaped_markup(elided(valid_utf8(warnings[i]), k_warning_letters)) + "</span></p>\n";
-    if (warnings.size() > k_warnings)
-        html += paragraph("", input.words("{1} warnings in all, see below.", {std::to_string(warnings.size())}));
-    return html;
+std::string error_cell(const ErrorEstimates& errors, const std::string& key, const Words& words) {
+    return "<td class=\"soft\">" + escaped_markup(error_text(errors, key, words)) + "</td>";
 }
 
 /// A row of the answer's tables.
@@ -128,7 +120,11 @@ struct Row {
 std::string values_table(const std::string& head, const std::vector<Row>& rows, const ReportInput& input) {
     const Words& words = input.words;
     HtmlTable table({head, "", "", words("± by cell size")});
-    for (const Row& row : rows) table.number(row.name, row.value, row.unit, {error_text(input.errors, row.key, words)});
+    for (const Row& row : rows) {
+        const std::string cell = error_cell(input.errors, row.key, words);
+        table.number_with(row.name, row.value, row.unit,
+                          row.key.empty() ? cell : page_part(k_error_of + row.key, cell));
+    }
     return table.html();
 }
 
@@ -150,6 +146,13 @@ std::vector<GaugeAnswer> gauge_answers(const ReportInput& input) {
 bool moves_at_end(const RunResult& result) {
     if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return false;
     return result.series.back().max_speed > k_moving_speed || result.moving_fraction_limit > k_moving_volume;
+}
+
+std::vector<PagePart> error_parts(const ErrorEstimates& errors, double cell_size, const Words& words) {
+    std::vector<PagePart> parts{{k_cell_error, escaped_markup(cell_error_sentence(errors, cell_size, words)) + "\n"}};
+    for (const auto& [key, error] : errors.of)
+        parts.push_back({k_error_of + key, error_cell(errors, key, words), true});
+    return parts;
 }
 
 std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words) {
@@ -188,10 +191,15 @@ std::string answer_tables(const ReportInput& input) {
 
 std::string answer_sentences(const ReportInput& input) {
     const Words& words = input.words;
-    const std::string sure = cell_error_sentence(input) + " " + balance_sentence(input) + " " + end_sentences(input);
+    const std::string cell_error =
+        escaped_markup(cell_error_sentence(input.errors, input.result.max_depth.grid.cell_size, words));
+    const std::string sure = "<p><b>" + escaped_markup(words("How sure.")) + "</b> " +
+                             page_part(k_cell_error, cell_error + "\n") +
+                             escaped_markup(balance_sentence(input) + " " + end_sentences(input)) + "</p>\n";
     return "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n" + release_sentences(input) +
-           material_sentences(input) + where_sentences(input) + paragraph(words("How sure."), sure) +
-           page_part(k_comparison_answer, comparison_answer(input.comparison, words)) + warnings_html(input) +
+           material_sentences(input) + where_sentences(input) + sure +
+           page_part(k_comparison_answer, comparison_answer(input.comparison, words)) +
+           first_warnings(input.facts.warnings, words) +
            paragraph(words("Not done."),
                      words("This is one run with one set of values, not a range of what is possible: frana ensemble "
                            "computes the range, frana calibrate fits the values to observed events."));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/publish/renewed_page.h"
 #include "app/publish/report.h"
 
 namespace frana::app {
@@ -24,6 +25,9 @@ bool moves_at_end(const RunResult& result);
 std::string answer_sentences(const ReportInput& input);
 /// The main values with their estimated errors.
 std::string answer_tables(const ReportInput& input);
+
+/// The parts of a report that `frana converge` replaces: the sentence on the size of the cells, the errors of values.
+std::vector<PagePart> error_parts(const ErrorEstimates& errors, double cell_size, const Words& words);
 
 /// Returns "± 12", a word if the estimate does not converge, or the words for none.
 std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words);

@@ -8,13 +8,10 @@
 
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
+#include "app/publish/renewed_page.h"
 #include "app/publish/report_charts.h"
 #include "app/publish/report_scenario.h"
-#include "app/store/manifest.h"
-#include "app/store/own_files.h"
-#include "app/store/result_files.h"
 #include "app/text/number_text.h"
-#include "app/text/text_file.h"
 #include "core/markup.h"
 
 namespace frana::app {
@@ -165,20 +162,11 @@ std::string comparison_section(const std::optional<Comparison>& comparison, cons
 }
 
 bool renew_report(const std::string& folder, const Comparison& comparison, const MapSource& source) {
-    const std::string path = (fs::path(folder) / k_report_file).string();
-    if (!fs::exists(path)) return true;
-    const std::string page = read_text_file(path);
-    const Words words = words_of_page(page);
-    const auto answered = with_part(page, k_comparison_answer, comparison_answer(comparison, words));
-    if (!answered) return false;
-    const PictureForPage picture(folder, comparison, source);
-    const auto renewed =
-        with_part(*answered, k_comparison_section, comparison_section(comparison, picture.path(), words));
-    if (!renewed) return false;
-    begin_own(folder, {path});
-    write_text_file(path, *renewed);
-    record_files({path});
-    return true;
+    return renew_page(folder, [&](const Words& words) {
+        const PictureForPage picture(folder, comparison, source);
+        return std::vector<PagePart>{{k_comparison_answer, comparison_answer(comparison, words)},
+                                     {k_comparison_section, comparison_section(comparison, picture.path(), words)}};
+    });
 }
 
 }  // namespace frana::app

@@ -21,9 +21,7 @@ std::string comparison_answer(const std::optional<Comparison>& comparison, const
 std::string comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
                                const Words& words);
 
-/// Puts a comparison into report.html of a result, which gets its name when it is complete, and into the manifest. A
-/// page that was changed since is kept under another name. Returns false if there is a report of an older frana,
-/// without these parts, which stays as it is. Throws Error(environment).
+/// Puts a comparison into report.html of a result, as renew_page.
 /// @param source that comparison.png was drawn from, if it was drawn
 bool renew_report(const std::string& folder, const Comparison& comparison, const MapSource& source);
 

@@ -89,7 +89,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     add_hazard(json, facts);
     add_run_problems(json, result);
     if (facts.accuracy) json["accuracy"] = accuracy_json(*facts.accuracy);
-    json["warnings"] = facts.warnings;
+    json["warnings"] = texts_of(facts.warnings);
     json[k_data_key] = facts.data_identity;
     return json_text(json);
 }

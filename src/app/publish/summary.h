@@ -10,6 +10,7 @@
 #include "app/store/accuracy_record.h"
 #include "app/store/main_statistics.h"
 #include "core/json.h"
+#include "core/words/sentence.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/run_summary.h"
@@ -35,7 +36,7 @@ struct SummaryFacts {
     std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
     std::vector<HazardArea> hazard;                               ///< empty: no scheme
     std::optional<ExposureTotals> exposure;                       ///< none: no exposed features
-    std::vector<std::string> warnings;
+    std::vector<Sentence> warnings;
     std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data
 };

@@ -137,7 +137,7 @@ void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
 
 void Checkpoints::warn_once(const Error& error) {
     if (error.kind() != ErrorKind::environment) throw error;
-    if (!std::exchange(warned_, true)) log_.warn(error.what());
+    if (!std::exchange(warned_, true)) log_.warn(std::string(error.what()));
 }
 
 }  // namespace frana::app

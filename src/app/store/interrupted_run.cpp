@@ -108,7 +108,7 @@ std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identi
             auto checkpoint = std::make_unique<CheckpointFile>(path);
             const std::string why = obstacle(*checkpoint, identity);
             if (why.empty()) {
-                for (const Problem& reason : reasons) log.warn("checkpoint not used: " + describe(reason));
+                for (const Problem& reason : reasons) log.warn(worded("checkpoint not used: {1}", {describe(reason)}));
                 return checkpoint;
             }
             reasons.push_back({why, path, "", "", ""});

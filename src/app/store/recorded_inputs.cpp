@@ -133,11 +133,12 @@ void find_recorded_inputs(SceneReading& reading, RunLog& log) {
         if (fs::exists(here, error)) {
             if (belongs_to_key(here, false) && !has_content(here, recorded)) {
                 const FileMark mark = mark_at(here);
-                log.warn(reading.where(recorded.key) + ": " + here.string() +
-                         " is not as it was when this result was computed (then " + recorded.mark() + "; now " +
-                         std::to_string(mark.bytes) + " bytes" +
-                         (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum) +
-                         "): the run repeats the scene, not the result");
+                log.warn(worded(
+                    "{1}: {2} is not as it was when this result was computed (then {3}; now {4}): the run repeats the "
+                    "scene, not the result",
+                    {reading.where(recorded.key), here.string(), recorded.mark(),
+                     std::to_string(mark.bytes) + " bytes" +
+                         (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum)}));
             }
         } else if (here != recorded.then && has_content(recorded.then, recorded) &&
                    (belongs_to_key(here, true) || belongs_to_key(recorded.then, false))) {

@@ -153,8 +153,8 @@ class Replacement {
                 fs::remove(older_ / name, error);
             }
         if (!error) return;
-        log_.warn("the older result could not be removed: " + error.message() + "; what is left of it is in " +
-                  older_.string() + " until the next run");
+        log_.warn(worded("the older result could not be removed: {1}; what is left of it is in {2} until the next run",
+                         {error.message(), older_.string()}));
         try {
             if (fs::is_empty(older_)) note_replaced(older_.string(), older_.filename().string());
         } catch (const std::exception&) {  // then it remains as an empty folder

@@ -14,10 +14,15 @@ void RunLog::note(const std::string& text) {
     lines_.push_back(stamp + text);
 }
 
-void RunLog::warn(const std::string& text) {
+void RunLog::warn(const Sentence& warning) {
+    const std::string text = warning.text();
     note("WARNING: " + text);
-    warnings_.push_back(text);
+    warnings_.push_back(warning);
     if (!quiet_) std::cerr << "frana: warning: " << text << '\n';
+}
+
+void RunLog::warn_of(const Sentence& thing, const std::vector<Sentence>& warnings) {
+    for (const Sentence& warning : warnings) warn(worded("{1}: {2}", {thing, warning}));
 }
 
 void RunLog::info(const std::string& text) {
@@ -27,7 +32,7 @@ void RunLog::info(const std::string& text) {
 
 void RunLog::print_deferred_warnings() const {
     if (!quiet_) return;
-    for (const std::string& text : warnings_) std::cerr << "frana: warning: " << text << '\n';
+    for (const Sentence& warning : warnings_) std::cerr << "frana: warning: " << warning.text() << '\n';
 }
 
 void RunLog::continue_from(const std::vector<std::string>& earlier) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/process/stopwatch.h"
+#include "core/words/sentence.h"
 
 namespace frana::app {
 
@@ -15,7 +16,9 @@ class RunLog {
 
     void note(const std::string& text);
     /// Logs a fact that the user must know before relying on the result.
-    void warn(const std::string& text);
+    void warn(const Sentence& warning);
+    /// Logs such facts about one thing: "DTM: ...".
+    void warn_of(const Sentence& thing, const std::vector<Sentence>& warnings);
     /// Writes a line to the terminal and the log.
     void info(const std::string& text);
 
@@ -26,14 +29,14 @@ class RunLog {
     void continue_from(const std::vector<std::string>& earlier);
 
     [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }
-    [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
+    [[nodiscard]] const std::vector<Sentence>& warnings() const noexcept { return warnings_; }
     [[nodiscard]] std::string text() const;
 
   private:
     bool quiet_;
     Stopwatch since_start_;
     std::vector<std::string> lines_;
-    std::vector<std::string> warnings_;
+    std::vector<Sentence> warnings_;
 };
 
 }  // namespace frana::app

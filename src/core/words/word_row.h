@@ -16,16 +16,20 @@ struct WordRow {
 };
 
 // The tables, one for each area. An English text is in one of them only.
-std::span<const WordRow> map_words();      ///< maps and views: furniture, notes, marks
-std::span<const WordRow> raster_words();   ///< titles of rasters
-std::span<const WordRow> class_words();    ///< classes of hazard schemes and comparisons
-std::span<const WordRow> physics_words();  ///< laws, materials, ends of a run
-std::span<const WordRow> answer_words();   ///< the answer and the maps of a report
-std::span<const WordRow> table_words();    ///< tables of a report
-std::span<const WordRow> score_words();    ///< scores of a comparison
-std::span<const WordRow> chart_words();    ///< charts, plates and films
-std::span<const WordRow> study_words();    ///< studies, calibrations, layers of GIS projects
-std::span<const WordRow> region_words();   ///< maps and degrees of hazard of regions
+std::span<const WordRow> map_words();             ///< maps and views: furniture, notes, marks
+std::span<const WordRow> raster_words();          ///< titles of rasters
+std::span<const WordRow> class_words();           ///< classes of hazard schemes and comparisons
+std::span<const WordRow> physics_words();         ///< laws, materials, ends of a run
+std::span<const WordRow> answer_words();          ///< the answer and the maps of a report
+std::span<const WordRow> table_words();           ///< tables of a report
+std::span<const WordRow> score_words();           ///< scores of a comparison
+std::span<const WordRow> chart_words();           ///< charts, plates and films
+std::span<const WordRow> study_words();           ///< studies, calibrations, layers of GIS projects
+std::span<const WordRow> region_words();          ///< maps and degrees of hazard of regions
+std::span<const WordRow> input_warning_words();   ///< warnings of inputs, and how warnings are put together
+std::span<const WordRow> result_warning_words();  ///< warnings of results
+std::span<const WordRow> study_report_words();    ///< reports of studies and regions
+std::span<const WordRow> calibration_words();     ///< reports of calibrations, scores of probabilities
 
 /// Returns all tables.
 std::vector<std::span<const WordRow>> word_tables();

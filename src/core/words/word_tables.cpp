@@ -4,8 +4,9 @@
 namespace frana {
 
 std::vector<std::span<const WordRow>> word_tables() {
-    return {map_words(),   raster_words(), class_words(), physics_words(), answer_words(),
-            table_words(), score_words(),  chart_words(), study_words(),   region_words()};
+    return {map_words(),           raster_words(),         class_words(),        physics_words(),    answer_words(),
+            table_words(),         score_words(),          chart_words(),        study_words(),      region_words(),
+            input_warning_words(), result_warning_words(), study_report_words(), calibration_words()};
 }
 
 }  // namespace frana

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/words/sentence.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -14,9 +15,9 @@ namespace frana {
 struct SceneReading {
     SceneSpec scene;
     Problems problems;
-    std::vector<std::string> warnings;  ///< keys given by a former name
-    std::string label;                  ///< the scene file as the user named it
-    std::string override_label;         ///< before the name of a key that was overridden: "--set "
+    std::vector<Sentence> warnings;  ///< keys given by a former name
+    std::string label;               ///< the scene file as the user named it
+    std::string override_label;      ///< before the name of a key that was overridden: "--set "
 
     std::map<std::string, std::string> written;  ///< by the key's name: the second name under which it was given
 

@@ -72,8 +72,8 @@ void SceneReader::use_present_names(KeySource& source) {
         if (former->stays)
             reading_.written[former->now] = former->former;
         else
-            reading_.warnings.push_back(source.where(entry.name) + " is now called " + former->now +
-                                        ": a later version will refuse the former name");
+            reading_.warnings.push_back(worded("{1} is now called {2}: a later version will refuse the former name",
+                                               {source.where(entry.name), std::string(former->now)}));
         entry.name = former->now;
     }
 }

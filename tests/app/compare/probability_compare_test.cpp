@@ -64,6 +64,11 @@ TEST_F(ProbabilityCompare, OfAStudyTakesTheMapOfAThreshold) {
     const Outcome least = frana({"compare", "--json", "out", "--scar", "scar.geojson", "--size", "800x600"});
     ASSERT_EQ(least.exit_code, 0) << least.err;
     EXPECT_EQ(json_text(least.out, "map"), "probability_depth_0.1");
+    // The report of the study's result has the scores, in its own language.
+    const std::string page = read_text(path("out/report.html"));
+    EXPECT_NE(page.find("Brier score, best 0"), std::string::npos);
+    EXPECT_EQ(page.find("Not compared with an observed outline"), std::string::npos);
+    EXPECT_NE(least.out.find("report.html"), std::string::npos) << "named among the files written";
     const Outcome other =
         frana({"compare", "--json", "out", "--scar", "scar.geojson", "--threshold", "0.5", "--size", "800x600"});
     ASSERT_EQ(other.exit_code, 0) << other.err;

@@ -9,6 +9,7 @@
 #include "ensemble/tiny_study.h"
 #include "gis/access/table_in.h"
 #include "gis/raster/raster_in.h"
+#include "support/html_check.h"
 
 namespace frana::test {
 namespace {
@@ -282,6 +283,37 @@ TEST_F(Ensemble, MapsChartsAndReportAreDrawnAndRenderDrawsTheRest) {
     const Outcome drawn = frana({"render", "out", "--map", "quantile_arrival_time_05", "--map", "hit_count"});
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
     EXPECT_TRUE(fs::exists(path("out/maps/quantile_arrival_time_05.png")));
+}
+
+// The answer first, then maps, inputs, sensitivities and charts; in the language of the scene, warnings too.
+TEST_F(Ensemble, TheReportHasTheAnswerFirstInTheLanguageOfTheScene) {
+    write_scene("stop-when-still = off\n[output]\nanimation = off\nframes = off\nmap-size = 640x480\nlanguage = it\n");
+    write_study("samples = 8\nuntil = 0.001\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string page = read_text(path("out/report.html")), summary = read_text(path("out/summary.json"));
+    for (const std::string& problem : html_problems(page)) ADD_FAILURE() << problem;
+    std::size_t before = 0;
+    for (const std::string id : {"answer", "maps", "inputs", "sensitivity", "charts", "median", "warnings"}) {
+        const std::size_t at = page.find("<h2 id=\"" + id + "\"");
+        ASSERT_NE(at, std::string::npos) << id;
+        EXPECT_GT(at, before) << id;
+        before = at;
+    }
+    EXPECT_LT(page.find("<img "), page.find("<h2 id=\"maps\"")) << "the probability is on the first page";
+    EXPECT_NE(page.find("<html lang=\"it\">"), std::string::npos);
+    EXPECT_NE(page.find("8 simulazioni su 8 sono terminate"), std::string::npos);
+    EXPECT_NE(page.find("study.until = 0.001 non è raggiunto con tutte le simulazioni"), std::string::npos);
+    EXPECT_EQ(page.find("Standard error"), std::string::npos);
+    EXPECT_EQ(json_text(summary, "date").size(), std::string("2026-11-24").size()) << "maps show it";
+    // The areas of the answer are those of the map.
+    const Raster map = gis::read_result_raster(path("out/probability_depth_0.1.tif"));
+    double cells = 0;
+    for (const double probability : map.values) cells += probability >= 0.5;
+    std::string area = std::to_string(static_cast<int>(cells * map.grid.cell_area()));
+    if (area.size() > 3) area.insert(area.size() - 3, ".");
+    EXPECT_GT(cells, 10);
+    EXPECT_NE(page.find(area + " m² con almeno il 50 %"), std::string::npos) << area;
 }
 
 // Pressure is density times the speed squared, so its thresholds are those of the speed; the classes of a custom scheme

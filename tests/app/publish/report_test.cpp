@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/publish/html_page.h"
@@ -96,6 +97,53 @@ TEST_F(Report, HasTheEstimateOfTheError) {
     ASSERT_NE(cell, std::string::npos) << text;
     EXPECT_LT(cell, page.find("</tr>", row));
     EXPECT_NE(page.find("the error from their size is estimated"), std::string::npos);
+}
+
+// A result that is there already gets the estimate when it is made; its other parts stay.
+TEST_F(Report, GetsTheEstimateOfALaterConvergenceStudy) {
+    write_scene("[output]\ndirectory = there\nlanguage = de\n" + k_numbers_only.substr(k_numbers_only.find('\n') + 1));
+    ASSERT_EQ(frana({"run", "scene.ini", "--quiet"}).exit_code, 0);
+    const std::string before = page_of("there");
+    EXPECT_NE(before.find("Fehler durch ihre Größe ist nicht geschätzt"), std::string::npos);
+    const Outcome outcome = frana({"converge", "scene.ini"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("there/report.html shows these errors"), std::string::npos) << outcome.err;
+    const std::string page = page_of("there");
+    expect_well_formed(page);
+    EXPECT_EQ(page.find("ist nicht geschätzt"), std::string::npos);
+    EXPECT_NE(page.find("Fehler durch ihre Größe ist geschätzt"), std::string::npos);
+    EXPECT_GE(count_of(page, "<td class=\"soft\">± "), 4U);
+    EXPECT_EQ(before.substr(before.find("id=\"maps\"")), page.substr(page.find("id=\"maps\"")));
+    ASSERT_EQ(frana({"run", "scene.ini", "--quiet", "--overwrite"}).exit_code, 0);
+    EXPECT_EQ(count_of(page_of("there"), "<td class=\"soft\">± "), count_of(page, "<td class=\"soft\">± "));
+    // Of another scene than the result's nothing is written into it.
+    const std::string kept = page_of("there");
+    ASSERT_EQ(
+        frana({"converge", "scene.ini", "--overwrite", "--quiet", "--set", "material.friction-angle=12"}).exit_code, 0);
+    EXPECT_EQ(page_of("there"), kept);
+}
+
+// Warnings are put together in English, and shown in the language of the report.
+TEST_F(Report, HasItsWarningsInItsLanguage) {
+    write("dtm.asc", [&] {
+        std::string text = read_text(path("dtm.asc"));
+        const std::size_t at = text.rfind(' ', text.size() / 2);
+        return text.replace(at, text.find_first_of(" \n", at + 1) - at, " 9000");
+    }());
+    write_scene("end = 2\n[output]\nlanguage = it\nmaps = off\nanimation = off\ncharts = off\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string page = page_of();
+    const Json summary = parse_json(read_text(path("result/summary.json")));
+    ASSERT_GE(summary.at("warnings").size(), 3U) << "the lists below are of several";
+    const std::size_t begin = page.find("<h2 id=\"warnings\">");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string list = page.substr(begin, page.find("<h2", begin + 1) - begin);
+    EXPECT_EQ(count_of(list, "<p class=\"warning\">"), summary.at("warnings").size());
+    for (const std::string english : {" the ", " is ", " of ", " its ", " and ", " than "})
+        EXPECT_EQ(list.find(english), std::string::npos) << english << list;
+    EXPECT_NE(list.find("Profondità finale e distanza percorsa non sono quelle del deposito"), std::string::npos)
+        << list;
 }
 
 // Gauges side by side are told apart without colours: no two curves of a chart have the same stroke and marker.

@@ -244,8 +244,8 @@ TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
     EXPECT_EQ(files_below(path("older")), before);  // nothing is removed if something could not be read
     EXPECT_TRUE(seen.empty());
     ASSERT_EQ(log.warnings().size(), 1U);
-    EXPECT_NE(log.warnings()[0].find("what is left of it is in " + path("other")), std::string::npos)
-        << log.warnings()[0];
+    EXPECT_NE(log.warnings()[0].text().find("what is left of it is in " + path("other")), std::string::npos)
+        << log.warnings()[0].text();
     EXPECT_TRUE(fs::exists(path("other/frames/depth_0000.tif")));
 }
 

@@ -65,11 +65,12 @@ std::vector<std::string> first_argument(const std::string& text, std::size_t ope
 std::map<std::string, std::string> shown_texts() {
     std::map<std::string, std::string> texts;
     const std::regex call(R"(\b(words_?|worded)(\(\))?\()");
-    for (const char* folder : {"src", "render"}) {
+    for (const char* folder : {"src", "render", "gis"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(FRANA_SOURCE_DIR) / folder)) {
             const fs::path& path = entry.path();
             if (path.extension() != ".cpp" && path.extension() != ".h") continue;
-            if (path.string().ends_with("core/words/words.h")) continue;  // its comment has an example
+            const std::string name = path.string();  // these have examples in their comments
+            if (name.ends_with("core/words/words.h") || name.ends_with("core/words/sentence.h")) continue;
             std::stringstream content;
             content << std::ifstream(path).rdbuf();
             const std::string text = content.str();
@@ -85,6 +86,23 @@ std::map<std::string, std::string> shown_texts() {
     for (const RunStatistic& row : k_run_statistics)
         if (is_reported(row)) texts.emplace(row.title, "src/simulation/run_statistics.h");
     return texts;
+}
+
+/// Returns the arguments of the calls of RunLog::warn that are not sentences of the tables: text put together.
+std::vector<std::string> other_warnings() {
+    std::vector<std::string> found;
+    const std::regex call(R"(\blog_?\.warn\(\s*([^;]*);)"),
+        sentence(R"(worded\([^]*|\*?\w+\)|std::string\(error\.what\(\)\)\)|accuracy_verdict\([^]*)");
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(FRANA_SOURCE_DIR) / "src/app")) {
+        if (entry.path().extension() != ".cpp") continue;
+        std::stringstream content;
+        content << std::ifstream(entry.path()).rdbuf();
+        const std::string text = content.str();
+        for (std::sregex_iterator one(text.begin(), text.end(), call), end; one != end; ++one)
+            if (!std::regex_match((*one)[1].str(), sentence))
+                found.push_back(entry.path().filename().string() + ": " + (*one)[1].str());
+    }
+    return found;
 }
 
 std::multiset<std::string> places(const std::string& text) {
@@ -106,6 +124,10 @@ TEST(WordTables, EveryTextOfTheSourcesHasARowAndEveryRowIsUsed) {
     }
     for (const auto& [text, file] : shown)
         EXPECT_EQ(rows.count(text), 1U) << file << ": no table has the text \"" << text << '"';
+}
+
+TEST(WordTables, WarningsAreSentencesOfTheTables) {
+    EXPECT_EQ(other_warnings(), std::vector<std::string>());
 }
 
 TEST(WordTables, EveryRowIsCompleteInEveryLanguage) {

@@ -136,7 +136,7 @@ TEST(ReadPolygons, RepairsOutlinesThatOnlyTouchThemselves) {
     const PolygonLayer layer = read_polygons(folder.file("pinch.gpkg"), utm(), k_where);
     EXPECT_EQ(total_area(layer), 200);
     ASSERT_EQ(layer.warnings.size(), 1U);
-    EXPECT_NE(layer.warnings[0].find("repaired"), std::string::npos);
+    EXPECT_NE(layer.warnings[0].text().find("repaired"), std::string::npos);
 }
 
 TEST(ReadPolygons, OverlappingPartsCountOnce) {
@@ -155,7 +155,7 @@ TEST(ReadPolygons, WarnsOfFeaturesThatOverlap) {
                  "POLYGON((18 0,28 0,28 10,18 10,18 0))"});
     const PolygonLayer layer = read_polygons(folder.file("two.gpkg"), utm(), k_where);
     ASSERT_EQ(layer.warnings.size(), 1U) << "the third only touches the second";
-    EXPECT_NE(layer.warnings[0].find("areas 1 and 2 overlap by 20 "), std::string::npos);
+    EXPECT_NE(layer.warnings[0].text().find("areas 1 and 2 overlap by 20 "), std::string::npos);
 }
 
 TEST(ReadPolygons, NoCrsIsRefusedUnlessLocal) {

@@ -40,9 +40,9 @@ TEST_F(FormerNamesInScenes, AreReadWithAWarning) {
     EXPECT_EQ(reading.scene.time.stop_energy_fraction, 0.1);
     EXPECT_EQ(reading.scene.time.stop_moving_fraction, 0.2);
     ASSERT_EQ(reading.warnings.size(), 2U);
-    EXPECT_NE(reading.warnings[0].find("time.stop-energy-share is now called time.stop-energy-fraction"),
+    EXPECT_NE(reading.warnings[0].text().find("time.stop-energy-share is now called time.stop-energy-fraction"),
               std::string::npos);
-    EXPECT_NE(reading.warnings[1].find("--set time.stop-moving-share"), std::string::npos);
+    EXPECT_NE(reading.warnings[1].text().find("--set time.stop-moving-share"), std::string::npos);
 }
 
 TEST_F(FormerNamesInScenes, BesideThePresentOneAreGivenTwice) {

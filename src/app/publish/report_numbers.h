@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/text/number_text.h"
+#include "core/words/words.h"
+
+namespace frana::app {
+
+/// Numbers and units as a report shows them in its language.
+class ReportNumbers {
+  public:
+    explicit ReportNumbers(const Words& words) : words_(words) {}
+
+    [[nodiscard]] std::string operator()(double value, int digits = 4) const {
+        return words_.number(number_text(value, digits));
+    }
+    [[nodiscard]] std::string grouped(double value) const { return words_.number(app::grouped(value)); }
+    /// Of a fraction, without the sign.
+    [[nodiscard]] std::string percent(double fraction) const { return (*this)(100 * fraction, 2); }
+    /// Returns "m³/s" for "m3/s", nothing for "-".
+    [[nodiscard]] static std::string unit(const std::string& text) {
+        std::string shown;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (i == 0 || (text[i] != '2' && text[i] != '3'))
+                shown += text[i];
+            else
+                shown += text[i] == '2' ? "²" : "³";
+        }
+        return shown == "-" ? "" : shown;
+    }
+
+  private:
+    const Words& words_;
+};
+
+}  // namespace frana::app

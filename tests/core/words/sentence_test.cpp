@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/words/sentence.h"
+
+#include <gtest/gtest.h>
+
+namespace frana {
+namespace {
+
+TEST(Sentences, AreEnglishTextsAndShownInALanguageWithTheirNumbers) {
+    const Sentence left = worded(
+        "{1} m3 left the computed ground ({2} % of all volume that came in): the map does not "
+        "show its full run-out; use a larger DTM or terrain.bounds",
+        {numeral("1 234.5"), numeral("2.5")});
+    EXPECT_EQ(left.text(),
+              "1 234.5 m3 left the computed ground (2.5 % of all volume that came in): the map does not show its full "
+              "run-out; use a larger DTM or terrain.bounds");
+    EXPECT_EQ(left.in(Words(Language::german)).substr(0, 43), "1.234,5 m³ verließen das berechnete Gelände");
+}
+
+TEST(Sentences, ContainOthersAndKeepNamesAsTheyAre) {
+    const Sentence inner =
+        worded("the outline was repaired ({1}): area {2} before, {3} after, in its own units squared",
+               {std::string("Ring 1.5"), numeral("10.5"), numeral("9")});
+    const Sentence whole = worded("{1}: {2}", {worded("perimeter"), inner});
+    EXPECT_EQ(whole.text(),
+              "perimeter: the outline was repaired (Ring 1.5): area 10.5 before, 9 after, in its own units squared");
+    EXPECT_EQ(
+        whole.in(Words(Language::italian)),
+        "perimetro: il perimetro è stato riparato (Ring 1.5): area 10,5 prima, 9 dopo, nelle sue unità al quadrato");
+    const std::string named_like_a_row = "zones", with_a_place = "a {1} b";
+    EXPECT_EQ(Sentence(named_like_a_row).in(Words(Language::german)), "zones");
+    EXPECT_EQ(worded("{1}: {2}", {with_a_place, named_like_a_row}).in(Words(Language::french)), "a {1} b\u202F: zones");
+}
+
+TEST(Sentences, AreListed) {
+    EXPECT_EQ(listed({}).text(), "");
+    EXPECT_EQ(listed({std::string("a"), worded("zones"), std::string("c")}).in(Words(Language::french)),
+              "a\u202F; zones\u202F; c");
+}
+
+}  // namespace
+}  // namespace frana
