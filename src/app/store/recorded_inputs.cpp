@@ -80,7 +80,8 @@ struct NamingText {
     std::function<void(const study::KeyedFileMap&)> map_files;  ///< maps each to another
     std::function<std::string(const std::string& key)> where;   ///< for messages
     std::function<bool(const std::string& key)> is_replaced;    ///< by the command line
-    bool warns_only = false;                                    ///< files are missed elsewhere
+    bool is_study = false;    ///< a file of which no key can be set on the command line
+    bool warns_only = false;  ///< files are missed elsewhere
 
     [[nodiscard]] std::vector<NamedFile> files() const {
         std::vector<NamedFile> all;
@@ -146,11 +147,10 @@ void find_files(const NamingText& text, const fs::path& folder, RunLog& log) {
                 places += fs::exists(recorded.then, error)
                               ? " and as " + recorded.then.string() + ", which has another content"
                               : " and as " + recorded.then.string();
-            const bool of_study = recorded.key.starts_with("study.");
             missing.add({"an input of this result is missing; it had " + recorded.mark(), text.where(recorded.key),
                          recorded.relative.string(), "",
-                         "Sought as " + places + ". Put it there, or name its place: " +
-                             (of_study ? recorded.key + " = FILE" : "--set " + recorded.key + "=FILE")});
+                         "Sought as " + places + ". Put it there, or name its place" +
+                             (text.is_study ? " in the study file" : ": --set " + recorded.key + "=FILE")});
         }
     }
     missing.throw_if_any();
@@ -208,15 +208,19 @@ void find_recorded_inputs(SceneReading& reading, RunLog& log) {
 }
 
 void find_recorded_inputs(study::StudyReading& reading, RunLog& log) {
+    const auto where = [&](const std::string& key) {
+        const bool of_region = reading.study.region && key.starts_with("study.");
+        return reading.where(of_region ? "region" + key.substr(key.find('.')) : key);
+    };
     find_files({[&](const study::KeyedFileMap& map) { reading.study = with_files(std::move(reading.study), map); },
-                [&](const std::string& key) { return reading.where(key); }, [](const std::string&) { return false; }},
+                where, [](const std::string&) { return false; }, true},
                fs::path(reading.study.file).parent_path(), log);
 }
 
 void find_recorded_inputs(study::CalibrationReading& reading, RunLog& log) {
     find_files(
         {[&](const study::KeyedFileMap& map) { reading.calibration = with_files(std::move(reading.calibration), map); },
-         [&](const std::string& key) { return reading.where(key); }, [](const std::string&) { return false; }},
+         [&](const std::string& key) { return reading.where(key); }, [](const std::string&) { return false; }, true},
         fs::path(reading.calibration.study.file).parent_path(), log);
 }
 
@@ -224,7 +228,8 @@ void warn_of_changed_inputs(const std::string& study_file, const SceneReading& s
     SceneSpec spec = scene.scene;
     find_files(
         {[&](const study::KeyedFileMap& map) { map_scene_files(spec, map); },
-         [&](const std::string& key) { return scene.where(key); }, [](const std::string&) { return false; }, true},
+         [&](const std::string& key) { return scene.where(key); },
+         [&](const std::string& key) { return scene.scene.origin_of(key) == Origin::command_line; }, false, true},
         fs::path(study_file).parent_path(), log);
 }
 

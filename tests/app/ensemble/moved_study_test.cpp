@@ -117,7 +117,7 @@ TEST_F(MovedStudy, AMissingSceneIsOneClearError) {
     EXPECT_EQ(outcome.exit_code, 2);
     for (const std::string& words :
          {std::string("study.ini: study.scene: an input of this result is missing"), std::string("xxh128 "),
-          std::string("../../scene.ini"), path("project/scene.ini"), std::string("study.scene = FILE")})
+          std::string("../../scene.ini"), path("project/scene.ini"), std::string("name its place in the study file")})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
     EXPECT_FALSE(fs::exists(folder_ / "again"));
 }
