@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/crs/coordinate_operation.h"
 
+#include <utility>
+
 #include "core/error.h"
 #include "gis/crs/crs.h"
 
@@ -16,6 +18,18 @@ ProjPointer<PJ> make_crs(PJ_CONTEXT* context, const std::string& wkt) {
                                               "", "Name it by its EPSG code"});
     }
     return crs;
+}
+
+/// Returns the geographic CRS of a projected one where it is that of `to` but for the order of its axes, else null. The
+/// operation to that is a formula, for which PROJ need not search its database.
+ProjPointer<PJ> own_degrees(PJ_CONTEXT* context, const PJ* from, const PJ* to) {
+    const PJ_TYPE type = proj_get_type(to);
+    if (proj_get_type(from) != PJ_TYPE_PROJECTED_CRS || type != PJ_TYPE_GEOGRAPHIC_2D_CRS) return nullptr;
+    ProjPointer<PJ> own(proj_crs_get_geodetic_crs(context, from));
+    const bool same = own && proj_get_type(own.get()) == type &&
+                      proj_is_equivalent_to_with_ctx(context, own.get(), to,
+                                                     PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
+    return same ? std::move(own) : nullptr;
 }
 
 ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const PJ* to, std::optional<Bounds> degrees,
@@ -86,7 +100,8 @@ ProjPointer<PJ_CONTEXT> make_proj_context() {
 CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& from_wkt, const std::string& to_wkt,
                                      std::optional<Bounds> degrees) {
     const ProjPointer<PJ> from = make_crs(context, from_wkt);
-    const ProjPointer<PJ> to = make_crs(context, to_wkt);
+    ProjPointer<PJ> to = make_crs(context, to_wkt);
+    if (ProjPointer<PJ> own = own_degrees(context, from.get(), to.get())) to = std::move(own);
     const ProjPointer<PJ> usable = first(context, operations(context, from.get(), to.get(), degrees,
                                                              PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID));
     CoordinateOperation chosen;

@@ -25,6 +25,10 @@ bool is_calibration(const std::string& path);
 /// Error(input) only if the file is no INI.
 CalibrationReading read_calibration(const std::string& path);
 
+/// Returns a calibration with every path in it mapped, as of a study, and one whose paths are relative to a folder.
+CalibrationSpec with_files(CalibrationSpec calibration, const KeyedFileMap& map);
+CalibrationSpec seen_from(CalibrationSpec calibration, const std::string& folder);
+
 /// Returns the file with every key, its meaning and the distributions as used; reading it back gives the same.
 std::string calibration_text(const CalibrationSpec& calibration);
 

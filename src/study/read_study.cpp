@@ -352,13 +352,6 @@ std::string name_of(Sampling sampling) {
     return sampling == Sampling::polygons ? "per-polygon" : "table";
 }
 
-std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder) {
-    SceneSpec scene;
-    if (!parameter.map_files || parameter.read(scene, value)) return value;
-    parameter.map_files(scene, [&](const std::string& path) { return absolute_path(path, folder); });
-    return parameter.write(scene).value_or(value);
-}
-
 bool is_study(const std::string& path) {
     const std::vector<IniEntry> entries = read_ini(path);
     return std::any_of(entries.begin(), entries.end(),

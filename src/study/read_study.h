@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,18 @@ bool is_study(const std::string& path);
 /// Returns the value of a key with the paths in it absolute; of a value that the key does not accept, the value itself:
 /// it is refused elsewhere.
 std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder);
+
+/// Maps the path that a key names to another: "study.scene", "study.sampling" (a table), or a key of the scene.
+using KeyedFileMap = std::function<std::string(const std::string& key, const std::string& path)>;
+
+/// Returns a study with every path in it mapped: its scene, its table, and the files in [set] and [vary].
+StudySpec with_files(StudySpec study, const KeyedFileMap& map);
+/// The same of parts of a study, and of the value of one key.
+std::string with_files(const std::string& key, const std::string& value, const KeyedFileMap& map);
+std::vector<std::string> with_files(std::vector<std::string> set, const KeyedFileMap& map);
+std::vector<Variation> with_files(std::vector<Variation> vary, const KeyedFileMap& map);
+/// Returns a study whose paths are relative to a folder.
+StudySpec seen_from(StudySpec study, const std::string& folder);
 
 /// Reads a study file; relative paths become absolute, in its folder. Every problem of the file is collected: unknown
 /// keys, values, distributions, keys that cannot vary, values outside a key's range. Throws Error(input) only if the

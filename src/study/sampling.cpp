@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <map>
 
 #include "core/shortest_text.h"
 #include "params/grammar/nearest_name.h"
@@ -10,6 +12,7 @@
 #include "params/keys/former_names.h"
 #include "params/keys/scene_parameters.h"
 #include "study/openturns/functions.h"
+#include "study/read_study.h"
 #include "study/varied_key.h"
 
 namespace frana::study {
@@ -127,9 +130,19 @@ void check_values(const StudySpec& study, const SampleTable& table, const std::s
 
 std::string values_text(const SampleTable& table) {
     std::string text;
+    std::vector<std::map<std::string, std::size_t>> files(table.keys.size());  // by key: value and its number
     for (std::size_t member = 0; member < table.size(); ++member)
-        for (std::size_t k = 0; k < table.keys.size(); ++k)
-            text += "member " + std::to_string(member) + " " + table.keys[k] + " = " + table.values[member][k] + "\n";
+        for (std::size_t k = 0; k < table.keys.size(); ++k) {
+            const std::string& value = table.values[member][k];
+            std::string shown = value;
+            if (table.nominal[k])
+                shown = with_files(table.keys[k], value, [](const std::string&, const std::string& path) {
+                    return std::filesystem::path(path).filename().string();
+                });
+            if (shown != value)
+                shown += ", file " + std::to_string(files[k].try_emplace(value, files[k].size()).first->second);
+            text += "member " + std::to_string(member) + " " + table.keys[k] + " = " + shown + "\n";
+        }
     return text;
 }
 

@@ -38,7 +38,8 @@ struct SampleTable {
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;
 };
 
-/// Returns one line for each value: two tables with the same text have the same members.
+/// Returns one line for each value: two tables with the same text have the same members, if their files have the same
+/// content. Files are named without their folders, and numbered in the order of the members: a study can be moved.
 std::string values_text(const SampleTable& table);
 
 /// Draws the members of a study that is not sampled by a table; its problems were thrown before. Adds a problem for a

@@ -5,14 +5,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-# What nearly every scene states or asks for; all other keys are advanced.
-FIRST = ("terrain.dtm", "terrain.cell-size", "release.perimeter", "release.thickness", "release.volume",
-         "release.dtm-contains-release", "material.preset", "material.density", "material.bed-friction",
-         "material.friction-angle", "material.friction-coefficient", "material.turbulence", "entrainment.erosion",
-         "entrainment.erodible-depth", "terrain.walls", "observed.perimeter", "hazard.scheme", "time.end",
-         "time.frame-interval", "output.title")
-
-
 _LONGEST_LABEL = 64  # letters; longer ones would widen the dialogue
 
 
@@ -28,15 +20,12 @@ class Key:
     limits: str
     meaning: str
     content: str  # of a file
+    is_first: bool  # a main key; all others are advanced
 
     @property
     def parameter(self) -> str:
         """Name of the parameter of an algorithm: letters, digits and _ only."""
         return re.sub(r"\W", "_", self.name)
-
-    @property
-    def is_first(self) -> bool:
-        return self.name in FIRST
 
     def label(self) -> str:
         """"Terrain: cell size [m] (0.01 to 1000; otherwise the DTM's own)", as much as fits into a dialogue."""
@@ -88,12 +77,10 @@ class Key:
 
 def key_from_json(row: dict) -> Key:
     return Key(row["name"], row["section"], row["key"], row["type"], row["unit"], row["default"],
-               row.get("when_absent", ""), row["limits"], row["meaning"], row.get("content", ""))
+               row.get("when_absent", ""), row["limits"], row["meaning"], row.get("content", ""), row.get("main", False))
 
 
 def in_order_of_dialogue(keys: list[Key]) -> list[Key]:
-    """The first ones in their order, then the others section by section."""
-    first = sorted((key for key in keys if key.is_first), key=lambda key: FIRST.index(key.name))
+    """The first ones, then the others, both section by section."""
     sections = list(dict.fromkeys(key.section for key in keys))
-    others = [key for key in keys if not key.is_first]
-    return first + sorted(others, key=lambda key: sections.index(key.section))
+    return sorted(keys, key=lambda key: (not key.is_first, sections.index(key.section)))

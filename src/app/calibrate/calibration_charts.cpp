@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/pictures/chart_sheet.h"
 #include "app/text/number_text.h"
 #include "params/keys/scene_parameters.h"
 #include "render/map/contours.h"
@@ -27,10 +28,9 @@ constexpr Rgb k_levels[] = {{198, 219, 239}, {158, 202, 225}, {107, 174, 214},
 
 render::Chart page(const MapSource& source, const std::string& what, const std::string& subtitle,
                    const std::string& file, std::size_t panels) {
-    const std::string by = page_attribution(source);
-    const int across = panels <= 1 ? 1 : panels <= 4 ? 2 : 3;
-    return {page_title(source, what), subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), across, {}, false,
-            source.style.words};
+    render::Chart chart = chart_sheet(source, what, subtitle, file);
+    chart.across = panels <= 1 ? 1 : panels <= 4 ? 2 : 3;
+    return chart;
 }
 
 /// The values of one key at places, for axes.

@@ -2,9 +2,11 @@
 #include "app/calibrate/calibration_input.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "app/calibrate/event_survey.h"
+#include "app/store/recorded_inputs.h"
 #include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
 
@@ -116,9 +118,10 @@ study::SampleTable members_at(const study::CalibrationSpec& calibration, std::si
     return study::samples_at(spec.members.study, of_event, spec.members.label, problems);
 }
 
-CalibrationTexts read_calibration_texts(const std::string& path) {
+CalibrationTexts read_calibration_texts(const std::string& path, RunLog& log) {
     CalibrationTexts texts;
     texts.reading = study::read_calibration(path);
+    find_recorded_inputs(texts.reading, log);
     const study::CalibrationSpec& calibration = texts.reading.calibration;
     texts.problems = texts.reading.problems;
     if (calibration.events.empty()) texts.problems.throw_if_any();
@@ -131,6 +134,7 @@ CalibrationTexts read_calibration_texts(const std::string& path) {
         try {
             StudyTexts one = read_study_scenes(event.members, std::move(table));
             add_once(one.central.problems, texts.problems);
+            warn_of_changed_inputs(calibration.study.file, one.central, log);
             if (texts.events.empty()) texts.first_scene = one.central;
             texts.events.push_back(std::move(one));
         } catch (const Error& error) {  // the scene is no INI
@@ -168,7 +172,9 @@ CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional
         for (const StudyInput* const study : {&input.own[e], &input.coarse[e]})
             check_survey(calibration, e, study->base, problems);
     problems.throw_if_any();
-    input.identity = calibration_text(calibration);
+    input.identity = calibration_text(with_files(calibration, [](const std::string&, const std::string& path) {
+        return std::filesystem::path(path).filename().string();
+    }));
     for (std::size_t e = 0; e < input.events(); ++e) {
         compare_by_survey(calibration, input.own[e]);
         compare_by_survey(calibration, input.coarse[e]);

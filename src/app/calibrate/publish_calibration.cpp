@@ -8,6 +8,7 @@
 #include "app/ensemble/study_result.h"
 #include "app/input/scene_language.h"
 #include "app/store/provenance.h"
+#include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
@@ -26,6 +27,8 @@ MapSource chart_source(const CalibrationInput& input) {
     if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
     source.style.formats = output.map_formats;
     source.style.attribution = output.map_attribution.value_or("");
+    source.style.author = output.map_author.value_or("");
+    source.style.organisation = output.map_organisation.value_or("");
     source.style.date = date_on_maps(output.map_date, today());
     return source;
 }
@@ -51,13 +54,24 @@ bool draw(const CalibrationInput& input, const CalibrationRuns& runs, const Cali
     return good;
 }
 
+/// The files that the study and the scenes of its events name.
+std::vector<NamedFile> inputs_of(const CalibrationInput& input) {
+    std::vector<NamedFile> files;
+    static_cast<void>(with_files(input.spec(), [&](const std::string& key, const std::string& path) {
+        files.push_back({key, path});
+        return path;
+    }));
+    for (const StudyInput& event : input.own)
+        for (NamedFile& file : named_files(event.base.spec)) files.push_back(std::move(file));
+    return files;
+}
+
 void write_best_scenes(const CalibrationInput& input, const CalibrationResult& result,
                        const ResultDirectory& directory) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
         const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
-        write_text_file(directory.path(name),
-                        scene_text(seen_from(study.member(result.best).scene, directory.target()), {}));
+        write_text_file(directory.path(name), echoed_scene(study.member(result.best).scene, directory.target()));
     }
 }
 
@@ -91,7 +105,8 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const CalibrationResult result = calibration_result(input, runs);
     StudyOutcome outcome;
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
-    write_text_file(directory.path(k_study_file), study::calibration_text(input.spec()));
+    write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
+    write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));
     write_text_file(directory.path(k_design_table), design_csv(input, runs));
     for (std::size_t e = 0; input.events() > 1 && e < input.events(); ++e)

@@ -103,7 +103,7 @@ std::string calibration_directory(const SceneSpec& scene) {
 
 Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
                        RunLog& log) {
-    CalibrationTexts texts = read_calibration_texts(path);
+    CalibrationTexts texts = read_calibration_texts(path, log);
     const std::string directory = out.value_or(calibration_directory(texts.first_scene.scene));
     const std::optional<Problem> place =
         check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.problems);

@@ -38,7 +38,7 @@ int cmd_calibrate(const Arguments& arguments) {
     RunLog log(quiet);
     apply_memory_limit(*values, log);
 
-    CalibrationTexts texts = read_calibration_texts((*values)["operand"].as<std::string>());
+    CalibrationTexts texts = read_calibration_texts((*values)["operand"].as<std::string>(), log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(calibration_directory(texts.first_scene.scene)), target = result_path(place);
     const std::string interrupted = interrupted_study(target);

@@ -129,7 +129,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     RunLog log(quiet);
     apply_memory_limit(*values, log);
 
-    StudyTexts texts = read_study_texts(file);
+    StudyTexts texts = read_study_texts(file, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(study_directory(texts.reading.study, texts.central.scene)),
                       target = result_path(place);

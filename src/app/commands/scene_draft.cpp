@@ -16,6 +16,7 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
+#include "params/keys/main_keys.h"
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 
@@ -23,6 +24,8 @@ namespace frana::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* k_of_preset = "Where given, it replaces that of the preset.";
 
 /// A line of the draft.
 struct DraftLine {
@@ -133,47 +136,40 @@ std::string draft_text(const SceneDraft& draft) {
     std::vector<std::string> thickness = draft.about_thickness;
     if (draft.thickness.empty())
         thickness.insert(thickness.begin(), "To be given: only you know how thick the mass is that fails.");
-    const std::vector<DraftLine> lines{
+    // What is written of a main key besides its meaning; the others have their default, after #.
+    const std::vector<DraftLine> known{
         {"terrain.dtm", draft.dtm, false, draft.about_dtm},
         {"terrain.crs", "", true, draft.about_crs},
         {"terrain.cell-size", draft.cell_size, true, draft.about_cells},
         {"terrain.vertical-unit", "", true, draft.about_unit},
-        {"terrain.nodata-policy", "", true},
         {"release.perimeter", draft.perimeter, false, draft.about_perimeter},
         {"release.thickness", draft.thickness, false, thickness},
-        {"release.thickness-direction", "", true},
         {"release.dtm-contains-release",
          "on",
          true,
          {"Does the DTM show the slope before it failed? Then remove the # of the next line; without it the mass is "
-          "laid "
-          "on top of the DTM."}},
+          "laid on top of the DTM."}},
         {"material.preset",
          "debris-flow",
          false,
          {"One of " + presets() + ": starting points, not calibrated values (`frana materials`)."}},
-        {"material.friction-angle", "", true, {"Where given, it replaces that of the preset."}},
-        {"material.turbulence", "", true, {"Where given, it replaces that of the preset."}},
-        {"material.density", "", true, {"Where given, it replaces that of the preset."}},
-        {"numerics.accuracy", "", true},
-        {"time.end", "", false},
-        {"time.frame-interval", "", true},
+        {"material.friction-angle", "", true, {k_of_preset}},
+        {"material.turbulence", "", true, {k_of_preset}},
+        {"material.density", "", true, {k_of_preset}},
+        {"time.end", declared("time.end").default_text(), false},
         {"output.title", draft.title, false},
-        {"output.trace-threshold", "", true},
-        {"hazard.scheme", "", true},
-        {"observed.perimeter", "", true},
     };
     std::string text =
         "# A scene of frana to begin with. A line after # is not used; `frana params` prints all keys.\n";
-    std::string section;
-    for (DraftLine line : lines) {
-        const Parameter& key = declared(line.key);
-        if (key.section != section) {
-            section = key.section;
-            text += "\n[" + section + "]\n";
+    for (const Section& section : scene_sections()) {
+        std::string lines;
+        for (const Parameter& key : scene_parameters()) {
+            if (key.section != section.name || !is_main_key(key.name())) continue;
+            const auto line =
+                std::find_if(known.begin(), known.end(), [&](const DraftLine& one) { return one.key == key.name(); });
+            lines += text_of(line != known.end() ? *line : DraftLine{key.name(), "", true});
         }
-        if (line.key == "time.end") line.value = key.default_text();
-        text += text_of(line);
+        if (!lines.empty()) text += "\n[" + section.name + "]\n" + lines;
     }
     return text;
 }

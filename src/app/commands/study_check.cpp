@@ -127,7 +127,7 @@ void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& fo
 }
 
 Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log) {
-    StudyTexts texts = read_study_texts(path);
+    StudyTexts texts = read_study_texts(path, log);
     const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
     const std::optional<Problem> place =
         check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.central.problems);

@@ -15,6 +15,7 @@
 #include "app/ensemble/study_result.h"
 #include "app/ensemble/study_tables.h"
 #include "app/publish/publish_project.h"
+#include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
 #include "app/store/saved_work.h"
 #include "app/store/vector_layers.h"
@@ -107,7 +108,7 @@ void write_kept_members(const StudyInput& input, const StudyResult& result, cons
         std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
         directory.make_folder(name);
         const auto record = study::read_record(record_file(directory.folder(), member.member));
-        write_member(input, member.member, *record, result.grid, directory.path(name));
+        write_member(input, member.member, *record, result.grid, directory, name);
     }
 }
 
@@ -145,6 +146,16 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const stu
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
+/// The files that the central scene and the study name.
+std::vector<NamedFile> inputs_of(const StudyInput& input) {
+    std::vector<NamedFile> files = named_files(input.base.spec);
+    static_cast<void>(with_files(input.reading.study, [&](const std::string& key, const std::string& path) {
+        files.push_back({key, path});
+        return path;
+    }));
+    return files;
+}
+
 }  // namespace
 
 StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& directory, RunLog& log) {
@@ -155,8 +166,9 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     facts.levels = level_summaries(input, result);
     outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
     const bool is_region = input.reading.study.region.has_value();
+    const study::StudySpec echoed = seen_from(input.reading.study, directory.target());
     write_text_file(directory.path(is_region ? k_region_file : k_study_file),
-                    is_region ? study::region_text(input.reading.study) : study::study_text(input.reading.study));
+                    is_region ? study::region_text(echoed) : study::study_text(echoed));
     facts.threads = study.threads;
     facts.computed = study.computed;
     facts.date = today();
@@ -180,6 +192,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             log.info(exposure_sentence(*facts.exposure, input.base.spec.output.exposure_count.has_value()) +
                      (input.slopes.empty() ? " by at least one run" : " by at least one slope"));
     }
+    write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_member_table), members_csv(input, result));
     if (!input.reading.study.per_polygon())
         write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));

@@ -64,7 +64,7 @@ void run_members(const ranks::Job& job, const StudyInput& input, int threads) {
 std::optional<StudyInput> read_study(const std::string& study, std::exception_ptr& problem) {
     try {
         RunLog silent(true);
-        return prepare_study(read_study_texts(study), std::nullopt, silent);
+        return prepare_study(read_study_texts(study, silent), std::nullopt, silent);
     } catch (...) {
         problem = std::current_exception();
         return std::nullopt;

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "app/pictures/chart_sheet.h"
+
 namespace frana::app {
 namespace {
 
@@ -14,9 +16,9 @@ constexpr const auto& k_colours = render::k_chart_colours;
 
 render::Chart page(const MapSource& source, const std::string& what, const std::string& subtitle,
                    const std::string& file, int across) {
-    const std::string by = page_attribution(source);
-    return {page_title(source, what), subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), across, {}, false,
-            source.style.words};
+    render::Chart chart = chart_sheet(source, what, subtitle, file);
+    chart.across = across;
+    return chart;
 }
 
 int across_of(std::size_t panels) {

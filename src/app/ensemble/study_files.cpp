@@ -143,11 +143,11 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
 }
 
 void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
-                  const std::string& folder) {
-    const auto path = [&](const std::string& name) { return folder + "/" + name; };
+                  const ResultDirectory& directory, const std::string& folder) {
+    const auto path = [&](const std::string& file) { return directory.path(folder) + "/" + file; };
     SceneSpec scene = input.member(member).scene;
     if (!input.slopes.empty() && !record.figures.empty()) scene.terrain.bounds = record.grid().bounds();
-    write_text_file(path(k_scene_file), scene_text(scene, {}));
+    write_text_file(path(k_scene_file), echoed_scene(scene, directory.target() + "/" + folder));
     const std::pair<const char*, study::Quantity> k_maps[] = {{"max_depth", study::Quantity::depth},
                                                               {"max_velocity", study::Quantity::velocity},
                                                               {"arrival_time", study::Quantity::arrival}};

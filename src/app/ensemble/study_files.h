@@ -27,9 +27,9 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
 /// Returns the layers of extent.gpkg that are known before the members run.
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
 
-/// Writes a member's scene and maps to a folder.
+/// Writes a member's scene and maps to a folder of the result.
 void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
-                  const std::string& folder);
+                  const ResultDirectory& directory, const std::string& folder);
 
 /// Draws the maps and charts that the scene's output.maps and output.charts ask for. Returns false if one could not be
 /// drawn, with a warning.

@@ -10,6 +10,7 @@
 #include "app/ensemble/region_input.h"
 #include "app/input/scene_language.h"
 #include "app/input/share_directory.h"
+#include "app/store/recorded_inputs.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
@@ -188,9 +189,10 @@ SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) c
     return read_member(reading, overrides);
 }
 
-StudyTexts read_study_texts(const std::string& path) {
+StudyTexts read_study_texts(const std::string& path, RunLog& log) {
     StudyTexts texts;
     texts.reading = study::is_region(path) ? study::read_region(path) : study::read_study(path);
+    find_recorded_inputs(texts.reading, log);
     if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
     std::vector<std::string> central;
     try {
@@ -215,6 +217,7 @@ StudyTexts read_study_texts(const std::string& path) {
         texts.reading.problems.throw_if_any();
     }
     read_scenes(central, texts);
+    warn_of_changed_inputs(texts.reading.study.file, texts.central, log);
     return texts;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/input/check_ground.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 
@@ -43,6 +46,22 @@ void warn_of_release_ground(const GroundStatistics& ground, RunLog& log) {
             "elevations there",
             {ground_sentence(ground)}));
     }
+}
+
+void warn_of_held_release(const GroundStatistics& ground, double friction, const UsedUnit& unit, RunLog& log) {
+    const double angle = std::atan(friction) * 180 / std::numbers::pi;
+    const bool is_told = ground.mean_slope_deg < k_flat_release;  // by warn_of_release_ground
+    if (!(friction > 0) || ground.steepest_slope_deg >= angle || is_told) return;
+    const std::string converted =
+        unit.metres < 1
+            ? "The elevations were converted from " + unit.name + (unit.is_of_file ? ", as the file says" : "") +
+                  ": if they are in metres already, set terrain.vertical-unit = metre. Otherwise check"
+            : "Elevations that are too low for their eastings look like this, as metres that were converted "
+              "as if they were feet: check";
+    log.warn("the release is held by friction: its ground, " + ground_text(ground) +
+             ", is nowhere as steep as the slope of " + number_text(angle, 3) +
+             " degrees that its friction holds, so that at most its edges move. " + converted +
+             " the elevations above against a map, and the friction");
 }
 
 void warn_of_path_ground(const GroundStatistics& ground, RunLog& log) {

@@ -16,9 +16,20 @@ Sentence ground_sentence(const GroundStatistics& ground);
 /// Statistics of the DTM under the outlines of the release; none if nothing is released.
 std::optional<GroundStatistics> ground_of_release(const Scene& scene);
 
+/// The unit in which elevations were read.
+struct UsedUnit {
+    std::string name;         ///< "foot"
+    double metres = 1;        ///< per unit
+    bool is_of_file = false;  ///< else the user's choice, or assumed
+};
+
 /// Warns of ground on which landslides do not start, or over which they do not move: steeper or flatter than in nature
 /// where elevations are in another unit than eastings, or the layers do not belong together.
 void warn_of_release_ground(const GroundStatistics& ground, RunLog& log);
+/// Warns of a release on ground that is nowhere as steep as the slope up to which friction holds it: nothing but its
+/// edges can move. Elevations that are too low for their eastings look like this, as metres read as feet.
+/// @param friction tangent of that slope; 0: not known
+void warn_of_held_release(const GroundStatistics& ground, double friction, const UsedUnit& unit, RunLog& log);
 void warn_of_path_ground(const GroundStatistics& ground, RunLog& log);
 
 }  // namespace frana::app

@@ -7,12 +7,11 @@
 
 #include "app/input/layer_choice.h"
 #include "app/input/prepare_inflow.h"
+#include "app/input/sure_friction.h"
 #include "gis/raster/elevation_sample.h"
 #include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
-#include "params/keys/laws.h"
 #include "params/keys/scene_parameters.h"
-#include "params/keys/zone_keys.h"
 
 namespace frana::app {
 namespace {
@@ -170,24 +169,12 @@ std::vector<Bounds> boxes_to_contain(const SceneReading& reading, const std::str
     return boxes;
 }
 
-/// The least friction that the energy line may count on; 0 where places differ, and where no law at the bed resists
-/// with it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
-double sure_friction(const SceneSpec& scene) {
-    bool by_place = scene.terrain.friction_zones.has_value();
-    for (const ZoneKey& key : zone_keys()) by_place = by_place || (key.what == "friction" && scene.zones.*key.source);
-    const std::vector<const Law*> laws = laws_of(scene);
-    const bool resists =
-        std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
-    if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
-    return k_caution * friction_coefficient(scene.material) * (1 - scene.material.pore_pressure_ratio.value_or(0));
-}
-
 }  // namespace
 
 std::optional<Bounds> flow_window(const SceneReading& reading, const gis::RasterInfo& dtm,
                                   const std::string& working_crs, double most_area) {
     const SceneSpec& scene = reading.scene;
-    const double friction = sure_friction(scene);
+    const double friction = k_caution * sure_friction(scene);
     if (friction < k_least_friction) return std::nullopt;
     std::optional<std::vector<Origin>> origins = origins_of(reading, working_crs);
     if (!origins) return std::nullopt;

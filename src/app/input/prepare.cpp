@@ -13,10 +13,12 @@
 #include "app/input/prepare_structured.h"
 #include "app/input/prepare_zones.h"
 #include "app/input/scene_language.h"
+#include "app/input/sure_friction.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
 #include "gis/crs/crs.h"
+#include "gis/crs/vertical_unit.h"
 #include "params/keys/laws.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene_origin.h"
@@ -24,6 +26,12 @@
 
 namespace frana::app {
 namespace {
+
+UsedUnit used_unit(const SceneSpec& scene, const gis::RasterInfo& dtm) {
+    const std::string& chosen = scene.terrain.vertical_unit;
+    if (chosen != "auto") return {chosen, gis::vertical_unit_named(chosen).metres, false};
+    return {dtm.vertical_unit, dtm.vertical_scale_to_metres, dtm.vertical_unit_stated};
+}
 
 std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
@@ -142,7 +150,12 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     refuse_what_cannot_start(prepared.scene);
     check_ground_read(reading, *ground, prepared.scene.terrain, log);
     release.ground = ground_of_release(prepared.scene);
-    if (release.ground) warn_of_release_ground(*release.ground, log);
+    if (release.ground) {
+        warn_of_release_ground(*release.ground, log);
+        if (!reading.scene.release.velocity)  // what is thrown moves wherever it lands
+            warn_of_held_release(*release.ground, sure_friction(reading.scene), used_unit(reading.scene, ground->file),
+                                 log);
+    }
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {
         prepared.convergence_deg = gis::meridian_convergence_deg(

@@ -123,6 +123,9 @@ Spec animation_spec(const AnimationSource& animation, Size size, double seconds)
         spec = view_spec(animation.source, animation.layer);
     spec.width = size.width;
     spec.height = size.height;
+    // In place of the title block: the films' pages have no room beside the title.
+    spec.attribution =
+        foot_line({scenario_line(animation.source), spec.attribution, foot_line(block_lines(animation.source.style))});
     if (const std::string words = pace_words(animation, seconds); !words.empty()) spec.side_notes.push_back(words);
     return spec;
 }

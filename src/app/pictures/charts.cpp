@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/pictures/chart_sheet.h"
 #include "app/store/result_files.h"
 #include "app/text/csv_cell.h"
 #include "app/text/file_stems.h"
@@ -84,12 +85,6 @@ std::vector<std::string> kinds_of(const Columns& table, const std::string& colum
     return kinds;
 }
 
-render::Chart page(const MapSource& source, const std::string& what, const std::string& file) {
-    const std::string by = page_attribution(source);
-    return {page_title(source, what), source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}, false,
-            source.style.words};
-}
-
 /// `line` as in the table.
 NamedChart profile_chart(const Columns& table, const std::string& line, const std::string& stem,
                          const MapSource& source) {
@@ -130,7 +125,7 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
     const std::string own = elided(text_of_cell(line), k_longest_name);
     const std::string name =
         own == "flow path" ? words("profile along the flow path") : words("profile along {1}", {own});
-    render::Chart chart = page(source, name, k_profile_table);
+    render::Chart chart = chart_sheet(source, name, "", k_profile_table);
     chart.panels = {relief, depths, speeds};
     return {"profile_" + stem, chart};
 }
@@ -145,7 +140,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
     };
     const Words& words = source.style.words;
     const std::string seconds = words("time [s]");
-    render::Chart chart = page(source, words("time series of the flow"), k_series_file);
+    render::Chart chart = chart_sheet(source, words("time series of the flow"), "", k_series_file);
     chart.across = 2;
     chart.panels = {
         {words("Greatest speed"),
@@ -198,8 +193,8 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
         panel->mark_x = result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
     scores.fraction = 1.6;
-    render::Chart chart = page(source, words("scores over the depth threshold"), k_comparison_curve);
-    chart.subtitle = words("dashed: the threshold of the comparison");
+    render::Chart chart = chart_sheet(source, words("scores over the depth threshold"),
+                                      words("dashed: the threshold of the comparison"), k_comparison_curve);
     chart.panels = {scores, areas};
     return {"scores", chart};
 }
@@ -210,13 +205,14 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
                         const std::vector<std::array<std::string, 3>>& quantities) {
     const std::vector<double> time = table.numbers("time_s");
     const Words& words = source.style.words;
-    render::Chart chart = page(source, title, file + ".csv");
+    std::string note;
     std::vector<std::string> kinds = kinds_of(table, place);
     if (kinds.size() > k_most_curves) {
-        chart.subtitle = words("the first {1} of {2}; all are in {3}",
-                               {std::to_string(k_most_curves), std::to_string(kinds.size()), file + ".csv"});
+        note = words("the first {1} of {2}; all are in {3}",
+                     {std::to_string(k_most_curves), std::to_string(kinds.size()), file + ".csv"});
         kinds.resize(k_most_curves);
     }
+    render::Chart chart = chart_sheet(source, title, note, file + ".csv");
     for (const auto& [column, name, label] : quantities) {
         const std::vector<double> values = table.numbers(column);
         render::ChartPanel panel{words(name), words("time [s]"), words(label), {}, {0}};

@@ -73,8 +73,7 @@ std::string own_title(const MapSource& source) {
 /// Organisation, author and date, and the logo, whose file has been checked.
 render::TitleBlock title_block(const MapStyle& style) {
     render::TitleBlock block;
-    for (const std::string& line : {style.organisation, style.author, style.words.date(style.date)})
-        if (!line.empty()) block.lines.push_back(elided(valid_utf8(line), k_longest_line));
+    block.lines = block_lines(style);
     if (style.logo.empty()) return block;
     gis::Logo logo = gis::read_logo(style.logo, "logo");
     render::Image image;
@@ -95,7 +94,7 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     Spec spec;
     spec.words = source.style.words;
     spec.title = page_title(source, layer.title);
-    const std::string& scenario = source.scenario.empty() ? source.subtitle : source.scenario;
+    const std::string scenario = scenario_line(source);
     spec.subtitle = layer.time ? time_words(*layer.time, spec.words) : scenario;
     if (layer.time && !scenario.empty()) spec.subtitle += ", " + scenario;
     spec.legend_title = layer.title;
@@ -185,6 +184,24 @@ std::string date_on_maps(const std::optional<std::string>& chosen, const std::st
     return *chosen == "none" ? "" : *chosen;
 }
 
+std::string scenario_line(const MapSource& source) {
+    return source.scenario.empty() ? source.subtitle : source.scenario;
+}
+
+std::vector<std::string> block_lines(const MapStyle& style) {
+    std::vector<std::string> lines;
+    for (const std::string& line : {style.organisation, style.author, style.words.date(style.date)})
+        if (!line.empty()) lines.push_back(elided(valid_utf8(line), k_longest_line));
+    return lines;
+}
+
+std::string foot_line(const std::vector<std::string>& parts) {
+    std::string line;
+    for (const std::string& part : parts)
+        if (!part.empty()) line += (line.empty() ? "" : "  \u00B7  ") + part;
+    return line;
+}
+
 std::string page_title(const MapSource& source, const std::string& shown) {
     return source.style.words.labelled(own_title(source), shown);
 }
@@ -216,7 +233,8 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
         if (flows > 1) notes.push_back(words("(longest of {1} flows)", {std::to_string(flows)}));
     }
     // Warnings on the map itself, since maps are passed on without the log.
-    if (facts.last_speed > k_moving_speed) notes.push_back(words("Still moving at the end"));
+    if (facts.statistics && facts.statistics->end && facts.statistics->end->is_cut_short)
+        notes.push_back(words("Still moving at the end"));
     if (facts.volume_left > 0) notes.push_back(words("{1} m³ left the map", {whole(facts.volume_left)}));
     return notes;
 }
@@ -226,8 +244,7 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     spec.inset = true;
     spec.print = {source.style.size.dots_per_inch, source.style.size.paper, source.style.scale};
     spec.block = title_block(source.style);
-    spec.series = render::SeriesText{own_title(source), source.scenario.empty() ? source.subtitle : source.scenario,
-                                     source.notes};
+    spec.series = render::SeriesText{own_title(source), scenario_line(source), source.notes};
     spec.longitude_latitude = source.longitude_latitude;
     return spec;
 }

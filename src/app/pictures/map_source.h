@@ -23,15 +23,11 @@ struct MapFacts {
     double simulated_seconds = 0;
     double volume = 0;       ///< released [m3]
     double volume_left = 0;  ///< left through the edges of the domain [m3]
-    double last_speed = 0;   ///< greatest speed at the end [m/s]
     std::optional<MainStatistics> statistics;
 };
 
 std::string map_subtitle(const MapFacts& facts, const Words& words);
 std::vector<std::string> map_notes(const MapFacts& facts, const Words& words);
-
-/// Greatest speed at the end from which a flow is reported as still moving [m/s].
-inline constexpr double k_moving_speed = 0.1;
 
 /// Appearance of pictures: the keys output.map-... of a scene, or the options of `frana render`.
 struct MapStyle {
@@ -72,6 +68,13 @@ struct MapSource {
 
 /// Returns the date on maps: as chosen ("none": no date), else that of the run.
 std::string date_on_maps(const std::optional<std::string>& chosen, const std::string& of_run);
+
+/// Returns the scenario; if it is not known, the subtitle.
+std::string scenario_line(const MapSource& source);
+/// Returns organisation, author and date, those that are known.
+std::vector<std::string> block_lines(const MapStyle& style);
+/// Returns the parts joined as at the foot of a page, without empty ones.
+std::string foot_line(const std::vector<std::string>& parts);
 
 /// Returns a page's title: the result's own title, shortened if long, and the quantity shown.
 std::string page_title(const MapSource& source, const std::string& shown);

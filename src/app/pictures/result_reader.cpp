@@ -171,7 +171,6 @@ MapFacts ResultReader::facts(const std::optional<MainStatistics>& statistics) co
     facts.simulated_seconds = ends.simulated_seconds;
     facts.volume = ends.volume;
     facts.volume_left = ends.volume_left;
-    facts.last_speed = ends.last_speed;
     facts.statistics = statistics ? statistics : read_main_statistics(directory_);
     return facts;
 }
@@ -367,9 +366,10 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
         const MapFacts known = facts(statistics);
         source.subtitle = map_subtitle(known, words_);
         source.notes = map_notes(known, words_);
-        source.scenario = scenario_words({[this](const std::string& key) { return scene_value(key); },
-                                          source.release_names, known.volume, known.simulated_seconds},
-                                         words_);
+        source.scenario = scenario_words(
+            {[this](const std::string& key) { return scene_value(key); }, source.release_names, known.volume,
+             known.simulated_seconds, known.statistics ? known.statistics->end : std::nullopt},
+            words_);
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);

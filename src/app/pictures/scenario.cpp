@@ -76,6 +76,7 @@ std::string scenario_words(const ScenarioFacts& facts, const Words& words) {
     const std::string line =
         words.labelled(what_fails(facts, words), words.number(grouped(facts.volume)) + " m\u00B3; ") +
         joined(parts, ", ");
+    if (facts.end) return line + ". " + end_sentence(*facts.end, words);
     return words("{1}, {2} s simulated", {line, words.number(number_text(facts.simulated_seconds, 3))});
 }
 

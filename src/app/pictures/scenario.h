@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/store/run_end.h"
 #include "core/words/words.h"
 
 namespace frana::app {
@@ -16,11 +17,12 @@ struct ScenarioFacts {
     std::vector<std::string> release_names;                                   ///< of the polygons that have one
     double volume = 0;                                                        ///< [m3]
     double simulated_seconds = 0;
+    std::optional<RunEnd> end;  ///< none: not known
 };
 
 /// Returns what fails, how much of it, the model and its values: "Release North, South: 12 300 m3; Voellmy-Bingham,
-/// friction angle 12 degrees, turbulence 500 m/s2, density 2000 kg/m3; 120 s simulated". Of values that differ from
-/// place to place it says so.
+/// friction angle 12 degrees, turbulence 500 m/s2, density 2000 kg/m3. The run ended after 120 s: ...". Of values that
+/// differ from place to place it says so.
 std::string scenario_words(const ScenarioFacts& facts, const Words& words);
 
 }  // namespace frana::app

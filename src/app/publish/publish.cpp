@@ -18,7 +18,6 @@
 #include "app/publish/publish_rasters.h"
 #include "app/publish/publish_series.h"
 #include "app/publish/report.h"
-#include "app/publish/report_answer.h"
 #include "app/publish/result_extent.h"
 #include "app/publish/timeseries.h"
 #include "app/store/layers.h"
@@ -87,7 +86,7 @@ Sentence volume_that_moved(double fraction) {
 /// At the end time: the moving volume, and how fast the main results still grow.
 void warn_of_motion(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
-    if (!moves_at_end(result)) return;
+    if (!run_end(result).is_cut_short) return;
     Sentence motion =
         worded("the flow still moves when time.end is reached: {1} % of its volume faster than {2} m/s",
                {percent(result.moving_fraction_limit), numeral(number_text(run.prepared.scene.time.moving_speed))});
@@ -230,7 +229,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.date = today();
     const SeparateFlows flows = separate_flows(result);
     const TraceFigures trace = trace_figures(result, prepared.scene.terrain, threshold);
-    facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs};
+    facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs, run_end(result)};
     note_flows(facts.statistics.run_outs, log);
     facts.high = trace.high;
     facts.release_ground = prepared.release.ground;

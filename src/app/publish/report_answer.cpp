@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pictures/map_source.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
 #include "app/publish/report_comparison.h"
 #include "app/publish/report_scenario.h"
+#include "app/store/run_end.h"
 #include "app/text/number_text.h"
 #include "core/markup.h"
 #include "core/utf8.h"
@@ -19,7 +19,6 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_moving_volume = 0.01;  // fraction that moves at the end time, however thin
 constexpr std::size_t k_gauges = 4, k_name_letters = 30;
 constexpr const char* k_cell_error = "cell error";
 const std::string k_error_of = "error of ";
@@ -97,9 +96,9 @@ std::string end_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const Numbers number(words);
     const RunResult& r = input.result;
-    std::string text =
-        words("The run ended after {1} s: {2}.", {number(r.simulated_seconds), words(describe(r.stop_reason))});
-    if (moves_at_end(r))
+    const RunEnd end = run_end(r);
+    std::string text = end_sentence(end, words);
+    if (end.is_cut_short)
         text += " " + words("Material was still moving: final depth and run-out are not those of the deposit.");
     if (r.volume_left > 0 && r.volume_entered > 0)
         text += " " + words("{1} m³ ({2} %) left the computed ground: the full run-out is not shown.",
@@ -141,11 +140,6 @@ std::vector<GaugeAnswer> gauge_answers(const ReportInput& input) {
         one.speed = std::max(one.speed, row.speed);
     }
     return answers;
-}
-
-bool moves_at_end(const RunResult& result) {
-    if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return false;
-    return result.series.back().max_speed > k_moving_speed || result.moving_fraction_limit > k_moving_volume;
 }
 
 std::vector<PagePart> error_parts(const ErrorEstimates& errors, double cell_size, const Words& words) {

@@ -18,9 +18,6 @@ struct GaugeAnswer {
 };
 std::vector<GaugeAnswer> gauge_answers(const ReportInput& input);
 
-/// Whether material still moved when the end time was reached.
-bool moves_at_end(const RunResult& result);
-
 /// The first page: what fails, friction and material, where it goes, how sure, what was not done.
 std::string answer_sentences(const ReportInput& input);
 /// The main values with their estimated errors.

@@ -6,6 +6,7 @@
 
 #include "app/store/json_file.h"
 #include "app/store/result_files.h"
+#include "app/store/series_ends.h"
 #include "core/error.h"
 
 namespace frana::app {
@@ -40,6 +41,13 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
             read(flow + name + "_x", point->x);
             read(flow + name + "_y", point->y);
         }
+    }
+    const auto reason = value_in<std::string>(*summary, "/stop_reason_text");
+    const std::string series = (std::filesystem::path(result_folder) / k_series_file).string();
+    if (reason && std::filesystem::exists(series)) {
+        const SeriesEnds ends = read_series_ends(series);
+        statistics.end = run_end(*reason, ends.simulated_seconds, ends.last_speed,
+                                 value_in<double>(*summary, "/moving_fraction").value_or(0));
     }
     return statistics;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/runout.h"
+#include "app/store/run_end.h"
 
 namespace frana::app {
 
@@ -15,6 +16,7 @@ struct MainStatistics {
     double threshold = 0;          ///< output.trace-threshold: depth that counts as covered [m]
     double covered_area_m2 = 0;    ///< of the trace: greatest depth above the threshold
     std::vector<Runout> run_outs;  ///< of the separate flows, the longest first; at least one
+    std::optional<RunEnd> end{};   ///< none: an older program did not tell
 
     [[nodiscard]] const Runout& run_out() const { return run_outs.front(); }
 };

@@ -14,10 +14,14 @@ std::map<std::string, std::string> provenance(const Prepared& prepared);
 /// Returns the scene as in the result's scene.ini: its paths are relative to the result's folder, so that both can be
 /// moved.
 std::string echoed_scene(const Prepared& prepared);
-/// The same with absolute paths.
-std::string echoed_scene_here(const Prepared& prepared);
+/// The same of a scene that is in a folder of the result.
+std::string echoed_scene(const SceneSpec& scene, const std::string& folder);
+/// As the first, with the names of the files alone.
+std::string echoed_scene_without_places(const Prepared& prepared);
 
 /// Returns a scene whose files are named relative to a folder.
 SceneSpec seen_from(SceneSpec scene, const std::string& folder);
+/// Returns a scene with the names of its files alone: the same wherever they and the result are.
+SceneSpec without_places(SceneSpec scene);
 
 }  // namespace frana::app

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "app/store/json_file.h"
 #include "app/store/manifest.h"
@@ -72,49 +75,40 @@ std::vector<Recorded> read_recorded(const fs::path& folder) {
     return all;
 }
 
-/// Lets a key name a file at another place.
-void move_file(SceneReading& reading, const std::string& key, const fs::path& from, const fs::path& to) {
-    static const std::vector<Parameter> k_keys = scene_parameters();
-    find_parameter(k_keys, key)->map_files(reading.scene, [&](const std::string& path) {
-        const auto at = path.find(from.string());
-        return at == std::string::npos ? path
-                                       : path.substr(0, at) + to.string() + path.substr(at + from.string().size());
-    });
-}
+/// The files of a text that names inputs.
+struct NamingText {
+    std::function<void(const study::KeyedFileMap&)> map_files;  ///< maps each to another
+    std::function<std::string(const std::string& key)> where;   ///< for messages
+    std::function<bool(const std::string& key)> is_replaced;    ///< by the command line
+    bool is_study = false;    ///< a file of which no key can be set on the command line
+    bool warns_only = false;  ///< files are missed elsewhere
 
-}  // namespace
-
-std::string recorded_inputs(const Prepared& prepared) {
-    Json json = Json::object();
-    json["files"] = Json::array();
-    for (const NamedFile& named : named_files(prepared.spec)) {
-        const fs::path file = plain_file(named.path);
-        std::error_code error;
-        if (file.empty() || !fs::is_regular_file(file, error)) continue;
-        for (const fs::path& part : parts_of(file)) {
-            const FileMark mark = mark_at(part);
-            json["files"].push_back({{"key", named.key},
-                                     {"file", escaped_name(prepared.result_folder.empty()
-                                                               ? part.string()
-                                                               : relative_path(part.string(), prepared.result_folder))},
-                                     {"place", escaped_name(part.string())},
-                                     {"bytes", mark.bytes},
-                                     {"xxh128", mark.checksum.empty() ? Json() : Json(mark.checksum)}});
-        }
+    [[nodiscard]] std::vector<NamedFile> files() const {
+        std::vector<NamedFile> all;
+        map_files([&](const std::string& key, const std::string& path) {
+            all.push_back({key, path});
+            return path;
+        });
+        return all;
     }
-    return json_text(json);
-}
+    /// Lets a key name a file at another place.
+    void move_file(const std::string& key, const fs::path& from, const fs::path& to) const {
+        map_files([&](const std::string& named, const std::string& path) {
+            const auto at = path.find(from.string());
+            return named != key || at == std::string::npos
+                       ? path
+                       : path.substr(0, at) + to.string() + path.substr(at + from.string().size());
+        });
+    }
+};
 
-void find_recorded_inputs(SceneReading& reading, RunLog& log) {
-    const fs::path scene = reading.scene.file;
-    if (scene.filename() != k_scene_file) return;
-    const fs::path folder = scene.parent_path();
+void find_files(const NamingText& text, const fs::path& folder, RunLog& log) {
     Problems missing;
     for (const Recorded& recorded : read_recorded(folder)) {
-        if (reading.scene.origin_of(recorded.key) == Origin::command_line) continue;
+        if (text.is_replaced(recorded.key)) continue;
         const fs::path here = (folder / recorded.relative).lexically_normal();
         const auto belongs_to_key = [&](const fs::path& file, bool main_only) {
-            const auto files = named_files(reading.scene);
+            const auto files = text.files();
             return std::any_of(files.begin(), files.end(), [&](const NamedFile& named) {
                 if (named.key != recorded.key) return false;
                 if (main_only) return file == plain_file(named.path);
@@ -122,13 +116,13 @@ void find_recorded_inputs(SceneReading& reading, RunLog& log) {
                 return std::find(parts.begin(), parts.end(), file) != parts.end();
             });
         };
-        const auto named = named_files(reading.scene);
+        const auto named = text.files();
         const auto stem = [](fs::path file) { return file.replace_extension(); };
         if (std::none_of(named.begin(), named.end(), [&](const NamedFile& file) {
                 const fs::path main = plain_file(file.path);
                 return file.key == recorded.key && (stem(main) == stem(here) || stem(main) == stem(recorded.then));
             }))
-            continue;  // the scene was changed and names another file
+            continue;  // the text was changed and names another file
         std::error_code error;
         if (fs::exists(here, error)) {
             if (belongs_to_key(here, false) && !has_content(here, recorded)) {
@@ -136,28 +130,108 @@ void find_recorded_inputs(SceneReading& reading, RunLog& log) {
                 log.warn(worded(
                     "{1}: {2} is not as it was when this result was computed (then {3}; now {4}): the run repeats the "
                     "scene, not the result",
-                    {reading.where(recorded.key), here.string(), recorded.mark(),
+                    {text.where(recorded.key), here.string(), recorded.mark(),
                      std::to_string(mark.bytes) + " bytes" +
                          (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum)}));
             }
+        } else if (text.warns_only) {
+            continue;
         } else if (here != recorded.then && has_content(recorded.then, recorded) &&
                    (belongs_to_key(here, true) || belongs_to_key(recorded.then, false))) {
             if (!belongs_to_key(here, true)) continue;  // beside a file that was found there
-            log.info(reading.where(recorded.key) + ": " + recorded.then.string() +
+            log.info(text.where(recorded.key) + ": " + recorded.then.string() +
                      " is used, which has the content of the missing " + here.string());
-            move_file(reading, recorded.key, here, recorded.then);
+            text.move_file(recorded.key, here, recorded.then);
         } else {
             std::string places = here.string();
             if (here != recorded.then)
                 places += fs::exists(recorded.then, error)
                               ? " and as " + recorded.then.string() + ", which has another content"
                               : " and as " + recorded.then.string();
-            missing.add({"an input of this result is missing; it had " + recorded.mark(), reading.where(recorded.key),
+            missing.add({"an input of this result is missing; it had " + recorded.mark(), text.where(recorded.key),
                          recorded.relative.string(), "",
-                         "Sought as " + places + ". Put it there, or name its place: --set " + recorded.key + "=FILE"});
+                         "Sought as " + places + ". Put it there, or name its place" +
+                             (text.is_study ? " in the study file" : ": --set " + recorded.key + "=FILE")});
         }
     }
     missing.throw_if_any();
+}
+
+/// The folder of inputs.json for a scene file: its own; of a member's, that of the study.
+fs::path recording_folder(const fs::path& scene) {
+    const fs::path folder = scene.parent_path();
+    std::error_code error;
+    const bool of_member =
+        !fs::exists(folder / k_inputs_file, error) && folder.parent_path().filename() == k_member_folder;
+    return of_member ? folder.parent_path().parent_path() : folder;
+}
+
+/// Maps the files of a scene.
+void map_scene_files(SceneSpec& scene, const study::KeyedFileMap& map) {
+    static const std::vector<Parameter> k_keys = scene_parameters();
+    for (const Parameter& key : k_keys)
+        if (key.reads_files()) key.map_files(scene, [&](const std::string& path) { return map(key.name(), path); });
+}
+
+}  // namespace
+
+std::string recorded_inputs(const Prepared& prepared) {
+    return recorded_inputs(named_files(prepared.spec), prepared.result_folder);
+}
+
+std::string recorded_inputs(const std::vector<NamedFile>& files, const std::string& folder) {
+    Json json = Json::object();
+    json["files"] = Json::array();
+    std::set<std::pair<std::string, std::string>> known;
+    for (const NamedFile& named : files) {
+        const fs::path file = plain_file(named.path);
+        std::error_code error;
+        if (file.empty() || !known.emplace(named.key, file.string()).second || !fs::is_regular_file(file, error))
+            continue;
+        for (const fs::path& part : parts_of(file)) {
+            const FileMark mark = mark_at(part);
+            json["files"].push_back(
+                {{"key", named.key},
+                 {"file", escaped_name(folder.empty() ? part.string() : relative_path(part.string(), folder))},
+                 {"place", escaped_name(part.string())},
+                 {"bytes", mark.bytes},
+                 {"xxh128", mark.checksum.empty() ? Json() : Json(mark.checksum)}});
+        }
+    }
+    return json_text(json);
+}
+
+void find_recorded_inputs(SceneReading& reading, RunLog& log) {
+    find_files({[&](const study::KeyedFileMap& map) { map_scene_files(reading.scene, map); },
+                [&](const std::string& key) { return reading.where(key); },
+                [&](const std::string& key) { return reading.scene.origin_of(key) == Origin::command_line; }},
+               recording_folder(reading.scene.file), log);
+}
+
+void find_recorded_inputs(study::StudyReading& reading, RunLog& log) {
+    const auto where = [&](const std::string& key) {
+        const bool of_region = reading.study.region && key.starts_with("study.");
+        return reading.where(of_region ? "region" + key.substr(key.find('.')) : key);
+    };
+    find_files({[&](const study::KeyedFileMap& map) { reading.study = with_files(std::move(reading.study), map); },
+                where, [](const std::string&) { return false; }, true},
+               fs::path(reading.study.file).parent_path(), log);
+}
+
+void find_recorded_inputs(study::CalibrationReading& reading, RunLog& log) {
+    find_files(
+        {[&](const study::KeyedFileMap& map) { reading.calibration = with_files(std::move(reading.calibration), map); },
+         [&](const std::string& key) { return reading.where(key); }, [](const std::string&) { return false; }, true},
+        fs::path(reading.calibration.study.file).parent_path(), log);
+}
+
+void warn_of_changed_inputs(const std::string& study_file, const SceneReading& scene, RunLog& log) {
+    SceneSpec spec = scene.scene;
+    find_files(
+        {[&](const study::KeyedFileMap& map) { map_scene_files(spec, map); },
+         [&](const std::string& key) { return scene.where(key); },
+         [&](const std::string& key) { return scene.scene.origin_of(key) == Origin::command_line; }, false, true},
+        fs::path(study_file).parent_path(), log);
 }
 
 }  // namespace frana::app

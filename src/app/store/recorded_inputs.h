@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/input/prepare.h"
 #include "app/text/run_log.h"
 #include "params/scene/read_scene.h"
+#include "study/read_calibration.h"
 
 namespace frana::app {
 
@@ -13,11 +15,20 @@ namespace frana::app {
 /// absolute place at the time, and the checksum of its bytes (of files up to 1 GB). With the files beside it that
 /// belong to it (shapefile, .prj, world file).
 std::string recorded_inputs(const Prepared& prepared);
+/// The same of a result in `folder` (empty: not known yet) for other files, each once.
+std::string recorded_inputs(const std::vector<NamedFile>& files, const std::string& folder);
 
-/// For the scene.ini of a result, which may have been moved: compares its inputs with inputs.json beside it. A file
+/// For a scene file of a result, which may have been moved: compares its inputs with inputs.json beside it, or of the
+/// study whose member it is. A file
 /// that is missing is taken from its place at the time if that has the same content; another content is warned of. A
 /// key that the command line sets is not compared. Throws Error(input) with every file that is missing, its key,
 /// checksum and the places where it was sought.
 void find_recorded_inputs(SceneReading& reading, RunLog& log);
+/// The same for the files that the study file of a result names: scenes, table, files in [set] and [vary].
+void find_recorded_inputs(study::StudyReading& reading, RunLog& log);
+void find_recorded_inputs(study::CalibrationReading& reading, RunLog& log);
+
+/// Warns of files named by the scene of a study whose content is not that recorded beside the study file.
+void warn_of_changed_inputs(const std::string& study_file, const SceneReading& scene, RunLog& log);
 
 }  // namespace frana::app

@@ -74,7 +74,7 @@ std::vector<std::string> data_identity(const Prepared& prepared) {
 }
 
 std::string scene_identity(const Prepared& prepared) {
-    return identity(echoed_scene_here(prepared), data_identity(prepared));
+    return identity(echoed_scene_without_places(prepared), data_identity(prepared));
 }
 
 std::optional<std::string> result_identity(const std::string& result_folder) {
@@ -87,9 +87,8 @@ std::optional<std::string> result_identity(const std::string& result_folder) {
         if (!fact.is_string()) return std::nullopt;
         data.push_back(fact.get<std::string>());
     }
-    // Its paths are relative; a run compares absolute ones.
     const SceneReading reading = read_scene((folder / k_scene_file).string(), {}, materials_directory());
-    return identity(scene_text(reading.scene, {}), data);
+    return identity(scene_text(without_places(reading.scene), {}), data);
 }
 
 std::vector<std::string> identity_differences(const std::string& here, const std::string& then) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json.h"
+#include "params/keys/main_keys.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana {
@@ -58,6 +59,7 @@ std::string reference_json() {
         if (fixed.empty()) key["when_absent"] = parameter.absent;
         key["limits"] = parameter.limits;
         key["meaning"] = parameter.meaning;
+        key["main"] = is_main_key(parameter.name());
     }
     return json_text(keys);
 }

@@ -86,7 +86,7 @@ class Twin : public TinyScene {
 TEST_F(Twin, IntervalsHoldTheTruth) {
     app::RunLog log(true);
     app::CalibrationInput input =
-        app::prepare_calibration(app::read_calibration_texts(path("study.ini")), std::nullopt, log);
+        app::prepare_calibration(app::read_calibration_texts(path("study.ini"), log), std::nullopt, log);
     auto runs = app::run_calibration(input, {made("design"), 2, true}, log);
     ASSERT_TRUE(runs);
 

@@ -57,6 +57,24 @@ TEST_F(SuspiciousInput, AFlatReleaseIsReported) {
     expect_words(frana({"check", "scene.ini"}).err, {"the release is nearly flat", "coordinate reference systems"});
 }
 
+// Metres read as feet: the slope of 26.6 degrees becomes one of 8.7.
+TEST_F(SuspiciousInput, AReleaseThatItsFrictionHoldsIsReported) {
+    write_scene(k_numbers_only);
+    EXPECT_EQ(frana({"check", "scene.ini"}).err, "");
+    const auto with = [&](const std::string& more) { return frana({"check", "scene.ini", "--set", more}).err; };
+    expect_words(with("terrain.vertical-unit=foot"),
+                 {"the release is held by friction", "slope 8.7 degrees on average", "slope of 15 degrees",
+                  "converted from foot", "set terrain.vertical-unit = metre"});
+    write_dtm([](int, int column) { return 0.3048 * slope(column); });
+    const std::string low = with("time.end=20");
+    expect_words(low, {"the release is held by friction", "as if they were feet", "against a map"});
+    // Nothing can be known of a mass whose friction is less, or that is thrown.
+    EXPECT_EQ(with("material.friction-angle=5").find("held by friction"), std::string::npos);
+    EXPECT_EQ(with("release.velocity=10").find("held by friction"), std::string::npos);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "low", "--quiet"}).exit_code, 0);
+    expect_words(read_text(path("low/report.html")), {"the release is held by friction"});
+}
+
 TEST_F(SuspiciousInput, AFrameOfZerosIsReported) {
     write_scene(k_numbers_only);
     write_dtm([](int row, int column) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/json.h"
+#include "params/keys/main_keys.h"
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 #include "scene_fixture.h"
@@ -67,6 +68,15 @@ TEST(Reference, TheJsonFormTellsWhatEachFileContains) {
         EXPECT_TRUE(contents.contains(key["content"].get<std::string>())) << key["name"];
     }
     EXPECT_GT(files, 10);
+}
+
+TEST(Reference, TheJsonFormMarksTheTwentyMainKeys) {
+    int marked = 0;
+    for (const Json& key : Json::parse(reference_json())) {
+        EXPECT_EQ(key.at("main").get<bool>(), is_main_key(key.at("name").get<std::string>())) << key["name"];
+        marked += key.at("main").get<bool>() ? 1 : 0;
+    }
+    EXPECT_EQ(marked, 20);  // each is a key: a misspelt one would be missing here
 }
 
 TEST(Reference, TheDocumentInShareIsWhatTheProgramPrints) {

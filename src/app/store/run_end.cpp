@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/run_end.h"
+
+#include "app/text/number_text.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+/// Speed from which a flow counts as moving when the end time is reached [m/s].
+constexpr double k_moving_speed = 0.1;
+/// Fraction of the volume from which it does, however thin it moves.
+constexpr double k_moving_volume = 0.01;
+
+}  // namespace
+
+RunEnd run_end(const RunResult& result) {
+    const double fastest = result.series.empty() ? 0 : result.series.back().max_speed;
+    return run_end(describe(result.stop_reason), result.simulated_seconds, fastest, result.moving_fraction_limit);
+}
+
+RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction) {
+    const bool at_end_time = reason == describe(StopReason::end_time);
+    return {reason, seconds, fastest, at_end_time && (fastest > k_moving_speed || moving_fraction > k_moving_volume)};
+}
+
+std::string end_sentence(const RunEnd& end, const Words& words) {
+    return words(
+        "The run ended after {1} s: {2}; greatest speed then {3} m/s.",
+        {words.number(number_text(end.seconds, 3)), words(end.reason), words.number(number_text(end.fastest, 2))});
+}
+
+}  // namespace frana::app
