@@ -104,10 +104,10 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Against the survey.", "Rispetto al rilievo.", "Gegen die Aufnahme.", "Par rapport au relevé.",
      "Frente al levantamiento."},
     {"Not compared with an observed outline (frana compare does it).",
-     "Non confrontato con un perimetro osservato (lo fa frana compare).",
-     "Nicht mit einem beobachteten Umriss verglichen (das tut frana compare).",
-     "Pas comparé à un contour observé (frana compare le fait).",
-     "No comparado con un contorno observado (lo hace frana compare)."},
+     "Non confrontato con un perimetro rilevato (lo fa frana compare).",
+     "Nicht mit einem kartierten Umriss verglichen (das tut frana compare).",
+     "Pas comparé à un contour levé (frana compare le fait).",
+     "No comparado con un contorno levantado (lo hace frana compare)."},
     {"Of the observed area {1} % is hit; {2} m² are covered beyond it. Jaccard index {3} (1: perfect), areas differ by "
      "{4} %.",
      "Dell’area osservata è colpito il {1} %; {2} m² sono coperti oltre. Indice di Jaccard {3} (1: perfetto), le aree "
