@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "core/words/words.h"
 #include "gis/crs/crs.h"
 
 namespace frana::gis {
@@ -22,13 +23,13 @@ struct Unit {
 
 // The feet are exact by definition.
 constexpr Unit k_units[] = {
-    {"metre", "metre", 1, {"m", "metre", "metres", "meter", "meters"}},
-    {"decimetre", "decimetre", 0.1, {"dm", "decimetre", "decimeter"}},
-    {"centimetre", "centimetre", 0.01, {"cm", "centimetre", "centimeter"}},
-    {"millimetre", "millimetre", 0.001, {"mm", "millimetre", "millimeter"}},
-    {"foot", "foot", 0.3048, {"ft", "foot", "feet", "internationalfoot"}},
+    {"metre", worded("metre"), 1, {"m", "metre", "metres", "meter", "meters"}},
+    {"decimetre", worded("decimetre"), 0.1, {"dm", "decimetre", "decimeter"}},
+    {"centimetre", worded("centimetre"), 0.01, {"cm", "centimetre", "centimeter"}},
+    {"millimetre", worded("millimetre"), 0.001, {"mm", "millimetre", "millimeter"}},
+    {"foot", worded("foot"), 0.3048, {"ft", "foot", "feet", "internationalfoot"}},
     {"us-survey-foot",
-     "US survey foot",
+     worded("US survey foot"),
      1200.0 / 3937.0,
      {"ftus", "usft", "ussurveyfoot", "ussurveyfeet", "footus", "footussurvey", "sft"}},
 };

@@ -132,16 +132,16 @@ std::string polygon_sld(const std::string& name, const std::string& title, const
 }  // namespace
 
 std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit,
-                                    bool zero_is_blank) {
+                                    const Words& words, bool zero_is_blank) {
     std::vector<ColourStop> stops;
+    const auto number = [&](double value) { return words.number(shortest_text(value)); };
     if (zero_is_blank && !bounds.empty())
-        stops.push_back({bounds.front(), {255, 255, 255}, shortest_text(bounds.front()), true});
+        stops.push_back({bounds.front(), {255, 255, 255}, number(bounds.front()), true});
     const std::size_t classes = bounds.size() < 2 ? 0 : bounds.size() - 1;
     for (std::size_t i = 0; i < classes; ++i) {
         const double t = classes == 1 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1);
-        const std::string range = std::isinf(bounds[i + 1])
-                                      ? "> " + shortest_text(bounds[i])
-                                      : shortest_text(bounds[i]) + " \u2013 " + shortest_text(bounds[i + 1]);
+        const std::string range = std::isinf(bounds[i + 1]) ? "> " + number(bounds[i])
+                                                            : number(bounds[i]) + " \u2013 " + number(bounds[i + 1]);
         stops.push_back({bounds[i + 1], colour_at(palette, t), range + (unit.empty() ? "" : " " + unit)});
     }
     return stops;

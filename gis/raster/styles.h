@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/colour.h"
+#include "core/words/words.h"
 #include "gis/vector/vector_style.h"
 
 namespace frana::gis {
@@ -28,9 +29,10 @@ enum class StyleKind {
 /// Returns classes bounds[0]..bounds[1], bounds[1]..bounds[2], ... in colours spread evenly over the palette, the first
 /// class at its start and the last at its end, as on the maps. `bounds` as from nice_classes; the last may
 /// be infinite.
+/// @param words of the numbers in the labels
 /// @param zero_is_blank a first, transparent class up to bounds[0]
 std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit,
-                                    bool zero_is_blank = false);
+                                    const Words& words = {}, bool zero_is_blank = false);
 
 /// Writes NAME.qml (QGIS) and NAME.sld (OGC) beside NAME.tif; cells without data are transparent. Throws
 /// Error(environment).

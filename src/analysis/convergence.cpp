@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/words/words.h"
 
 namespace frana {
 namespace {
@@ -51,17 +52,17 @@ double zero_if_none(double value) {
 const char* describe(Trend trend) {
     switch (trend) {
         case Trend::converging:
-            return "converging";
+            return worded("converging");
         case Trend::oscillating:
-            return "oscillating";
+            return worded("oscillating");
         case Trend::diverging:
-            return "diverging";
+            return worded("diverging");
         case Trend::settled:
-            return "settled";
+            return worded("settled");
         case Trend::terrain:
-            return "limited by the terrain's detail";
+            return worded("limited by the terrain's detail");
         case Trend::unknown:
-            return "too few levels to tell";
+            return worded("too few levels to tell");
     }
     return "";
 }

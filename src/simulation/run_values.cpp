@@ -9,6 +9,22 @@
 namespace frana {
 namespace {
 
+/// A value at a place with a name.
+struct PlaceValue {
+    const char *kind, *key;  ///< "gauge NAME: max_depth_m"
+    const char *title, *unit;
+
+    [[nodiscard]] std::string before() const { return std::string(kind) + " "; }
+    [[nodiscard]] std::string after() const { return std::string(": ") + key; }
+    [[nodiscard]] RunValue at(const std::string& name, double value, double negligible) const {
+        return {before() + name + after(), Words()(title, {name}), unit, value, 0, negligible};
+    }
+};
+constexpr PlaceValue k_gauge_depth{"gauge", "max_depth_m", worded("greatest depth at gauge {1}"), "m"},
+    k_gauge_speed{"gauge", "max_speed_ms", worded("greatest speed at gauge {1}"), "m/s"},
+    k_section_discharge{"section", "max_discharge_m3s", worded("greatest discharge through {1}"), "m3/s"},
+    k_section_volume{"section", "volume_m3", worded("volume through {1}"), "m3"};
+
 void add_gauges(const RunResult& result, const Scene& scene, std::vector<RunValue>& values) {
     const std::vector<Gauge>& gauges = scene.recording.gauges;
     std::vector<double> depth(gauges.size()), speed(gauges.size());
@@ -18,10 +34,8 @@ void add_gauges(const RunResult& result, const Scene& scene, std::vector<RunValu
     }
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         const std::string& name = gauges[i].name;
-        values.push_back({"gauge " + name + ": max_depth_m", "greatest depth at gauge " + name, "m", depth[i], 0,
-                          scene.numerics.minimum_depth});
-        values.push_back({"gauge " + name + ": max_speed_ms", "greatest speed at gauge " + name, "m/s", speed[i], 0,
-                          scene.time.moving_speed});
+        values.push_back(k_gauge_depth.at(name, depth[i], scene.numerics.minimum_depth));
+        values.push_back(k_gauge_speed.at(name, speed[i], scene.time.moving_speed));
     }
 }
 
@@ -34,9 +48,8 @@ void add_sections(const RunResult& result, const Scene& scene, std::vector<RunVa
     }
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const std::string& name = sections[i].name;
-        values.push_back({"section " + name + ": max_discharge_m3s", "greatest discharge through " + name, "m3/s",
-                          discharge[i], 0, 0});
-        values.push_back({"section " + name + ": volume_m3", "volume through " + name, "m3", volume[i], 0, 0});
+        values.push_back(k_section_discharge.at(name, discharge[i], 0));
+        values.push_back(k_section_volume.at(name, volume[i], 0));
     }
 }
 
@@ -55,6 +68,15 @@ std::vector<RunValue> reported_values(const RunResult& result, const Scene& scen
     add_gauges(result, scene, values);
     add_sections(result, scene, values);
     return values;
+}
+
+std::string title_in(const RunValue& value, const Words& words) {
+    for (const PlaceValue& one : {k_gauge_depth, k_gauge_speed, k_section_discharge, k_section_volume}) {
+        const std::string before = one.before(), after = one.after();
+        if (!value.key.starts_with(before) || !value.key.ends_with(after)) continue;
+        return words(one.title, {value.key.substr(before.size(), value.key.size() - before.size() - after.size())});
+    }
+    return words(value.title);
 }
 
 }  // namespace frana

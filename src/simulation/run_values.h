@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/words/words.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 
@@ -24,5 +25,8 @@ struct RunValue {
 /// the threshold. The resolution of the run-out is one cell.
 /// @param threshold depth from which a cell belongs to the covered area [m]
 std::vector<RunValue> reported_values(const RunResult& result, const Scene& scene, double threshold);
+
+/// Returns the value's title in a language.
+std::string title_in(const RunValue& value, const Words& words);
 
 }  // namespace frana

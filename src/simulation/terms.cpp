@@ -2,6 +2,7 @@
 #include "simulation/terms.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "params/keys/laws.h"
 #include "simulation/dispatch.h"
@@ -10,103 +11,123 @@
 namespace frana {
 namespace {
 
-using Words = std::vector<std::string>;
+using Terms = std::vector<std::string>;
 
-void add_bed(const Scene& scene, Words& words) {
+constexpr const char* k_by_zones = " by zones";
+
+void add_bed(const Scene& scene, Terms& terms) {
     const Material& m = scene.material;
     const MaterialZones& zones = scene.zones;
     for (const std::string& law : m.bed_friction) {
         if (!acts(law, m, zones)) continue;
-        words.push_back(find_law(LawKind::bed_friction, law).sentence);
-        if (law == "bingham") words.back() += m.exact_yield_ratio ? ", exact" : ", quadratic";
-        if (law == "coulomb" && m.surface_pressure > 0) words.emplace_back("surface pressure");
+        terms.push_back(find_law(LawKind::bed_friction, law).sentence);
+        if (law == "bingham")
+            terms.back() += ", " + std::string(m.exact_yield_ratio ? worded("exact") : worded("quadratic"));
+        if (law == "coulomb" && m.surface_pressure > 0) terms.emplace_back(worded("surface pressure"));
     }
     for (const ZoneRaster& zone : k_zone_rasters)
-        if (zones.*zone.raster && zone.of_bed_friction) words.push_back(std::string(zone.what) + " by zones");
+        if (zones.*zone.raster && zone.of_bed_friction) terms.push_back(zone.what + std::string(k_by_zones));
     if (m.pore_pressure_ratio > 0)
-        words.emplace_back(std::isfinite(m.pore_dissipation_time) ? "pore pressure that dissipates"
-                                                                  : "constant pore pressure");
+        terms.emplace_back(std::isfinite(m.pore_dissipation_time) ? worded("pore pressure that dissipates")
+                                                                  : worded("constant pore pressure"));
 }
 
-void add_exchange(const Entrainment& entrainment, Words& words) {
-    if (entrainment.erodes()) words.push_back(find_law(LawKind::erosion, entrainment.erosion).sentence);
-    if (entrainment.deposition) words.push_back(find_law(LawKind::deposition, "on").sentence);
+void add_exchange(const Entrainment& entrainment, Terms& terms) {
+    if (entrainment.erodes()) terms.push_back(find_law(LawKind::erosion, entrainment.erosion).sentence);
+    if (entrainment.deposition) terms.push_back(find_law(LawKind::deposition, "on").sentence);
 }
 
-void add_numerics(const Numerics& numerics, Words& words) {
+void add_numerics(const Numerics& numerics, Terms& terms) {
     static constexpr const char* k_transfers[] = {"PIC", "FLIP", "APIC"};
     const char* transfer = k_transfers[static_cast<int>(transfer_of(numerics))];
     if (numerics.scheme == Scheme::paper) {
-        words.push_back(std::string("bilinear shape functions, ") + transfer);
+        terms.push_back(std::string(worded("bilinear shape functions")) + ", " + transfer);
         return;
     }
-    words.push_back(std::string("quadratic B-splines, ") + transfer);
-    if (numerics.well_balanced) words.emplace_back("reference level per node");
-    words.emplace_back("area relaxation");
-    words.emplace_back("compressive artificial viscosity");
-    if (transfer_of(numerics) == Transfer::apic) words.emplace_back("splitting and merging");
+    terms.push_back(std::string(worded("quadratic B-splines")) + ", " + transfer);
+    if (numerics.well_balanced) terms.emplace_back(worded("reference level per node"));
+    terms.emplace_back(worded("area relaxation"));
+    terms.emplace_back(worded("compressive artificial viscosity"));
+    if (transfer_of(numerics) == Transfer::apic) terms.emplace_back(worded("splitting and merging"));
 }
 
-void add_solids(const StructuredMaterial& m, bool fluid, Words& words) {
-    words.emplace_back("elasticity and Drucker-Prager plasticity of solids");
-    words.push_back(find_law(LawKind::bed_friction, "coulomb").sentence);
+void add_solids(const StructuredMaterial& m, bool fluid, Terms& terms) {
+    terms.emplace_back(worded("elasticity and Drucker-Prager plasticity of solids"));
+    terms.push_back(find_law(LawKind::bed_friction, "coulomb").sentence);
+    const std::string lateral = std::string(worded("lateral earth pressure")) + ", ";
     switch (m.earth_pressure) {
         case StructuredMaterial::EarthPressure::hydrostatic:
-            words.emplace_back("lateral earth pressure, hydrostatic beyond the strength");
+            terms.push_back(lateral + worded("hydrostatic beyond the strength"));
             break;
         case StructuredMaterial::EarthPressure::active:
-            words.emplace_back("lateral earth pressure, active");
+            terms.push_back(lateral + worded("active"));
             break;
         case StructuredMaterial::EarthPressure::passive:
-            words.emplace_back("lateral earth pressure, active and passive");
+            terms.push_back(lateral + worded("active and passive"));
             break;
     }
-    if (m.cohesion > 0) words.emplace_back("cohesion lost with strain");
+    if (m.cohesion > 0) terms.emplace_back(worded("cohesion lost with strain"));
     if (!fluid) return;
-    if (m.cohesion > 0 && m.confined_fraction > 0) words.emplace_back("release of confined fluid");
-    words.emplace_back("buoyancy");
-    words.emplace_back("drag");
-    if (m.virtual_mass != StructuredMaterial::VirtualMass::none) words.emplace_back("virtual mass");
+    if (m.cohesion > 0 && m.confined_fraction > 0) terms.emplace_back(worded("release of confined fluid"));
+    terms.emplace_back(worded("buoyancy"));
+    terms.emplace_back(worded("drag"));
+    if (m.virtual_mass != StructuredMaterial::VirtualMass::none) terms.emplace_back(worded("virtual mass"));
 }
 
-Words structured_terms(const Scene& scene) {
+Terms structured_terms(const Scene& scene) {
     const StructuredMaterial& m = *scene.structured;
     const bool fluid = !m.solids || m.solid_fraction < 1;
-    Words words{"hydrostatic pressure", "bed slope"};
-    if (scene.numerics.slope_correction != SlopeCorrection::none) words.emplace_back("slope correction: normal");
-    if (m.solids) add_solids(m, fluid, words);
-    if (!fluid) return words;
-    if (m.manning > 0) words.push_back(find_law(LawKind::bed_friction, "manning").sentence);
+    Terms terms{worded("hydrostatic pressure"), worded("bed slope")};
+    if (scene.numerics.slope_correction != SlopeCorrection::none)
+        terms.emplace_back(worded("slope correction: normal"));
+    if (m.solids) add_solids(m, fluid, terms);
+    if (!fluid) return terms;
+    if (m.manning > 0) terms.push_back(find_law(LawKind::bed_friction, "manning").sentence);
     if (m.fluid_viscosity > 0) {
-        words.push_back(find_law(LawKind::in_plane_stress, "bingham").sentence);
-        if (m.velocity_shape > 0) words.emplace_back("viscous shear at the bed");
+        terms.push_back(find_law(LawKind::in_plane_stress, "bingham").sentence);
+        if (m.velocity_shape > 0) terms.emplace_back(worded("viscous shear at the bed"));
     }
-    words.emplace_back("finite volumes, MUSCL with hydrostatic reconstruction, HLL");
-    return words;
+    terms.push_back(std::string(worded("finite volumes")) + ", " + worded("MUSCL with hydrostatic reconstruction") +
+                    ", HLL");
+    return terms;
+}
+
+/// A term is parts between commas, some of which several terms have: "quadratic B-splines, APIC".
+std::string part_in(const std::string& part, const Words& words) {
+    if (!part.ends_with(k_by_zones)) return words(part);
+    const std::string what = part.substr(0, part.size() - std::string_view(k_by_zones).size());
+    return words("{1} by zones", {what == "friction" ? words("friction coefficient") : words(what)});
 }
 
 }  // namespace
+
+std::string term_in(const std::string& term, const Words& words) {
+    const std::string comma = ", ";
+    const std::size_t end = term.find(comma);
+    if (end == std::string::npos) return part_in(term, words);
+    return part_in(term.substr(0, end), words) + comma + term_in(term.substr(end + comma.size()), words);
+}
 
 std::vector<std::string> list_terms(const Scene& scene) {
     if (scene.structured) return structured_terms(scene);
     const Material& material = scene.material;
     const Numerics& numerics = scene.numerics;
-    Words words{"hydrostatic pressure", "bed slope"};
-    if (numerics.slope_correction == SlopeCorrection::normal) words.emplace_back("slope correction: normal");
-    if (numerics.slope_correction == SlopeCorrection::surface) words.emplace_back("slope correction: surface");
-    if (numerics.curvature) words.emplace_back("curvature of the bed");
-    if (flies(numerics)) words.emplace_back("flight over edges");
-    add_bed(scene, words);
+    Terms terms{worded("hydrostatic pressure"), worded("bed slope")};
+    if (numerics.slope_correction == SlopeCorrection::normal) terms.emplace_back(worded("slope correction: normal"));
+    if (numerics.slope_correction == SlopeCorrection::surface) terms.emplace_back(worded("slope correction: surface"));
+    if (numerics.curvature) terms.emplace_back(worded("curvature of the bed"));
+    if (flies(numerics)) terms.emplace_back(worded("flight over edges"));
+    add_bed(scene, terms);
     if (material.plane_stress == PlaneStressLaw::bingham) {
         const Law& bingham = find_law(LawKind::in_plane_stress, "bingham");
-        if (material.viscosity > 0) words.push_back(bingham.sentence);
-        if (material.yield_stress > 0) words.push_back(bingham.yield_sentence);
+        if (material.viscosity > 0) terms.push_back(bingham.sentence);
+        if (material.yield_stress > 0) terms.push_back(bingham.yield_sentence);
     }
     if (material.plane_stress == PlaneStressLaw::earth_pressure)
-        words.push_back(find_law(LawKind::in_plane_stress, "earth-pressure").sentence);
-    add_exchange(scene.entrainment, words);
-    add_numerics(numerics, words);
-    return words;
+        terms.push_back(find_law(LawKind::in_plane_stress, "earth-pressure").sentence);
+    add_exchange(scene.entrainment, terms);
+    add_numerics(numerics, terms);
+    return terms;
 }
 
 }  // namespace frana

@@ -296,7 +296,7 @@ int cmd_converge(const Arguments& arguments) {
     gis::write_geotiff(raster, uncertainty,
                        {row.name, row.description, row.unit, {{"PROGRAM", k_program}, {"VERSION", k_version}}});
     const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
-    gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit), row.unit,
+    gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
                       gis::StyleKind::classed, words(row.title));
     render::write_png((folder / k_chart).string(), chart_of(levels, words));
     write_text_file((folder / k_table).string(), csv_text(levels));

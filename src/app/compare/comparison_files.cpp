@@ -163,7 +163,7 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
     const std::string raster = (place / raster_file()).string();
     gis::write_class_geotiff(raster, comparison.classes, classes,
                              {k_name, find_result_raster(k_name)->description, "", input.metadata});
-    gis::write_styles(raster, stops, "", gis::StyleKind::exact);
+    gis::write_styles(raster, stops, "", gis::StyleKind::exact, input.words(find_result_raster(k_name)->title));
 }
 
 std::vector<std::string> comparison_files(const std::string& folder) {

@@ -41,8 +41,8 @@ void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand
     gis::write_geotiff(file, bands);
     if (!row.is_drawn()) return;
     const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
-    gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, row.zero_is_blank), row.unit,
-                      gis::StyleKind::classed, raster_title(row, name, words_));
+    gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, words_, row.zero_is_blank),
+                      row.unit, gis::StyleKind::classed, raster_title(row, name, words_));
 }
 
 }  // namespace frana::app

@@ -14,6 +14,7 @@
 #include "app/ensemble/study_report.h"
 #include "app/ensemble/study_result.h"
 #include "app/ensemble/study_tables.h"
+#include "app/input/scene_language.h"
 #include "app/publish/publish_project.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
@@ -92,7 +93,7 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         layer.features.push_back(std::move(feature));
     }
     if (input.slopes.empty())
-        write_result_outlines(path, result.grid.crs_wkt, {layer});
+        write_result_outlines(path, result.grid.crs_wkt, {layer}, words_of(input.base.spec));
     else
         write_slopes(input, result, layer, path);
 }

@@ -55,7 +55,7 @@ void write_reached(const StudyInput& input, const Raster& depth, const ResultDir
     reached.parts = gis::polygonise(trace_mask(depth, threshold));
     reached.numbers["threshold_m"] = threshold;
     if (!reached.parts.empty()) layers.back().features.push_back(std::move(reached));
-    write_result_outlines(directory.path(k_outlines_file), depth.grid.crs_wkt, layers);
+    write_result_outlines(directory.path(k_outlines_file), depth.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
 double covered_area(const Raster& depth, double threshold) {
@@ -157,7 +157,7 @@ void write_slopes(const StudyInput& input, const StudyResult& result, const gis:
             feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
         slopes.features.push_back(std::move(feature));
     }
-    write_result_outlines(path, result.grid.crs_wkt, {slopes, traces});
+    write_result_outlines(path, result.grid.crs_wkt, {slopes, traces}, words_of(input.base.spec));
 }
 
 }  // namespace frana::app

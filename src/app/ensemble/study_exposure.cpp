@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/ensemble/mapped_events.h"
+#include "app/input/scene_language.h"
 #include "gis/crs/crs_transform.h"
 #include "study/feature_values.h"
 
@@ -101,7 +102,8 @@ std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, co
                                                      const Bounds& map, const ResultDirectory& directory) {
     const auto& layer = input.base.extra.exposure;
     if (!layer) return std::nullopt;
-    return write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt, directory);
+    return write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt, words_of(input.base.spec),
+                          directory);
 }
 
 }  // namespace frana::app

@@ -65,7 +65,7 @@ void write_probability_outlines(const StudyInput& input, const Raster& probabili
         if (!feature.parts.empty()) layer.features.push_back(std::move(feature));
         layers.push_back(std::move(layer));
     }
-    write_result_outlines(path, probability.grid.crs_wkt, layers);
+    write_result_outlines(path, probability.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
 void make_folder(const std::string& folder) {

@@ -17,6 +17,7 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/vertical_unit.h"
 #include "params/keys/laws.h"
@@ -45,7 +46,7 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
         gis::PolygonLayer layer =
             gis::read_polygons(*reading.scene.observed.perimeter, crs, where,
                                layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
-        files.push_back(used_polygons("Observed outline", *reading.scene.observed.perimeter, layer));
+        files.push_back(used_polygons(worded("Observed outline"), *reading.scene.observed.perimeter, layer));
         log.warn_of(worded("observed outline"), layer.warnings);
         if (ground != nullptr) {
             report_transform(worded("observed outline"), layer.transform, ground->terrain.grid.cell_size, log);

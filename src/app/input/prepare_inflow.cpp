@@ -10,6 +10,7 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 #include "gis/access/table_in.h"
 #include "gis/vector/lines_in.h"
 #include "params/grammar/absolute_path.h"
@@ -156,7 +157,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             gis::read_lines(*spec.line, target_crs(reading, ground), reading.where("inflow.line"));
         log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
                  layer.crs_label);
-        files.push_back(used_lines("Inflow line", *spec.line, layer));
+        files.push_back(used_lines(worded("Inflow line"), *spec.line, layer));
         if (ground != nullptr)
             report_transform(worded("inflow line"), layer.transform, ground->terrain.grid.cell_size, log);
         if (layer.features.size() > 1 && spec.hydrograph->rfind("attribute:", 0) != 0) {

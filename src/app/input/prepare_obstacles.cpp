@@ -8,6 +8,7 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/counted_texts.h"
+#include "core/words/words.h"
 #include "gis/raster/footprint.h"
 #include "gis/vector/vector_in.h"
 
@@ -23,7 +24,7 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
     gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
     log.note(key + " " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
     log.warn_of(key, layer.warnings);
-    files.push_back(used_polygons(key == "terrain.walls" ? "Walls" : "Obstacles", file, layer));
+    files.push_back(used_polygons(key == "terrain.walls" ? worded("Walls") : worded("Obstacles"), file, layer));
     if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
     if (ground == nullptr || !is_on_ground(reading, key, layer.bounds, *ground, false, problems)) return std::nullopt;
     return layer;

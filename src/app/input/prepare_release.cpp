@@ -14,6 +14,7 @@
 #include "app/input/zones_on_demand.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/rasterize.h"
 
@@ -111,7 +112,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             report_transform(worded("thickness {1}", {file}), read.transform, ground->terrain.grid.cell_size, log);
             log.note("thickness " + file + ": resampling " + read.resampling_used);
             release.rasters.push_back(info);
-            files.push_back(used_raster("Release thickness", info, read));
+            files.push_back(used_raster(worded("Release thickness"), info, read));
             if (ground->on_demand) do_not_count_nodata(files.back());
             if (ground->on_demand && spec.kind == Kind::phases)
                 read.raster = phase_on_demand(ground->terrain.grid, unread.back(), info, where);
@@ -161,7 +162,7 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std
         return;
     }
     const gis::PolygonLayer& layer = *release.perimeter;
-    files.push_back(used_polygons("Release perimeter", *reading.scene.release.perimeter, layer));
+    files.push_back(used_polygons(worded("Release perimeter"), *reading.scene.release.perimeter, layer));
     log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
              " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
     log.warn_of(worded("perimeter"), layer.warnings);

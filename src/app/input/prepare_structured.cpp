@@ -12,6 +12,7 @@
 #include "app/input/transform_report.h"
 #include "app/input/zone_raster_on_demand.h"
 #include "app/text/number_text.h"
+#include "core/words/words.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
 #include "params/keys/scene_parameters.h"
@@ -100,7 +101,7 @@ const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInpu
     const std::string key = "structured.zones";
     own = gis::read_polygons(*file, target_crs(reading, ground), reading.where(key));
     log.warn_of(key, own->warnings);
-    files.push_back(used_polygons("Zones", *file, *own));
+    files.push_back(used_polygons(worded("Zones"), *file, *own));
     if (ground == nullptr) return nullptr;
     report_transform(key, own->transform, ground->terrain.grid.cell_size, log);
     return is_on_ground(reading, key, own->bounds, *ground, true, problems) ? &*own : nullptr;

@@ -14,6 +14,7 @@
 #include "app/process/machine_memory.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/elevation_sample.h"
 #include "gis/raster/working_grid.h"
@@ -174,7 +175,7 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
                                              });
     known.raster = samples_of(spec, input.file, grid);
     check_terrain(reading, known.raster, grid, log);
-    input.used = used_raster("DTM", input.file, known);
+    input.used = used_raster(worded("DTM"), input.file, known);
     do_not_count_nodata(input.used);
     log.note(
         "the DTM is large: elevations are read where the release lies and where the flow comes, and checked there; "
@@ -217,7 +218,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
             "are nodata, set terrain.nodata-value = 0",
             {numeral(grouped(read.zero_rim_cells))}));
     }
-    input.used = used_raster("DTM", input.file, read);
+    input.used = used_raster(worded("DTM"), input.file, read);
     input.terrain = std::move(read.raster);
     input.nodata_cells = read.nodata_cells;
     if (input.nodata_cells >= grid.cell_count()) {

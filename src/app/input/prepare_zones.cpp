@@ -15,6 +15,7 @@
 #include "app/input/zone_raster_on_demand.h"
 #include "app/input/zones_on_demand.h"
 #include "app/text/number_text.h"
+#include "core/words/words.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
@@ -189,7 +190,7 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
     const gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
     log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
     log.warn_of(worded("zones"), layer.warnings);
-    files.push_back(used_polygons("Zones", file, layer));
+    files.push_back(used_polygons(worded("Zones"), file, layer));
     name_columns(reading, layer, list, log, problems);
     if (ground == nullptr) return;
     report_transform(worded("zones"), layer.transform, ground->terrain.grid.cell_size, log);

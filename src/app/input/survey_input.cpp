@@ -8,6 +8,7 @@
 
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 
 namespace frana::app {
 namespace {
@@ -134,12 +135,12 @@ UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::s
         const gis::PolygonLayer layer = gis::read_polygons(file, grid.crs_wkt, where);
         log.warn_of(worded("deposit"), layer.warnings);
         survey.deposit = parts_of(layer.features);
-        return used_polygons("Surveyed deposit", file, layer);
+        return used_polygons(worded("Surveyed deposit"), file, layer);
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
     log.warn_of(worded("deposit"), read.warnings);
     log.note("elevation change resampled to the grid: " + read.resampling_used);
-    UsedFile used = used_raster("Surveyed elevation change", *info, read);
+    UsedFile used = used_raster(worded("Surveyed elevation change"), *info, read);
     survey.elevation_change = std::move(read.raster);
     return used;
 }
@@ -156,19 +157,19 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
                       profiles_key = "output.profiles", front_key = "observed.front", deposit_key = "observed.deposit";
 
     const auto gauges = marks_of(output.gauges, gauges_key, reading, grid, problems);
-    keep("Gauges", output.gauges, gauges);
+    keep(worded("Gauges"), output.gauges, gauges);
     extra.recording.gauges = gauges_of(gauges, output.gauges.value_or(""), reading.where(gauges_key), grid, problems);
     require_different_names(extra.recording.gauges, reading.where(gauges_key), problems);
 
     const auto sections = marks_of(output.sections, sections_key, reading, grid, problems);
-    keep("Cross-sections", output.sections, sections);
+    keep(worded("Cross-sections"), output.sections, sections);
     for (gis::NamedLine& line :
          lines_of(sections, output.sections.value_or(""), reading.where(sections_key), grid, problems))
         extra.recording.sections.push_back({line.name, std::move(line.line)});
     require_different_names(extra.recording.sections, reading.where(sections_key), problems);
 
     const auto profiles = marks_of(output.profiles, profiles_key, reading, grid, problems);
-    keep("Profiles", output.profiles, profiles);
+    keep(worded("Profiles"), output.profiles, profiles);
     extra.profiles = lines_of(profiles, output.profiles.value_or(""), reading.where(profiles_key), grid, problems);
     require_different_names(extra.profiles, reading.where(profiles_key), problems);
 
@@ -187,14 +188,14 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     if (const auto& picture = output.map_background) {
         attempt([&] {
             files.push_back(
-                used_picture("Map background", *picture,
+                used_picture(worded("Map background"), *picture,
                              gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background"))));
         });
     }
     if (const auto& logo = output.map_logo) {
         attempt([&] {
             const std::string where = reading.where("output.map-logo");
-            files.push_back(used_picture("Logo", *logo, gis::read_logo(*logo, where).checksum));
+            files.push_back(used_picture(worded("Logo"), *logo, gis::read_logo(*logo, where).checksum));
         });
     }
     if (const auto& exposed = output.exposure) {
@@ -207,7 +208,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     if (const auto& front = reading.scene.observed.front) {
         attempt([&] {
             const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
-            files.push_back(used_marks("Surveyed front", *front, marks));
+            files.push_back(used_marks(worded("Surveyed front"), *front, marks));
             add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
             if (!extra.survey.scar.empty()) {
                 problems.add({"is an area", reading.where(front_key), *front, "open lines or points",

@@ -3,6 +3,7 @@
 
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "core/words/words.h"
 #include "gis/crs/crs.h"
 
 namespace frana::app {
@@ -20,18 +21,25 @@ UsedFile positioned(const std::string& role, const std::string& path, const std:
     return file;
 }
 
-std::string counted(std::size_t count, const std::string& what) {
-    return count == 0 ? "" : std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+std::string counted(std::size_t count, const char* one, const char* several) {
+    return count == 0 ? "" : Words()(count == 1 ? one : several, {std::to_string(count)});
+}
+
+std::string counted_lines(std::size_t count) {
+    return counted(count, worded("{1} line"), worded("{1} lines"));
 }
 
 }  // namespace
 
 UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const gis::RasterRead& read) {
     UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, read.transform);
-    file.content = grouped(from.columns) + " x " + grouped(from.rows) + " of\n" + number_text(from.cell_x, 6) + " x " +
-                   number_text(from.cell_y, 6) + (file.degrees ? " degrees" : "") + "\n" + from.data_type + " in " +
-                   from.vertical_unit + (from.vertical_unit_stated ? "" : " (assumed)") +
-                   (from.rotated ? "\nrotated" : "");
+    const Words english;
+    file.content = english(worded("{1} x {2} of"), {grouped(from.columns), grouped(from.rows)}) + "\n" +
+                   english(file.degrees ? worded("{1} x {2} degrees") : "{1} x {2}",
+                           {number_text(from.cell_x, 6), number_text(from.cell_y, 6)}) +
+                   "\n" + english(worded("{1} in {2}"), {from.data_type, from.vertical_unit}) +
+                   (from.vertical_unit_stated ? "" : " (" + std::string(worded("assumed")) + ")") +
+                   (from.rotated ? "\n" + std::string(worded("rotated")) : "");
     file.nodata = grouped(read.nodata_cells) + "\n" + (from.has_nodata ? number_text(from.nodata, 9) : "none declared");
     file.resampling = read.resampling_used;
     file.checksum.add(read.raster);
@@ -47,21 +55,23 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
     file.layer = layer.layer_name;
     double area_m2 = 0;
     for (const PolygonFeature& feature : layer.features) area_m2 += area(feature.parts);
-    file.content = counted(layer.features.size(), "polygon") + "\n" + grouped(area_m2) + " m2";
+    file.content =
+        counted(layer.features.size(), worded("{1} polygon"), worded("{1} polygons")) + "\n" + grouped(area_m2) + " m2";
     file.checksum.add(layer.features);
     return file;
 }
 
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer) {
     UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
-    file.content = counted(layer.features.size(), "line");
+    file.content = counted_lines(layer.features.size());
     file.checksum.add(layer.features);
     return file;
 }
 
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks) {
     UsedFile file = positioned(role, path, marks.crs_wkt, marks.crs_label, marks.own_bounds, marks.transform);
-    const std::string lines = counted(marks.lines.size(), "line"), points = counted(marks.points.size(), "point");
+    const std::string lines = counted_lines(marks.lines.size()),
+                      points = counted(marks.points.size(), worded("{1} point"), worded("{1} points"));
     file.content = lines + (lines.empty() || points.empty() ? "" : "\n") + points;
     file.checksum.add_all(marks.lines, marks.points);
     return file;
@@ -69,18 +79,19 @@ UsedFile used_marks(const std::string& role, const std::string& path, const gis:
 
 UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points) {
     UsedFile file;
-    file.role = "Hydrograph";
+    file.role = worded("Hydrograph");
     file.path = path;
-    file.content = "from " + shortest_text(points.front().time) + "\nto " + shortest_text(points.back().time) + " s";
+    file.content = Words()(worded("from {1}"), {shortest_text(points.front().time)}) + "\n" +
+                   Words()(worded("to {1} s"), {shortest_text(points.back().time)});
     file.checksum.add(points);
     return file;
 }
 
 UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer) {
     UsedFile file =
-        positioned("Exposed features", path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
+        positioned(worded("Exposed features"), path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.layer = layer.layer_name;
-    file.content = counted(layer.features.size(), "feature");
+    file.content = counted(layer.features.size(), worded("{1} feature"), worded("{1} features"));
     for (const gis::ExposedFeature& one : layer.features)
         file.checksum.add_all(one.name, one.count.value_or(-1), one.shape.areas, one.shape.lines, one.shape.points,
                               one.numbers, one.texts);
@@ -91,7 +102,7 @@ UsedFile used_picture(const std::string& role, const std::string& path, std::uin
     UsedFile file;
     file.role = role;
     file.path = path;
-    file.content = "picture";
+    file.content = worded("picture");
     file.checksum.add(content);
     return file;
 }

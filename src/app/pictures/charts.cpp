@@ -183,8 +183,8 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
     const std::string metres = words("depth threshold [m]");
     render::ChartPanel scores{words("Scores"), metres, words("score [-]"), {}, {0}};
     scores.series = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
-                     curve("true_positive_rate", words("hit rate"), 2, Stroke::dashed),
-                     curve("false_positive_rate", words("false alarm rate"), 3, Stroke::dotted)};
+                     curve("true_positive_rate", words("true positive rate"), 2, Stroke::dashed),
+                     curve("false_positive_rate", words("false positive rate"), 3, Stroke::dotted)};
     render::ChartPanel areas{words("Area difference"), metres, words("difference [%]"), {}, {0}};
     areas.series = {
         curve("area_difference_percent", words("|simulated \u2212 observed| / observed"), 0, Stroke::solid)};

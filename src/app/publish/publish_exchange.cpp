@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/trace.h"
+#include "app/input/scene_language.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
@@ -40,10 +41,11 @@ Raster filled(const Raster& values, const Raster& terrain) {
 }
 
 /// With the classes of the result's own raster of that quantity; nothing is drawn where there was no flow.
-void write_peak_style(const std::string& path, const Raster& raster, const PeakFile& file, const ClassSpec& classes) {
+void write_peak_style(const std::string& path, const Raster& raster, const PeakFile& file, const ClassSpec& classes,
+                      const Words& words) {
     const ResultRaster& row = *find_result_raster(file.like);
     const std::vector<double> bounds = class_bounds(row, classes, maximum(raster));
-    gis::write_styles(path, gis::class_stops(palette(row.palette), bounds, file.unit, true), file.unit,
+    gis::write_styles(path, gis::class_stops(palette(row.palette), bounds, file.unit, words, true), file.unit,
                       gis::StyleKind::classed, file.text);
 }
 
@@ -101,7 +103,7 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
             gis::write_ascii_grid(stem + ".asc", raster);
         else
             gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});
-        write_peak_style(stem + ".tif", raster, k_peak_files[i], prepared.spec.output.classes);
+        write_peak_style(stem + ".tif", raster, k_peak_files[i], prepared.spec.output.classes, words_of(prepared.spec));
     }
 }
 

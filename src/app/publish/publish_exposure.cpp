@@ -96,7 +96,7 @@ std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std
 }
 
 ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows,
-                              const std::string& crs_wkt, const ResultDirectory& directory) {
+                              const std::string& crs_wkt, const Words& words, const ResultDirectory& directory) {
     ExposureTotals totals;
     std::set<std::string> taken{"fid", "feature", "exposed", "count"};
     for (const auto& [name, value] : rows.front().numbers) taken.insert(name);
@@ -140,7 +140,7 @@ ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<
     write_text_file(directory.path(k_exposure_table), head + "\n" + table);
     std::map<gis::Shape, gis::StyleText> styles;
     for (const VectorLayer& one : vector_layers())
-        if (one.file == k_exposure_file) styles[one.shape] = gis::style_of(one.name, one.shape, one.look);
+        if (one.file == k_exposure_file) styles[one.shape] = style_in(one, words);
     gis::write_exposed(directory.path(k_exposure_file), crs_wkt, "exposure", written, styles);
     return totals;
 }

@@ -7,6 +7,7 @@
 #include "analysis/touched_cells.h"
 #include "app/store/result_directory.h"
 #include "core/raster.h"
+#include "core/words/words.h"
 #include "gis/vector/exposed_in.h"
 
 namespace frana::app {
@@ -57,9 +58,9 @@ std::vector<ExposureValues> exposure_values(const std::vector<std::vector<std::s
 std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std::vector<ExposureValues>& values,
                                        const Bounds& map);
 
-/// Writes exposure.gpkg and exposure.csv with every feature of the layer. Returns the sums.
+/// Writes exposure.gpkg and exposure.csv with every feature of the layer; a GIS shows `words` for the attributes. Returns the sums.
 ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows,
-                              const std::string& crs_wkt, const ResultDirectory& directory);
+                              const std::string& crs_wkt, const Words& words, const ResultDirectory& directory);
 
 /// "12 of 340 exposed features are reached (45 of 1 200 by their count); 3 lie off the map"
 std::string exposure_sentence(const ExposureTotals& totals, bool has_count);

@@ -8,6 +8,7 @@
 #include "app/pictures/class_words.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
@@ -68,7 +69,8 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
                          {"source", map.source}};
         zones.features.push_back(std::move(feature));
     }
-    zones.style = gis::polygon_style(zones.name, titled(map, words), "class", stops_of(map, words));
+    zones.style = gis::titled(gis::polygon_style(zones.name, titled(map, words), "class", stops_of(map, words)),
+                              titled(map, words), attribute_titles(words));
     gis::write_outlines(path, classes.grid.crs_wkt, {zones});
     gis::write_style(path, zones.style);
     return areas;

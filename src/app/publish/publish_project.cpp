@@ -75,13 +75,8 @@ class ProjectWriter {
         for (const VectorLayer& row : vector_layers()) {
             if (!result_.has(row.file) || !gis::has_layer(result_.path(row.file), row.name, "RESULT_DIR")) continue;
             const bool visible = row.file == k_outlines_file || row.file == k_gauge_places;
-            group.layers.push_back({named(words_(row.title)),
-                                    row.file,
-                                    row.name,
-                                    row.shape,
-                                    gis::style_of(row.name, row.shape, row.look).qml,
-                                    visible,
-                                    {}});
+            group.layers.push_back(
+                {named(words_(row.title)), row.file, row.name, row.shape, style_in(row, words_).qml, visible, {}});
         }
         return group;
     }
@@ -158,7 +153,7 @@ void publish_frame_styles(const std::string& folder) {
         const std::vector<double> bounds =
             known ? class_bounds(*row, chosen, 0) : result.map_layer(row->name + "@0").classes;
         gis::write_styles(result.path(frame_style(row->name) + ".tif"),
-                          gis::class_stops(palette(row->palette), bounds, row->unit), row->unit,
+                          gis::class_stops(palette(row->palette), bounds, row->unit, result.words()), row->unit,
                           gis::StyleKind::classed, result.words()(row->title));
     }
 }

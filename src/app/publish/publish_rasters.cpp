@@ -24,9 +24,9 @@ void write(const ResultDirectory& directory, const ResultRaster& row, const Rast
     const std::string file = directory.path(row.name + ".tif");
     gis::write_geotiff(file, raster, {row.name, row.description, row.unit, origin});
     if (row.is_drawn())
-        gis::write_styles(file,
-                          gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit),
-                          row.unit, gis::StyleKind::classed, words(row.title));
+        gis::write_styles(
+            file, gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit, words),
+            row.unit, gis::StyleKind::classed, words(row.title));
 }
 
 PolygonFeature feature(MultiPolygon parts, double threshold) {
@@ -84,7 +84,8 @@ void publish_ground(const Prepared& prepared, const ResultDirectory& directory) 
         release.features.push_back(release_outline(prepared.scene.release[i], i));
     std::vector<gis::OutlineLayer> layers{std::move(release)};
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
+    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers,
+                          words_of(prepared.spec));
     write_text_file(directory.path(k_scene_file), echoed_scene(prepared));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(prepared));
 }
@@ -114,7 +115,8 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
         trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
+    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers,
+                          words_of(prepared.spec));
 }
 
 }  // namespace frana::app

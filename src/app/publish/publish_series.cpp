@@ -2,6 +2,7 @@
 #include "app/publish/publish_series.h"
 
 #include "analysis/flow_path.h"
+#include "app/input/scene_language.h"
 #include "app/store/layers.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
@@ -71,7 +72,8 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
     for (const CrossSection& section : recording.sections)
         lines.features.push_back({section.line, {}, {{"name", section.name}}});
     for (const Gauge& gauge : recording.gauges) points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
-    write_result_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, lines, points);
+    write_result_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, lines, points,
+                                  words_of(prepared.spec));
 }
 
 void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
@@ -98,7 +100,8 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
         }
     }
     write_text_file(directory.path(k_profile_table), text);
-    write_result_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, lines, points);
+    write_result_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, lines, points,
+                                  words_of(prepared.spec));
 }
 
 }  // namespace frana::app

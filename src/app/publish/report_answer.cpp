@@ -152,7 +152,8 @@ std::vector<PagePart> error_parts(const ErrorEstimates& errors, double cell_size
 std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words) {
     const auto estimate = errors.find(key);
     if (!estimate) return words("no estimate");
-    const std::string text = "± " + words.number(number_text(estimate->error, 2));
+    const double error = estimate->error;
+    const std::string text = "± " + words.number(error < 1000 ? number_text(error, 2) : grouped(error));
     return estimate->converging ? text : text + ", " + words("not converging");
 }
 

@@ -30,6 +30,12 @@ double greatest(const std::vector<Point>& points) {
     return value;
 }
 
+/// Three digits; of greater values every one, in groups.
+std::string greatest_text(const std::vector<Point>& points, const Words& words) {
+    const double value = greatest(points);
+    return words.number(value < 1000 ? number_text(value, 3) : grouped(value));
+}
+
 /// Two charts beside each other, where there is room.
 std::string in_columns(const std::string& figures) {
     return "<div class=\"columns\">\n" + figures + "</div>\n";
@@ -37,7 +43,7 @@ std::string in_columns(const std::string& figures) {
 
 }  // namespace
 
-std::string chart_figures(const render::ChartPanel& panel, const std::string& alt) {
+std::string chart_figures(const render::ChartPanel& panel, const std::string& alt, const Words& words) {
     std::string html;
     for (std::size_t first = 0; first < std::max<std::size_t>(1, panel.series.size()); first += k_curves) {
         render::ChartPanel part = panel;
@@ -47,7 +53,7 @@ std::string chart_figures(const render::ChartPanel& panel, const std::string& al
             part.series.back().width_px = 3;
             render::look_apart(part.series.back(), i - first);
         }
-        html += figure(render::chart_svg({"", "", "", 1, {std::move(part)}}, k_width, k_height), alt);
+        html += figure(render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height), alt);
     }
     return html;
 }
@@ -59,9 +65,9 @@ std::string series_charts(const ReportInput& input) {
     const auto add = [&](const std::string& label, double SeriesRow::*value) {
         render::ChartSeries series;
         for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
-        const std::string most = words.number(number_text(greatest(series.points), 3));
+        const std::string most = greatest_text(series.points, words);
         render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
-        charts += chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}));
+        charts += chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words);
     };
     add(words("front from the release [m]"), &SeriesRow::front_distance);
     add(words("greatest speed [m/s]"), &SeriesRow::max_speed);
@@ -77,8 +83,8 @@ std::string series_charts(const ReportInput& input) {
         if (series.empty()) return;
         std::string alt = words("Curves over time: {1}", {label});
         for (const render::ChartSeries& one : series)
-            alt += "; " + one.label + ": " + words("at most {1}", {words.number(number_text(greatest(one.points), 3))});
-        charts += chart_figures({"", seconds, label, std::move(series), {0}}, alt);
+            alt += "; " + one.label + ": " + words("at most {1}", {greatest_text(one.points, words)});
+        charts += chart_figures({"", seconds, label, std::move(series), {0}}, alt, words);
     };
     const Recording& recording = input.prepared.scene.recording;
     std::vector<render::ChartSeries> gauges = named(recording.gauges), sections = named(recording.sections);
@@ -104,7 +110,7 @@ std::string score_chart(const std::vector<ComparisonStatistics>& curve, const Wo
                                   {words.number(number_text(greatest(jaccard.points), 3))});
     render::ChartPanel panel{"", words("depth threshold [m]"), words("score"), {jaccard, hit, alarm}, {0}};
     panel.x = render::Scale::logarithmic;
-    return chart_figures(panel, alt);
+    return chart_figures(panel, alt, words);
 }
 
 }  // namespace frana::app

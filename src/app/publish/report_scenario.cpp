@@ -175,22 +175,14 @@ std::string kept_together(const std::string& text) {
     return together;
 }
 
-/// Returns the sentences of a preset's source: from the line that begins with "Source:" to the next such word.
-std::string preset_source(const SceneSpec& spec) {
-    const auto begins_label = [](const std::string& line) {
-        const std::size_t colon = line.find(": ");
-        return colon != std::string::npos && line.find(' ') > colon;
-    };
-    std::string source;
-    for (const std::string& line : preset_comments(spec)) {
-        if (line.starts_with("Source:")) {
-            source = line.substr(std::string("Source: ").size());
-        } else if (!source.empty()) {
-            if (begins_label(line)) break;
-            source += " " + line;
-        }
+/// Returns the preset's source without its label; of a user's own preset as that has it.
+std::string preset_source(const SceneSpec& spec, const Words& words) {
+    for (const std::string& text : paragraphs_of(preset_comments(spec))) {
+        if (!text.starts_with("Source: ")) continue;
+        const std::string shown = words(text), label_end = ": ";
+        return shown.substr(shown.find(label_end) + label_end.size());
     }
-    return source;
+    return "";
 }
 
 }  // namespace
@@ -256,9 +248,9 @@ std::string material_sentences(const ReportInput& input) {
     const std::string values = joined(values_told(input, words), ", ");
     if (!values.empty()) text += " " + words("Values: {1}.", {values});
     std::string html = paragraph(words("Friction and material."), text);
-    if (const std::string source = preset_source(spec); !source.empty())
+    if (const std::string source = preset_source(spec, words); !source.empty())
         html += "<p class=\"small\">" + escaped_markup(words("Source of the preset {1}:", {*spec.material.preset})) +
-                " <span lang=\"en\">" + escaped_markup(source) + "</span></p>\n";
+                " " + escaped_markup(source) + "</p>\n";
     return html;
 }
 

@@ -3,19 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
-#include "app/input/transform_report.h"
+#include "app/pictures/class_words.h"
 #include "app/publish/html_table.h"
 #include "app/publish/report_answer.h"
+#include "app/publish/report_inputs.h"
 #include "app/publish/report_scenario.h"
 #include "app/text/number_text.h"
+#include "app/text/unit_sign.h"
 #include "core/markup.h"
 #include "core/utf8.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/key_words.h"
+#include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
 #include "params/scene/write_scene.h"
 #include "simulation/simulation.h"
+#include "simulation/terms.h"
 
 namespace frana::app {
 namespace {
@@ -31,6 +38,10 @@ struct Numbers {
     template <class T>
     [[nodiscard]] std::string grouped(T value) const {
         return words.number(app::grouped(value));
+    }
+    /// With groups of three digits where it has no decimals.
+    [[nodiscard]] std::string rounded(double value, int digits = 4) const {
+        return std::abs(value) < std::pow(10, digits) ? (*this)(value, digits) : grouped(value);
     }
 };
 
@@ -91,9 +102,14 @@ std::string sections_table(const ReportInput& input) {
     return table.html();
 }
 
-std::string operation(const gis::TransformInfo& transform) {
-    const std::string text = transform_text(transform);
-    return text == "none" ? "none needed" : text + "; accuracy " + accuracy_text(transform);
+std::string extent_in(const Bounds& box, const Words& words) {
+    const auto metres = [&](double value) {
+        std::ostringstream text;
+        text << std::fixed << std::setprecision(2) << value;
+        return words.number(text.str());
+    };
+    return words("west {1}, south {2}, east {3}, north {4}",
+                 {metres(box.west), metres(box.south), metres(box.east), metres(box.north)});
 }
 
 }  // namespace
@@ -186,7 +202,9 @@ std::string numerics_table(const ReportInput& input) {
 }
 
 std::string terms_note(const ReportInput& input) {
-    return small(input.words("Computed: {1}", {joined(input.result.terms, "; ")}));
+    std::vector<std::string> terms;
+    for (const std::string& term : input.result.terms) terms.push_back(term_in(term, input.words));
+    return small(input.words("Computed: {1}", {joined(terms, "; ")}));
 }
 
 std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {
@@ -198,14 +216,15 @@ std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {
     }
     HtmlTable values({words("value"), "", words("estimated error"), words("trend"), words("claimed")});
     for (const ValueEstimate& e : value_estimates(record)) {
-        values.row({e.value.title, n(e.value.value) + " " + e.value.unit,
-                    n(e.error, 2) + " " + e.value.unit + (e.value.value != 0 ? " (" + n(e.percent(), 2) + " %)" : ""),
-                    describe(e.convergence.trend),
+        const std::string unit = " " + unit_sign(e.value.unit);
+        values.row({title_in(e.value, words), n.rounded(e.value.value) + unit,
+                    n.rounded(e.error, 2) + unit + (e.value.value != 0 ? " (" + n(e.percent(), 2) + " %)" : ""),
+                    words(describe(e.convergence.trend)),
                     e.is_zero       ? words("zero on all levels")
                     : e.is_within() ? words("yes")
                                     : words("no")});
     }
-    return "<p lang=\"en\">" + escaped_markup(accuracy_verdict(record)) + ".</p>\n" + values.html() + "<h3>" +
+    return "<p>" + escaped_markup(accuracy_verdict(record, words)) + ".</p>\n" + values.html() + "<h3>" +
            escaped_markup(words("Levels computed")) + "</h3>\n" + levels.html();
 }
 
@@ -227,7 +246,7 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
         table.raw("<tr><td>" + std::to_string(area.kind.value) +
                   "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) + "\"></span> " +
                   (area.kind.name == area.kind.thresholds ? "" : escaped_markup(words(area.kind.name))) + "</td><td>" +
-                  escaped_markup(words.number(area.kind.thresholds)) + "</td><td class=\"n\">" +
+                  escaped_markup(class_label(area.kind.thresholds, words)) + "</td><td class=\"n\">" +
                   n.grouped(area.area_m2) + "</td></tr>\n");
     }
     return "<p>" +
@@ -242,17 +261,19 @@ std::string inputs_table(const Prepared& p, const Words& words) {
     HtmlTable table(
         {words("input"), words("file"), words("content"), words("CRS"), words("operation to the working CRS")});
     for (const UsedFile& file : p.files) {
-        table.row({file.role + (file.resampling.empty() ? "" : " (" + file.resampling + ")"), file.path, file.content,
-                   file.crs_label, file.crs_label.empty() ? "" : operation(file.transform)});
+        table.row({role_in(file, words), file.path, content_in(file, words), words(file.crs_label),
+                   operation_in(file, words)});
     }
     std::string html = "<p>" +
                        escaped_markup(words("Working CRS: {1}; extent {2}; cells without elevation: {3}, filled: {4}.",
-                                            {p.ground.crs_label, extent_text(p.scene.grid.bounds()),
+                                            {p.ground.crs_label, extent_in(p.scene.grid.bounds(), words),
                                              n.grouped(p.ground.nodata_cells), n.grouped(p.ground.filled_cells)})) +
                        "</p>\n" + table.html();
-    if (const auto comments = preset_comments(p.spec); !comments.empty())
+    std::vector<std::string> remarks;
+    for (const std::string& text : paragraphs_of(preset_comments(p.spec))) remarks.push_back(words(text));
+    if (!remarks.empty())
         html += "<h3>" + escaped_markup(words("Material preset {1}", {p.spec.material.preset.value_or("")})) +
-                "</h3>\n<p class=\"small\" lang=\"en\">" + escaped_markup(joined(comments, " ")) + "</p>\n";
+                "</h3>\n" + small(joined(remarks, " "));
     return html;
 }
 
@@ -263,10 +284,11 @@ std::string parameters_table(const Prepared& p, bool only_used, const Words& wor
         const auto chosen = p.resolved.find(name);
         if (only_used && !is_used(p.spec, parameter, chosen != p.resolved.end())) continue;
         std::string value = parameter.write(p.spec).value_or("");
-        if (value.empty()) value = "(" + parameter.absent + ")";
-        if (chosen != p.resolved.end() && chosen->second != value) value += " → " + chosen->second;
-        if (!parameter.unit.empty()) value += " [" + parameter.unit + "]";
-        table.row({name, value, origin_text(p.spec, name, words), parameter.meaning},
+        if (value.empty()) value = "(" + absent_in(parameter, words) + ")";
+        if (chosen != p.resolved.end() && chosen->second != value)
+            value += " → " + (name == "terrain.bounds" ? extent_in(p.scene.grid.bounds(), words) : chosen->second);
+        if (!parameter.unit.empty()) value += " [" + unit_sign(parameter.unit) + "]";
+        table.row({name, value, origin_text(p.spec, name, words), meaning_in(parameter, words)},
                   p.spec.origin_of(name) == Origin::default_value ? "" : "given");
     }
     return table.html("keys");

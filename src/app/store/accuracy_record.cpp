@@ -13,8 +13,6 @@
 namespace frana::app {
 namespace {
 
-constexpr const char* k_caution = "Discretisation only: errors of data, material and model are not included";
-
 std::vector<const AccuracyLevel*> completed(const AccuracyRecord& record) {
     std::vector<const AccuracyLevel*> levels;
     for (const AccuracyLevel& level : record.levels)
@@ -38,29 +36,36 @@ std::string cells(double size) {
     return number_text(size) + " m";
 }
 
-std::string error_text(const ValueEstimate& estimate) {
-    if (!std::isfinite(estimate.percent())) return number_text(estimate.error, 2) + " " + estimate.value.unit;
-    return number_text(estimate.percent(), 2) + " %";
+/// Percent of the value, or its unit where that is zero.
+std::string error_text(const ValueEstimate& estimate, const Words& words) {
+    const bool has_percent = std::isfinite(estimate.percent());
+    return words.number(number_text(has_percent ? estimate.percent() : estimate.error, 2)) + " " +
+           (has_percent ? "%" : estimate.value.unit);
 }
 
 /// States the cell size of the result and of its terrain.
-std::string cells_sentence(const AccuracyRecord& record) {
-    std::string text = "the result is on cells of " + cells(record.chosen_cell_size);
-    if (record.is_finest()) text += ", the scene's own";
+std::string cells_sentence(const AccuracyRecord& record, const Words& words) {
+    const std::string size = words.number(number_text(record.chosen_cell_size));
+    std::string text = record.is_finest() ? words("the result is on cells of {1} m, the scene's own", {size})
+                                          : words("the result is on cells of {1} m", {size});
     if (record.terrain_cell_size > 0 && record.chosen_cell_size < record.terrain_cell_size * (1 - 1e-9))
-        text += ", finer than the DTM's " + cells(record.terrain_cell_size) +
-                ": between its cells the terrain is interpolated";
+        text += ", " + words("finer than the DTM's {1} m: between its cells the terrain is interpolated",
+                             {words.number(number_text(record.terrain_cell_size))});
     return text;
 }
 
 /// "all 6 values", and the number of values without an estimate.
-std::string claimed_values(const std::vector<ValueEstimate>& estimates) {
+std::string claimed_values(const std::vector<ValueEstimate>& estimates, const Words& words) {
     const auto zeros =
         std::count_if(estimates.begin(), estimates.end(), [](const ValueEstimate& e) { return e.is_zero; });
-    const std::string all = "all " + std::to_string(static_cast<std::ptrdiff_t>(estimates.size()) - zeros) + " values";
-    return zeros == 0
-               ? all
-               : all + " that are not zero on all levels; " + std::to_string(zeros) + " are, without an estimate";
+    const std::string all = std::to_string(static_cast<std::ptrdiff_t>(estimates.size()) - zeros);
+    return zeros == 0 ? words("all {1} values", {all})
+                      : words("all {1} values that are not zero on all levels; {2} are, without an estimate",
+                              {all, std::to_string(zeros)});
+}
+
+std::string caution(const Words& words) {
+    return words("Discretisation only: errors of data, material and model are not included");
 }
 
 }  // namespace
@@ -191,31 +196,34 @@ std::string estimate_lines(const std::vector<ValueEstimate>& estimates) {
     return text;
 }
 
-std::string accuracy_verdict(const AccuracyRecord& record) {
+std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
     const std::vector<ValueEstimate> estimates = value_estimates(record);
-    const std::string asked = "numerics.accuracy = " + percent_text(record.asked);
+    const std::string asked = "numerics.accuracy = " + words.number(percent_text(record.asked));
+    const std::string result = cells_sentence(record, words);
     if (estimates.empty())
-        return asked + " is not claimed: there are too few coarser levels for an estimate of error; " +
-               cells_sentence(record);
+        return words("{1} is not claimed: there are too few coarser levels for an estimate of error; {2}",
+                     {asked, result});
     if (is_reached(estimates))
-        return asked + " is met according to the estimate for " + claimed_values(estimates) + "; " +
-               cells_sentence(record) + ". " + k_caution;
+        return words("{1} is met according to the estimate for {2}; {3}",
+                     {asked, claimed_values(estimates, words), result}) +
+               ". " + caution(words);
     constexpr std::size_t k_named = 4;
     std::vector<std::string> named;
     std::size_t unmet = 0;
     for (const ValueEstimate& e : estimates) {
         if (e.is_zero || e.is_within()) continue;
-        if (++unmet <= k_named) named.push_back(e.value.title + " (" + error_text(e) + ")");
+        if (++unmet <= k_named) named.push_back(title_in(e.value, words) + " (" + error_text(e, words) + ")");
     }
-    if (unmet > k_named) named.push_back("and " + std::to_string(unmet - k_named) + " more");
+    if (unmet > k_named) named.push_back(words("and {1} more", {std::to_string(unmet - k_named)}));
     std::string text =
-        asked + " is not claimed for " + std::to_string(unmet) + " of " + std::to_string(estimates.size()) +
-        " values, whose estimated error is greater: " + joined(named, ", ") + "; " + cells_sentence(record);
+        words("{1} is not claimed for {2} of {3} values, whose estimated error is greater: {4}; {5}",
+              {asked, std::to_string(unmet), std::to_string(estimates.size()), joined(named, ", "), result});
     if (!record.is_finest())
-        text += ". The scene's own cells of " + cells(record.finest_cell_size) +
-                " were not computed: the estimate does not expect them to reach it. Run without numerics.accuracy for "
-                "them, or ask for less";
-    return text + ". " + k_caution;
+        text += ". " + words(
+                           "The scene's own cells of {1} m were not computed: the estimate does not expect them to "
+                           "reach it. Run without numerics.accuracy for them, or ask for less",
+                           {words.number(number_text(record.finest_cell_size))});
+    return text + ". " + caution(words);
 }
 
 }  // namespace frana::app

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/store/result_files.h"
-#include "core/words/words.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
@@ -13,13 +13,45 @@ using gis::Shape;
 
 const std::string k_name = "name";  // attribute that labels a feature
 
+/// Attributes of the layers, besides the names of rasters.
+struct Attribute {
+    const char *name, *title;
+};
+constexpr Attribute k_attributes[] = {
+    {"name", worded("name")},
+    {"area_m2", worded("area [m²]")},
+    {"length_m", worded("length [m]")},
+    {"threshold_m", worded("depth threshold [m]")},
+    {"thickness_m", worded("thickness [m]")},
+    {"volume_m3", worded("volume [m³]")},
+    {"start_s", worded("start [s]")},
+    {"max_depth_m", worded("greatest depth [m]")},
+    {"max_depth_p999_m", worded("depth on 99.9 % of the area [m]")},
+    {"max_velocity_ms", worded("greatest speed [m/s]")},
+    {"max_velocity_p999_ms", worded("speed on 99.9 % of the area [m/s]")},
+    {"max_pressure_kpa", worded("greatest pressure [kPa]")},
+    {"arrival_s", worded("first arrival [s]")},
+    {"runout_m", worded("run-out [m]")},
+    {"drop_m", worded("drop [m]")},
+    {"reach_angle_deg", worded("angle of reach [°]")},
+    {"distance_m", worded("distance [m]")},
+    {"probability", worded("probability [-]")},
+    {"class", worded("class")},
+    {"thresholds", worded("thresholds")},
+    {"scheme", worded("scheme")},
+    {"source", worded("source")},
+    {"exposed", worded("exposed feature")},
+    {"count", worded("count")},
+    {"reached", worded("reached (1: yes)")},
+};
+
 /// Gives a layer of a file the style of its row.
 template <class Layer>
-void set_style(const std::string& gpkg_path, Layer& layer) {
+void set_style(const std::string& gpkg_path, Layer& layer, const Words& words) {
     if (!layer.style.qml.empty()) return;
     const std::string file = std::filesystem::path(gpkg_path).filename().string();
     for (const VectorLayer& row : vector_layers())
-        if (row.file == file && row.name == layer.name) layer.style = gis::style_of(row.name, row.shape, row.look);
+        if (row.file == file && row.name == layer.name) layer.style = style_in(row, words);
 }
 
 }  // namespace
@@ -66,16 +98,31 @@ const std::vector<VectorLayer>& vector_layers() {
     return k_table;
 }
 
+gis::AttributeTitles attribute_titles(const Words& words) {
+    gis::AttributeTitles titles;
+    for (const Attribute& one : k_attributes) titles.emplace_back(one.name, words(one.title));
+    for (const ResultRaster& row : result_rasters()) {
+        if (row.by_value) continue;
+        const bool has_unit = !row.unit.empty() && row.unit != "-";
+        titles.emplace_back(row.name, words(row.title) + (has_unit ? " [" + row.unit + "]" : ""));
+    }
+    return titles;
+}
+
+gis::StyleText style_in(const VectorLayer& row, const Words& words) {
+    return gis::titled(gis::style_of(row.name, row.shape, row.look), words(row.title), attribute_titles(words));
+}
+
 void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
-                           std::vector<gis::OutlineLayer> layers) {
-    for (gis::OutlineLayer& layer : layers) set_style(gpkg_path, layer);
+                           std::vector<gis::OutlineLayer> layers, const Words& words) {
+    for (gis::OutlineLayer& layer : layers) set_style(gpkg_path, layer, words);
     gis::write_outlines(gpkg_path, crs_wkt, layers);
 }
 
 void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt, gis::LineLayer lines,
-                                   gis::PointLayer points) {
-    set_style(gpkg_path, lines);
-    set_style(gpkg_path, points);
+                                   gis::PointLayer points, const Words& words) {
+    set_style(gpkg_path, lines, words);
+    set_style(gpkg_path, points, words);
     gis::write_lines_and_points(gpkg_path, crs_wkt, {lines}, {points});
 }
 

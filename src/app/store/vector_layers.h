@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/colour.h"
+#include "core/words/words.h"
+#include "gis/vector/style_titles.h"
 #include "gis/vector/vector_out.h"
 #include "gis/vector/vector_style.h"
 
@@ -29,11 +31,16 @@ struct VectorLayer {
 /// The one list of them, in the order in which a GIS shows them, the uppermost first.
 const std::vector<VectorLayer>& vector_layers();
 
+/// Returns the style of a row, its title and those of the attributes in a language.
+gis::StyleText style_in(const VectorLayer& row, const Words& words);
+/// Returns the titles that a GIS shows of the attributes of all layers.
+gis::AttributeTitles attribute_titles(const Words& words);
+
 /// Writes a GeoPackage of a result; its layers have the style of their row, unless they have one. Throws as
 /// gis::write_outlines.
 void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
-                           std::vector<gis::OutlineLayer> layers);
+                           std::vector<gis::OutlineLayer> layers, const Words& words);
 void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt, gis::LineLayer lines,
-                                   gis::PointLayer points);
+                                   gis::PointLayer points, const Words& words);
 
 }  // namespace frana::app

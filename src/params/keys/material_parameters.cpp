@@ -2,6 +2,7 @@
 #include "params/keys/material_parameters.h"
 
 #include "params/keys/declare.h"
+#include "params/keys/key_words.h"
 #include "params/keys/laws.h"
 
 namespace frana {
@@ -78,8 +79,7 @@ void name_laws(std::vector<Parameter>& list, std::size_t first) {
         std::vector<const Law*> needing;
         for (const Law* law : readers_of(key.name()))
             if (std::find(law->needs.begin(), law->needs.end(), key.name()) != law->needs.end()) needing.push_back(law);
-        if (const auto readers = readers_of(key.name()); !readers.empty())
-            key.meaning += " Used by " + selected_by(readers) + ".";
+        key.meaning += used_by(key.name());
         if (!needing.empty() && key.absent.empty() && key.default_text().empty())
             key.absent = "required with " + selected_by(needing);
     }

@@ -39,4 +39,17 @@ std::vector<MaterialPreset> material_presets(const std::string& directory) {
     return presets;
 }
 
+std::vector<std::string> paragraphs_of(const std::vector<std::string>& comments) {
+    std::vector<std::string> paragraphs;
+    for (const std::string& line : comments) {
+        const std::size_t colon = line.find(": ");
+        const bool has_label = colon != std::string::npos && line.find(' ') > colon;
+        if (paragraphs.empty() || has_label)
+            paragraphs.push_back(line);
+        else
+            paragraphs.back() += " " + line;
+    }
+    return paragraphs;
+}
+
 }  // namespace frana

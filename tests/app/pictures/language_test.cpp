@@ -49,6 +49,8 @@ TEST_F(Languages, ChartsAndStylesAreInTheLanguageAndDataStayEnglish) {
         EXPECT_TRUE(has("result/charts/timeseries.svg", text)) << text;
     EXPECT_TRUE(has("result/charts/profile_flow_path.svg", "perfil a lo largo de la trayectoria del flujo"));
     EXPECT_TRUE(has("result/max_depth.sld", "Profundidad máxima"));
+    for (const char* style : {"result/max_depth.sld", "result/max_depth.qml"})
+        EXPECT_TRUE(has(style, "label=\"0,2 \u2013 0,5 m\"")) << style;
     EXPECT_TRUE(has("result/timeseries.csv", "max_speed_ms"));
     EXPECT_TRUE(has("result/log.txt", "volume"));
     const gis::RasterText band = gis::read_raster_text(path("result/max_depth.tif"));

@@ -270,6 +270,10 @@ TEST_F(Report, SpeaksTheLanguageOfTheScene) {
         for (const std::string& word : words) EXPECT_NE(page.find(word), std::string::npos) << word;
         EXPECT_EQ(page.find("What fails."), std::string::npos);
         EXPECT_EQ(page.find("Keys used"), std::string::npos);
+        // Meanings and effects of keys, units, terms of the run, input files.
+        for (const char* english : {"Used by", "required", "Cell size of", ">degrees<", "hydrostatic pressure", "polygon<",
+                                    "Release perimeter", "none needed", " in metre", "west "})
+            EXPECT_EQ(page.find(english), std::string::npos) << language << ": " << english;
         // Also what compare puts into it.
         ASSERT_EQ(frana({"compare", language, "--observed", "scar.geojson"}).exit_code, 0);
         EXPECT_NE(page_of(language).find(words[2]), std::string::npos);

@@ -11,7 +11,10 @@
 #include <sstream>
 
 #include "core/words/word_row.h"
+#include "params/keys/key_words.h"
+#include "params/keys/materials.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/scene_parameters.h"
 #include "simulation/run_statistics.h"
 
 namespace frana {
@@ -65,7 +68,7 @@ std::vector<std::string> first_argument(const std::string& text, std::size_t ope
 std::map<std::string, std::string> shown_texts() {
     std::map<std::string, std::string> texts;
     const std::regex call(R"(\b(words_?|worded)(\(\))?\()");
-    for (const char* folder : {"src", "render", "gis"}) {
+    for (const char* folder : {"src", "gis", "render"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(FRANA_SOURCE_DIR) / folder)) {
             const fs::path& path = entry.path();
             if (path.extension() != ".cpp" && path.extension() != ".h") continue;
@@ -83,6 +86,10 @@ std::map<std::string, std::string> shown_texts() {
     }
     for (const ResultRaster& row : result_rasters())
         texts.emplace(text_for(row, row.title, row.name + "_{1}"), "src/params/keys/result_rasters.cpp");
+    for (const Parameter& key : scene_parameters())
+        for (const std::string& row : rows_of(key)) texts.emplace(row, "the declaration of " + key.name());
+    for (const MaterialPreset& preset : material_presets(std::string(FRANA_SOURCE_DIR) + "/share/materials"))
+        for (const std::string& text : paragraphs_of(preset.comments)) texts.emplace(text, preset.file);
     for (const RunStatistic& row : k_run_statistics)
         if (is_reported(row)) texts.emplace(row.title, "src/simulation/run_statistics.h");
     return texts;
@@ -141,9 +148,23 @@ TEST(WordTables, EveryRowIsCompleteInEveryLanguage) {
             // No-break and narrow where French has a space that must not end a line.
             EXPECT_FALSE(std::regex_search(row.french, std::regex(" [:;?!%]"))) << row.french;
             EXPECT_FALSE(std::regex_search(row.french, std::regex("[a-zé0-9}](: |%)"))) << row.french;
-            EXPECT_EQ(std::string(row.french).find('\''), std::string::npos)
-                << "typewriter's apostrophe: " << row.french;
-            EXPECT_EQ(std::string(row.italian).find('\''), std::string::npos) << row.italian;
+            // SQL has typewriter's apostrophes, which no letter follows and precedes.
+            for (const char* text : {row.italian, row.french})
+                EXPECT_FALSE(std::regex_search(text, std::regex("[a-zA-Z]'[^ ,;]")))
+                    << "typewriter's apostrophe: " << text;
+        }
+    }
+}
+
+TEST(WordTables, NoLongTextIsTheCopyOfAnotherLanguages) {
+    constexpr std::size_t k_long = 30;  // shorter ones can be the same by right: "Manning, n = {1}"
+    for (const std::span<const WordRow> table : word_tables()) {
+        for (const WordRow& row : table) {
+            std::set<std::string> texts;
+            for (const char* text : {row.english, row.italian, row.german, row.french, row.spanish})
+                if (std::string(text).size() > k_long) {
+                    EXPECT_TRUE(texts.insert(text).second) << "in two languages: " << text;
+                }
         }
     }
 }

@@ -45,6 +45,16 @@ TEST(ClassStops, TheLastClassMayBeOpen) {
     EXPECT_NE(sld.find("<Title>Maximum depth [m]</Title>"), std::string::npos) << sld;
 }
 
+TEST(ClassStops, NumbersAreThoseOfTheLanguage) {
+    const std::vector<ColourStop> stops =
+        class_stops(palette("depth"), {0.5, 1.5, std::numeric_limits<double>::infinity()}, "m",
+                    Words(Language::german), true);
+    ASSERT_EQ(stops.size(), 3U);
+    EXPECT_EQ(stops[0].label, "0,5");
+    EXPECT_EQ(stops[1].label, "0,5 \u2013 1,5 m");
+    EXPECT_EQ(stops[2].label, "> 1,5 m");
+}
+
 TEST(WriteStyles, BothFilesContainEveryClassAndItsColour) {
     const Folder folder;
     const std::vector<ColourStop> stops{{2, {255, 0, 16}, "0 - 2 m"}, {4, {0, 0, 255}, "a < b & \"c\""}};

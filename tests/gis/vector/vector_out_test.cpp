@@ -6,6 +6,7 @@
 
 #include "gis/access/gdal_session.h"
 #include "gis/crs/crs.h"
+#include "gis/vector/style_titles.h"
 #include "gis/vector/vector_in.h"
 #include "support/files.h"
 
@@ -50,7 +51,8 @@ TEST(WriteOutlines, EveryLayerHasAStyleThatIsItsDefault) {
     const Folder folder;
     const std::string file = folder.file("extent.gpkg");
     OutlineLayer named = release();
-    named.style = style_of("release", Shape::area, {{1, 2, 3}, 0.7, true, "name"});
+    named.style = titled(style_of("release", Shape::area, {{1, 2, 3}, 0.7, true, "name"}), "Anriss & Hang",
+                         {{"volume_m3", "Volumen [m³]"}});
     write_outlines(file, "", {named, {"trace", {}}});
     const GdalSession session;
     const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
@@ -66,6 +68,8 @@ TEST(WriteOutlines, EveryLayerHasAStyleThatIsItsDefault) {
         styles[row->GetFieldAsString("f_table_name")] = row->GetFieldAsString("styleQML");
     }
     EXPECT_EQ(styles["release"], named.style.qml);
+    EXPECT_NE(styles["release"].find("<alias field=\"volume_m3\" name=\"Volumen [m³]\"/>"), std::string::npos);
+    EXPECT_NE(named.style.sld.find("<Title>Anriss &amp; Hang</Title>"), std::string::npos) << named.style.sld;
     for (const auto& [layer, qml] : styles)
         EXPECT_NE(qml.find("<prop k=\"style\" v=\"no\"/>"), std::string::npos) << layer << " is filled";
     const Error error = error_of([&] { (void)read_polygons(file + "|layer=other", "", ""); });

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace frana::app {
+
+/// Returns a unit as print has it: "m³/s" for m3/s, "°" for degrees.
+std::string unit_sign(const std::string& unit);
+
+}  // namespace frana::app
