@@ -13,6 +13,7 @@
 #include "params/keys/laws.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"
+#include "simulation/inflow.h"
 
 namespace frana::app {
 namespace {
