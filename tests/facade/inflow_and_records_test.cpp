@@ -138,8 +138,11 @@ TEST_F(InflowAndRecords, AnInflowNeedsNoRelease) {
     EXPECT_NEAR(result.number("volume.inflow_m3"), 80, 1e-9) << "10 m3/s for 8 s";
     EXPECT_EQ(result.number("volume.initial_m3"), 0);
     EXPECT_TRUE(result.gauges().empty());
-    for (const Series& column : result.series())
-        if (column.name == "volume_inflow") EXPECT_NEAR(column.values.back(), 80, 1e-9);
+    const std::vector<Series> series = result.series();
+    const auto found =
+        std::find_if(series.begin(), series.end(), [](const Series& column) { return column.name == "volume_inflow"; });
+    ASSERT_NE(found, series.end());
+    EXPECT_NEAR(found->values.back(), 80, 1e-9);
 }
 
 std::vector<facade::Problem> problems_of(const facade::Scene& scene) {
