@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Debian packages of the components: the target `packages` writes build/packages/*.deb, the same bytes from the same
 # sources in whatever folder. ./build.sh package does all that it needs.
-set(FRANA_CONTACT maintainers@frana.example CACHE STRING "Address of those who make the packages")
 # Time of all files in the packages: the day of the version. SOURCE_DATE_EPOCH overrides it.
 set(epoch 1795478400)
 if(NOT "$ENV{SOURCE_DATE_EPOCH}" STREQUAL "")
@@ -70,7 +69,8 @@ debian_package(qgis "run-out of landslides: plugin for QGIS"
 if(TARGET frana_library)
   set(library libfrana${PROJECT_VERSION_MAJOR})
   debian_package(library "run-out of landslides: library"
-    "The engine of frana for other programs: a scene in, a result out." NAME ${library} SECTION libs CODE)
+    "The engine of frana for other programs: a scene in, a result out." NAME ${library} SECTION libs CODE
+    SUGGESTS frana)
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
   debian_package(dev "run-out of landslides: header of the library"
@@ -83,14 +83,18 @@ if(TARGET frana_python)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   debian_package(python "run-out of landslides: Python module"
     "The engine of frana for Python: scenes and results as arrays of NumPy." NAME python3-frana SECTION python CODE
-    DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
+    DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy"
+    SUGGESTS frana)
 endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_PACKAGE_NAME frana)
-set(CPACK_PACKAGE_CONTACT "The authors of frana <${FRANA_CONTACT}>")
+set(CPACK_PACKAGE_CONTACT "${FRANA_AUTHORS} <${FRANA_CONTACT}>")
+if(NOT FRANA_HOMEPAGE STREQUAL default_FRANA_HOMEPAGE)
+  set(CPACK_DEBIAN_PACKAGE_HOMEPAGE ${FRANA_HOMEPAGE})
+endif()
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -88,6 +88,32 @@ struct Release {
     std::string name{};
 };
 
+/// Discharge of an inflow at one time; linear between times, zero before the first and after the last.
+struct HydrographPoint {
+    double time = 0;                   ///< [s]; an equal time is a step
+    double discharge = 0;              ///< [m3/s]
+    std::optional<double> velocity{};  ///< across the line, in map view [m/s]; none: the critical speed
+};
+
+/// Material that flows in through a line.
+struct Inflow {
+    std::vector<Point> line{};
+    std::vector<HydrographPoint> hydrograph{};
+    std::optional<double> direction{};  ///< [degrees] clockwise from north; none: normal to the line, downhill
+};
+
+/// A place where depth and speed are recorded. Without a name it has its number.
+struct Gauge {
+    Point place;
+    std::string name{};
+};
+
+/// A line through which the discharge is recorded, positive to the right of its direction.
+struct CrossSection {
+    std::vector<Point> line{};
+    std::string name{};
+};
+
 /// What is computed: ground, released mass, and the keys of scene files that need no file.
 class FRANA_API Scene {
   public:
@@ -109,6 +135,10 @@ class FRANA_API Scene {
     /// Walls that no flow overtops stand on the cells with 1; 0 elsewhere.
     void set_walls(Values walls);
     void add_release(Release release);
+    void add_inflow(Inflow inflow);
+    /// Both are recorded at every step, or as output.sample-interval says. Their names must differ.
+    void add_gauge(Gauge gauge);
+    void add_section(CrossSection section);
     /// Throws Error with every problem of the scene; returns what is worth a second look.
     [[nodiscard]] std::vector<std::string> check() const;
 
@@ -137,10 +167,16 @@ struct Raster {
     }
 };
 
-/// A value over time, one for each step.
+/// A value over time, one for each row: of Result::series, for each step.
 struct Series {
     std::string name, unit;
     std::vector<double> values;
+};
+
+/// What was recorded at a gauge or a cross-section.
+struct Record {
+    std::string name;
+    std::vector<Series> columns;
 };
 
 /// What a run gives.
@@ -152,6 +188,10 @@ class FRANA_API Result {
     [[nodiscard]] Raster raster(const std::string& name) const;
     /// Columns of timeseries.csv.
     [[nodiscard]] std::vector<Series> series() const;
+    /// In the order of Scene::add_gauge: columns of gauges.csv.
+    [[nodiscard]] std::vector<Record> gauges() const;
+    /// In the order of Scene::add_section: columns of sections.csv.
+    [[nodiscard]] std::vector<Record> sections() const;
     /// JSON: what summary.json says of the run itself, by the same keys.
     [[nodiscard]] std::string summary() const;
     /// A number of the summary: "max_depth_m", "runout.horizontal_m". NaN where it is null. Throws Error for another

@@ -21,7 +21,8 @@ constexpr const char* k_keys[] = {"terrain.nodata-policy",
                                   "release.start",
                                   "release.velocity",
                                   "release.direction",
-                                  "output.trace-threshold"};
+                                  "output.trace-threshold",
+                                  "output.sample-interval"};
 /// A search over sizes of cells, each read from the files.
 constexpr const char* k_not[] = {"numerics.accuracy"};
 
@@ -30,9 +31,12 @@ bool is_in(const List& list, const std::string& word) {
     return std::find(std::begin(list), std::end(list), word) != std::end(list);
 }
 
-const char* remedy_for(const std::string& section) {
+const char* remedy_for(const std::string& section, const std::string& name) {
     if (section == "terrain") return "The scene has its terrain from the values it was made of; remove the key";
     if (section == "release") return "Give it with the area of release";
+    if (section == "inflow") return "Add an inflow to the scene";
+    if (name == "output.gauges") return "Add gauges to the scene";
+    if (name == "output.cross-sections") return "Add cross-sections to the scene";
     if (section == "zones") return "Give one value for each cell of the grid";
     return "Remove the key";
 }
@@ -46,7 +50,7 @@ std::optional<frana::Problem> problem_of_setting(const std::string& key, const s
     const std::string name = parameter.name();
     if ((!is_in(k_sections, parameter.section) && !is_in(k_keys, name)) || is_in(k_not, name)) {
         return frana::Problem{"is not for a scene in memory: it says how the program frana reads and writes files", key,
-                              value, "", remedy_for(parameter.section)};
+                              value, "", remedy_for(parameter.section, name)};
     }
     if (name == "terrain.nodata-policy" && value == "fill") {
         return frana::Problem{"is not for a scene in memory, whose elevations are not changed", key, value,

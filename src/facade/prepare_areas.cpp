@@ -9,6 +9,7 @@
 
 #include "analysis/cell_outlines.h"
 #include "core/shortest_text.h"
+#include "facade/particle_count.h"
 #include "facade/values_in_place.h"
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
@@ -87,23 +88,13 @@ bool check_thicknesses(std::span<const double> cells, const std::string& where, 
     return false;
 }
 
-/// The engine numbers particles with 32 bits.
-void check_count(double area, double particles_per_area, const std::string& where, Problems& problems) {
-    constexpr double k_most_particles = 1e9;
-    if (area * particles_per_area <= k_most_particles) return;
-    problems.add({"would need more particles than can be counted", where, shortest_text(area * particles_per_area),
-                  "at most " + shortest_text(k_most_particles), "Choose larger cells"});
-}
-
 }  // namespace
 
 std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid,
                                        Problems& problems) {
     std::vector<ReleaseArea> areas;
-    if (data.release.empty()) {
-        problems.add({"nothing is released", "scene", "", "", "Add an area of release"});
-        return areas;
-    }
+    if (data.release.empty() && data.inflows.empty())
+        problems.add({"nothing is released", "scene", "", "", "Add an area of release or an inflow"});
     for (std::size_t i = 0; i < data.release.size(); ++i) {
         const Release& release = data.release[i];
         const std::string where = name_of(release, i);
@@ -128,8 +119,7 @@ std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec&
         own.outline = outline_of(release, grid);
         if (own.outline.empty()) problems.add({"has no outline", where, "", "", "Give one, or thicknesses by cell"});
         if (own.outline.empty() || !check_outline(own.outline, grid, where, problems)) continue;
-        check_count(area(own.outline), static_cast<double>(spec.numerics.particles_per_cell) / grid.cell_area(), where,
-                    problems);
+        check_particle_count(area(own.outline) * spec.numerics.particles_per_cell / grid.cell_area(), where, problems);
         if (own.thickness_raster && !own.volume && !spec.release.volume && !own.normal_to_bed) {
             // Interpolated at its edge, a raster would lose volume.
             MultiPolygon local = own.outline;

@@ -9,6 +9,8 @@
 #include "core/error.h"
 #include "core/shortest_text.h"
 #include "facade/prepare_areas.h"
+#include "facade/prepare_inflows.h"
+#include "facade/prepare_recording.h"
 #include "facade/presets.h"
 #include "facade/values_in_place.h"
 #include "params/scene/read_keys.h"
@@ -19,6 +21,15 @@
 namespace frana::facade {
 namespace {
 
+/// Keys of scene files for which a scene in memory has values.
+std::vector<std::string> given_otherwise(const Scene::Data& data) {
+    std::vector<std::string> given{"terrain.dtm", "release.thickness", "release.perimeter"};
+    if (!data.inflows.empty()) given.insert(given.end(), {"inflow.line", "inflow.hydrograph"});
+    if (!data.gauges.empty()) given.emplace_back("output.gauges");
+    if (!data.sections.empty()) given.emplace_back("output.cross-sections");
+    return given;
+}
+
 SceneReading read_keys(const Scene::Data& data) {
     std::vector<std::string> keys;
     bool preset = false;
@@ -26,8 +37,7 @@ SceneReading read_keys(const Scene::Data& data) {
         keys.push_back(key + "=" + value);
         preset = preset || key == "material.preset";
     }
-    return read_scene_keys(keys, {"terrain.dtm", "release.thickness", "release.perimeter"},
-                           preset ? presets_directory() : std::string(), "scene");
+    return read_scene_keys(keys, given_otherwise(data), preset ? presets_directory() : std::string(), "scene");
 }
 
 std::string metres(double value) {
@@ -101,9 +111,12 @@ EngineScene prepare_scene(const Scene::Data& data) {
     scene.terrain_contains_release = spec.release.dtm_contains_release;
     scene.release = release_areas(data, spec, scene.grid, problems);
     scene.release_volume = release_volume_of(spec.release);
+    scene.inflows = inflows_of(data, spec, problems);
+    scene.recording = recording_of(data, spec, scene.grid, problems);
     scene.material = material_of(spec.material);
     scene.zones = material_zones(data, spec, scene.grid, problems);
     scene.structured = structured_of(spec);
+    if (scene.structured) scene.structured->more_fluid = !scene.inflows.empty();
     if (scene.structured)
         for (const frana::Problem& problem :
              structured_problems(*scene.structured, [](const std::string& key) { return key; }))
@@ -111,6 +124,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     scene.entrainment = entrainment_of(spec.entrainment);
     scene.numerics = numerics_of(spec);
     scene.time = time_of(spec);
+    check_inflow_counts(scene, problems);
     problems.throw_if_any();
     place_origin(scene);
     return prepared;

@@ -26,6 +26,28 @@ Raster raster_of(const std::string& name, const frana::Raster& raster, const Gri
     return {info_of(name), grid, {first, raster.values.size()}, std::move(keeper)};
 }
 
+/// A value of a table's rows.
+template <class Row>
+struct Column {
+    const char *name, *unit;
+    double Row::*value;
+};
+
+/// The rows of each gauge or section.
+template <class Named, class Row, std::size_t count>
+std::vector<Record> records_of(const std::vector<Named>& named, const std::vector<Row>& rows, std::size_t Row::*index,
+                               const Column<Row> (&columns)[count]) {
+    std::vector<Record> records;
+    for (const Named& one : named) {
+        Record& record = records.emplace_back(Record{one.name, {}});
+        for (const Column<Row>& column : columns) record.columns.push_back({column.name, column.unit, {}});
+    }
+    for (const Row& row : rows)
+        for (std::size_t c = 0; c < count; ++c)
+            records[row.*index].columns[c].values.push_back(row.*columns[c].value);
+    return records;
+}
+
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<RasterInfo>& rasters) {
     std::string names;
     for (const RasterInfo& raster : rasters) names += (names.empty() ? "" : ", ") + raster.name;
@@ -70,6 +92,7 @@ std::string summary_of(const RunResult& result, const EngineScene& prepared) {
 std::shared_ptr<const Result::Data> result_data(RunResult result, const EngineScene& prepared, const Grid& grid) {
     auto data = std::make_shared<Result::Data>();
     data->grid = grid;
+    data->recording = prepared.scene.recording;
     data->summary = summary_of(result, prepared);
     data->notes = prepared.warnings;
     data->notes.insert(data->notes.end(), result.notes.begin(), result.notes.end());
@@ -95,11 +118,7 @@ Raster Result::raster(const std::string& name) const {
 }
 
 std::vector<Series> Result::series() const {
-    struct Column {
-        const char *name, *unit;
-        double SeriesRow::*value;
-    };
-    static constexpr Column k_columns[] = {{"time", "s", &SeriesRow::time},
+    static constexpr Column<SeriesRow> k_columns[] = {{"time", "s", &SeriesRow::time},
                                            {"dt", "s", &SeriesRow::dt},
                                            {"volume", "m3", &SeriesRow::volume},
                                            {"volume_left", "m3", &SeriesRow::volume_left},
@@ -109,14 +128,31 @@ std::vector<Series> Result::series() const {
                                            {"kinetic_energy", "J", &SeriesRow::kinetic_energy},
                                            {"covered_area", "m2", &SeriesRow::covered_area},
                                            {"volume_entered", "m3", &SeriesRow::volume_entered},
+                                           {"volume_inflow", "m3", &SeriesRow::volume_inflow},
                                            {"volume_eroded", "m3", &SeriesRow::volume_eroded},
                                            {"volume_deposited", "m3", &SeriesRow::volume_deposited}};
     std::vector<Series> list;
-    for (const Column& column : k_columns) {
+    for (const Column<SeriesRow>& column : k_columns) {
         Series& series = list.emplace_back(Series{column.name, column.unit, {}});
         for (const SeriesRow& row : data_->result.series) series.values.push_back(row.*column.value);
     }
     return list;
+}
+
+std::vector<Record> Result::gauges() const {
+    static constexpr Column<GaugeRow> k_columns[] = {
+        {"time", "s", &GaugeRow::time}, {"depth", "m", &GaugeRow::depth}, {"speed", "m/s", &GaugeRow::speed}};
+    return records_of(data_->recording.gauges, data_->result.gauges, &GaugeRow::gauge, k_columns);
+}
+
+std::vector<Record> Result::sections() const {
+    static constexpr Column<SectionRow> k_columns[] = {{"time", "s", &SectionRow::time},
+                                                       {"discharge", "m3/s", &SectionRow::discharge},
+                                                       {"volume", "m3", &SectionRow::volume},
+                                                       {"wetted_width", "m", &SectionRow::wetted_width},
+                                                       {"max_depth", "m", &SectionRow::max_depth},
+                                                       {"max_speed", "m/s", &SectionRow::max_speed}};
+    return records_of(data_->recording.sections, data_->result.sections, &SectionRow::section, k_columns);
 }
 
 std::string Result::summary() const {

@@ -94,6 +94,18 @@ void Scene::add_release(Release release) {
     data_->release.push_back(std::move(release));
 }
 
+void Scene::add_inflow(Inflow inflow) {
+    data_->inflows.push_back(std::move(inflow));
+}
+
+void Scene::add_gauge(Gauge gauge) {
+    data_->gauges.push_back(std::move(gauge));
+}
+
+void Scene::add_section(CrossSection section) {
+    data_->sections.push_back(std::move(section));
+}
+
 std::vector<std::string> Scene::check() const {
     return guarded([&] {
         EngineScene prepared = prepare_scene(*data_);

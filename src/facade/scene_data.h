@@ -17,6 +17,9 @@ struct Scene::Data {
     std::map<std::string, Values> by_place;                 ///< keys of [zones]
     Values walls;
     std::vector<Release> release;
+    std::vector<Inflow> inflows;
+    std::vector<Gauge> gauges;
+    std::vector<CrossSection> sections;
 };
 
 }  // namespace frana::facade

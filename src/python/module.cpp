@@ -86,12 +86,17 @@ Scene make_scene(const py::object& elevations, double west, double north, double
     return Scene({west, north, cell_size, array.shape(0), array.shape(1)}, std::move(values));
 }
 
-Ring ring_of(const py::handle& points) {
-    Ring ring;
+std::vector<Point> points_of(const py::handle& points) {
+    std::vector<Point> list;
     for (const auto& point : points) {
         const auto [x, y] = point.cast<std::pair<double, double>>();
-        ring.push_back({x, y});
+        list.push_back({x, y});
     }
+    return list;
+}
+
+Ring ring_of(const py::handle& points) {
+    Ring ring = points_of(points);
     if (ring.size() > 1 && ring.front().x == ring.back().x && ring.front().y == ring.back().y) ring.pop_back();
     return ring;
 }
@@ -111,6 +116,37 @@ void add_release(Scene& scene, const py::object& thickness, const py::object& ou
     release.volume = volume;
     release.name = name;
     scene.add_release(std::move(release));
+}
+
+/// Rows of time, discharge and, if there is a third, velocity.
+Inflow inflow_of(const py::object& line, const py::object& hydrograph, std::optional<double> direction) {
+    Inflow inflow;
+    inflow.line = points_of(line);
+    inflow.direction = direction;
+    for (const auto& row : hydrograph) {
+        const auto numbers = row.cast<std::vector<double>>();
+        if (numbers.size() != 2 && numbers.size() != 3)
+            throw py::value_error("hydrograph: has a row of " + std::to_string(numbers.size()) +
+                                  " numbers. Give (time, discharge) or (time, discharge, velocity)");
+        HydrographPoint& point = inflow.hydrograph.emplace_back(HydrographPoint{numbers[0], numbers[1]});
+        if (numbers.size() == 3) point.velocity = numbers[2];
+    }
+    return inflow;
+}
+
+/// Columns of series by their names.
+py::dict columns_of(const std::vector<Series>& series) {
+    py::dict columns;
+    for (const Series& column : series)
+        columns[py::str(column.name)] =
+            py::array_t<double>(static_cast<py::ssize_t>(column.values.size()), column.values.data());
+    return columns;
+}
+
+py::dict records_of(const std::vector<Record>& records) {
+    py::dict named;
+    for (const Record& record : records) named[py::str(record.name)] = columns_of(record.columns);
+    return named;
 }
 
 /// Works without Python's lock.
@@ -249,6 +285,31 @@ void add_scene(py::module_& module) {
              "outline: points (x, y) [m] of a ring; with an array of thicknesses it may be left out\n"
              "holes: rings in it\n"
              "volume: [m3], to which the thickness is scaled")
+        .def(
+            "add_inflow",
+            [](Scene& scene, const py::object& line, const py::object& hydrograph, std::optional<double> direction) {
+                scene.add_inflow(inflow_of(line, hydrograph, direction));
+            },
+            "line"_a, "hydrograph"_a, "direction"_a = py::none(),
+            "Adds material that flows in through a line.\n\n"
+            "line: points (x, y) [m]\n"
+            "hydrograph: rows (time [s], discharge [m3/s]) or (time, discharge, velocity [m/s]), linear between them; "
+            "without velocity it crosses the line at the critical speed\n"
+            "direction: [degrees] clockwise from north; None: normal to the line, downhill")
+        .def(
+            "add_gauge",
+            [](Scene& scene, double x, double y, const std::string& name) { scene.add_gauge({{x, y}, name}); }, "x"_a,
+            "y"_a, "name"_a = "",
+            "Adds a place where depth and speed are recorded at every step, or as output.sample-interval says. Without "
+            "a name it has its number.")
+        .def(
+            "add_section",
+            [](Scene& scene, const py::object& line, const std::string& name) {
+                scene.add_section({points_of(line), name});
+            },
+            "line"_a, "name"_a = "",
+            "Adds a line of points (x, y) [m] through which the discharge is recorded, positive to the right of its "
+            "direction.")
         .def("check", &Scene::check,
              "Raises Error with every problem of the scene; returns what is worth a second look.")
         .def_property_readonly(
@@ -293,15 +354,16 @@ void add_results(py::module_& module) {
             "what summary.json says of the run itself, by the same keys")
         .def_property_readonly(
             "series",
-            [](const Result& result) {
-                py::dict columns;
-                for (const Series& column : result.series())
-                    columns[py::str(column.name)] =
-                        py::array_t<double>(static_cast<py::ssize_t>(column.values.size()), column.values.data());
-                return columns;
-            },
+            [](const Result& result) { return columns_of(result.series()); },
             "one value for each step: time [s], dt [s], volume [m3], max_depth [m], max_speed [m/s], "
             "front_distance [m], kinetic_energy [J], covered_area [m2], ...")
+        .def_property_readonly(
+            "gauges", [](const Result& result) { return records_of(result.gauges()); },
+            "by the names of gauges, values over time: time [s], depth [m], speed [m/s]")
+        .def_property_readonly(
+            "sections", [](const Result& result) { return records_of(result.sections()); },
+            "by the names of cross-sections, values over time: time [s], discharge [m3/s], volume [m3], "
+            "wetted_width [m], max_depth [m], max_speed [m/s]")
         .def_property_readonly("stop_reason", &Result::stop_reason, "\"end-time\", \"still\", \"settled\", ...")
         .def_property_readonly("notes", &Result::notes, "choices made, and what is worth a second look");
     py::class_<PythonRun>(module, "Run",

@@ -15,13 +15,6 @@ namespace {
 // Directions closer to the line's own (sine of the angle) would need an unbounded row to carry the discharge.
 constexpr double k_least_crossing = 0.1;
 
-double length_of(const Polyline& line) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        sum += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
-    return sum;
-}
-
 struct OnLine {
     Point place, tangent;
 };
@@ -61,6 +54,27 @@ void check_ground(const Scene& scene, Point local) {
 }
 
 }  // namespace
+
+double length_of(const Polyline& line) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        sum += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+    return sum;
+}
+
+double critical_speed(double gravity, double discharge, double length) {
+    return std::cbrt(gravity * discharge / length);
+}
+
+double particles_of(const Inflow& inflow, double spacing, double end) {
+    double way = 0;
+    for (std::size_t i = 0; i + 1 < inflow.hydrograph.size(); ++i) {
+        const HydrographPoint &a = inflow.hydrograph[i], &b = inflow.hydrograph[i + 1];
+        const double from = std::min(a.time, end), to = std::min(b.time, end);
+        way += std::max(a.speed, b.speed) * (to - from);
+    }
+    return way / spacing * (length_of(inflow.line) / spacing + 1);
+}
 
 std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing, double end) {
     std::vector<InflowBatch> batches;

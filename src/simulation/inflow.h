@@ -21,6 +21,17 @@ struct InflowBatch {
 /// until `end`: trapezoidal, exact for a discharge that is linear between its points.
 std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing, double end);
 
+/// Greatest time [s], discharge [m3/s] and speed [m/s], and volume [m3], of a hydrograph: more than any flood, and sums
+/// remain finite.
+inline constexpr double k_most_of_hydrograph = 1e12;
+/// Returns the length of a line [m].
+double length_of(const Polyline& line);
+/// Returns the critical speed (g Q / L)^(1/3) [m/s], with which material crosses a line of length L [m] if a hydrograph
+/// gives none.
+double critical_speed(double gravity, double discharge, double length);
+/// Returns the number of particles that an inflow gives until `end`, `spacing` apart.
+double particles_of(const Inflow& inflow, double spacing, double end);
+
 /// A line that emits particles row by row.
 class InflowSource {
   public:

@@ -32,6 +32,9 @@ TEST(KeyRules, RefuseWhatConcernsFiles) {
                                      {"release.perimeter", "release.shp"},
                                      {"release.thickness", "3"},
                                      {"output.maps", "off"},
+                                  {"output.gauges", "gauges.gpkg"},
+                                  {"inflow.line", "line.gpkg"},
+                                  {"inflow.direction", "90"},
                                      {"observed.perimeter", "scar.shp"},
                                      {"numerics.accuracy", "5"},
                                      {"structured.zones", "zones.gpkg"},
@@ -45,6 +48,7 @@ TEST(KeyRules, RefuseWhatConcernsFiles) {
     }
     EXPECT_FALSE(problem_of_setting("terrain.nodata-policy", "wall"));
     EXPECT_FALSE(problem_of_setting("structured.cohesion", "20000"));
+    EXPECT_FALSE(problem_of_setting("output.sample-interval", "5"));
 }
 
 TEST(KeyRules, RefuseInTheProgramsWords) {

@@ -51,4 +51,7 @@ assert "max_velocity    Maximum velocity [m/s]" in text
 volumes = [float(v) for v in re.findall(r" s +(\d+) m3 on", text)]
 assert len(volumes) >= 5 and all(abs(v - 4 * 80 * 100) < 0.05 * 4 * 80 * 100 for v in volumes), volumes
 assert float(re.search(r"run-out: ([\d.]+) m", text)[1]) > 100
+assert float(re.search(r"at the bridge: ([\d.]+) m", text)[1]) > 0.1
+passed, entered = map(float, re.search(r"road's line: ([\d.]+) of ([\d.]+) m3", text).groups())
+assert abs(entered - 1600) < 1e-6 and 0.5 * entered < passed <= 1.01 * entered, (passed, entered)
 assert "material.friction-coefficient: is out of range (value 32;" in text

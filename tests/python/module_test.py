@@ -107,6 +107,40 @@ class Arrays(unittest.TestCase):
         self.assertLess(frana.run(scene).summary["max_velocity_ms"], free.summary["max_velocity_ms"] - 1)
 
 
+class InflowAndRecords(unittest.TestCase):
+    def test_what_flows_in_is_recorded(self):
+        scene = frana.Scene(slope(), north=120, cell_size=CELL)
+        scene["material.friction-coefficient"] = 0.1
+        scene["time.end"] = 30
+        scene["time.stop-when-still"] = False
+        scene["output.sample-interval"] = 0.5
+        scene.add_inflow([(20, 40), (20, 80)], np.array([[0.0, 40.0], [5.0, 40.0]]))
+        scene.add_gauge(60, 60, name="bridge")
+        scene.add_gauge(62, 60)
+        scene.add_section([(60, 120), (60, 0)], name="road")
+        result = frana.run(scene)
+        self.assertAlmostEqual(result.summary["volume"]["inflow_m3"], 200, places=9)
+        self.assertEqual(list(result.gauges), ["bridge", "2"])
+        gauge, road = result.gauges["bridge"], result.sections["road"]
+        self.assertEqual(set(gauge), {"time", "depth", "speed"})
+        self.assertGreater(gauge["depth"].max(), 0.1)
+        self.assertEqual(gauge["depth"][0], 0)
+        # The flow goes east, to the left of a line that points south.
+        self.assertLess(road["discharge"].min(), -5)
+        self.assertTrue(-205 < road["volume"][-1] < -150, road["volume"][-1])
+        self.assertAlmostEqual(np.diff(gauge["time"])[:5].mean(), 0.5, delta=0.2)
+        with_velocity = frana.Scene(slope(), north=120, cell_size=CELL)
+        with_velocity.add_inflow([(20, 40), (20, 80)], [(0, 40, 8.0), (5, 40, 8.0)], direction=90)
+        with_velocity["material.friction-coefficient"] = 0.1
+        with_velocity["time.end"] = 1
+        self.assertGreater(frana.run(with_velocity).summary["max_velocity_ms"], 8)
+        with self.assertRaisesRegex(ValueError, "row of 1 numbers"):
+            scene.add_inflow([(20, 40), (20, 80)], [[1.0]])
+        scene.add_gauge(1e6, 0, name="far")
+        with self.assertRaisesRegex(frana.Error, "gauge far: lies outside the terrain|lies outside the terrain .*gauge far"):
+            scene.check()
+
+
 class Runs(unittest.TestCase):
     def test_frames_come_at_their_times(self):
         frames = list(frana.run_frames(small_scene(slope())))

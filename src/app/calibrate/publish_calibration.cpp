@@ -15,6 +15,7 @@
 #include "app/text/today.h"
 #include "params/grammar/picture_text.h"
 #include "params/scene/write_scene.h"
+#include "render/canvas/drawing_modules.h"
 
 namespace frana::app {
 namespace {
@@ -99,6 +100,11 @@ bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& l
 }
 
 }  // namespace
+
+void load_calibration_drawing(const CalibrationInput& input) {
+    for (const StudyInput& event : input.own)
+        if (event.base.spec.output.maps.front() != "off") render::vtk();
+}
 
 StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {

@@ -8,6 +8,9 @@
 
 namespace frana::app {
 
+/// Loads what the maps and charts are drawn with, before anything runs. Throws Error(environment) if it is missing.
+void load_calibration_drawing(const CalibrationInput& input);
+
 /// Writes everything that follows from the runs: tables, the best scenes, charts, report.html, summary.json. Throws
 /// Error(environment), and Error(numerical) if no member finished for all events.
 StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,

@@ -59,6 +59,7 @@ int cmd_calibrate(const Arguments& arguments) {
         remove_working_files(target, false, log);
         return static_cast<int>(ExitCode::done);
     }
+    load_calibration_drawing(input);
     for (const StudyInput& event : input.own)
         refuse_study_beyond_memory(event, forecast_study(event, threads, false), threads);
     const std::string left = resume ? interrupted : "";

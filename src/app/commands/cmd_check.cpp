@@ -182,8 +182,8 @@ int cmd_check(const Arguments& arguments) {
     const Prepared prepared = prepare(reading, place_problem, log);
     // The libraries that draw are loaded by a run alone, unless their addresses count: where the shell limits these.
     const bool loads = std::isfinite(address_room());
-    if (loads) load_drawing(prepared.spec.output);
-    const std::int64_t in_use = resident_memory() + (loads ? 0 : drawing_library_bytes(prepared.spec.output));
+    if (loads) load_drawing(prepared.spec);
+    const std::int64_t in_use = resident_memory() + (loads ? 0 : drawing_library_bytes(prepared.spec));
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
     const std::int64_t memory = memory_of_run(prepared, in_use, expected, trial);

@@ -36,6 +36,7 @@
 #include "gis/raster/styles.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/read_scene.h"
+#include "render/canvas/drawing_modules.h"
 #include "render/chart/chart.h"
 #include "simulation/run_statistics.h"
 #include "simulation/simulation.h"
@@ -270,6 +271,7 @@ int cmd_converge(const Arguments& arguments) {
     std::vector<Prepared> scenes;
     scenes.push_back(variants.read({}));
     const SceneSpec spec = scenes.front().spec;
+    render::vtk();  // for the chart: better missed before the runs than after them
     const fs::path folder =
         make_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
                     values->count("overwrite") > 0, spec);

@@ -302,7 +302,7 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
         if (!all_there) log.print_deferred_warnings();
         return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
     }
-    load_drawing(prepared.spec.output);
+    load_drawing(prepared.spec);
     const std::int64_t in_use = resident_memory();
     const RunEstimate expected = estimate(prepared.scene, threads);
     refuse_run_beyond_memory(reading, prepared, in_use, expected, threads);

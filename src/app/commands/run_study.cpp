@@ -15,6 +15,7 @@
 #include "app/ensemble/publish_study.h"
 #include "app/ensemble/rank_pool.h"
 #include "app/ensemble/rank_worker.h"
+#include "app/ensemble/study_files.h"
 #include "app/ensemble/study_result.h"
 #include "app/process/signals.h"
 #include "app/process/stopwatch.h"
@@ -151,6 +152,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
         remove_working_files(target, false, log);
         return static_cast<int>(ExitCode::done);
     }
+    load_study_drawing(input);
     refuse_study_beyond_memory(input, forecast_study(input, threads, false), threads,
                                ranks.job ? ranks.job->ranks_here() : 1);
     const std::string left = resume ? interrupted : "";

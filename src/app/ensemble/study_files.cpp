@@ -25,6 +25,7 @@
 #include "gis/raster/rasterize.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/write_scene.h"
+#include "render/canvas/drawing_modules.h"
 
 namespace frana::app {
 namespace {
@@ -157,6 +158,13 @@ void write_member(const StudyInput& input, std::size_t member, const study::Memb
         gis::write_geotiff(path(std::string(name) + ".tif"), record.raster(quantity, grid),
                            {row.name, row.description, row.unit, provenance(input.base)});
     }
+}
+
+void load_study_drawing(const StudyInput& input) {
+    const OutputSpec& output = input.base.spec.output;
+    const bool films = output.animation && !input.reading.study.per_polygon();
+    if (films || output.maps.front() != "off") render::vtk();
+    if (films) render::libav();
 }
 
 bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,

@@ -31,6 +31,10 @@ std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
 void write_member(const StudyInput& input, std::size_t member, const study::MemberRecord& record, const GridSpec& grid,
                   const ResultDirectory& directory, const std::string& folder);
 
+/// Loads what draw_study() and film_member() draw with, before the members run. Throws Error(environment) if it is
+/// missing.
+void load_study_drawing(const StudyInput& input);
+
 /// Draws the maps and charts that the scene's output.maps and output.charts ask for. Returns false if one could not be
 /// drawn, with a warning.
 bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,

@@ -12,6 +12,8 @@
 #include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
 #include "params/keys/scene_parameters.h"
+#include "params/keys/zone_keys.h"
+#include "simulation/inflow.h"
 
 namespace frana::app {
 namespace {

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <optional>
 
-#include "app/input/prepare_inflow.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
+#include "simulation/inflow.h"
 #include "simulation/release.h"
 
 namespace frana::app {
@@ -35,17 +35,6 @@ std::optional<double> bytes_from_text(const std::string& text) {
     const auto unit = k_units.find(trimmed(text.substr(end + 1)));
     if (!number || !(*number > 0) || unit == k_units.end()) return std::nullopt;
     return *number * unit->second;
-}
-
-// Rows of particles of a hydrograph until the scene's end, times their number per row.
-double particles_of(const Inflow& inflow, double spacing, double end) {
-    double way = 0;
-    for (std::size_t i = 0; i + 1 < inflow.hydrograph.size(); ++i) {
-        const HydrographPoint &a = inflow.hydrograph[i], &b = inflow.hydrograph[i + 1];
-        const double from = std::min(a.time, end), to = std::min(b.time, end);
-        way += std::max(a.speed, b.speed) * (to - from);
-    }
-    return way / spacing * (length_of(inflow.line) / spacing + 1);
 }
 
 }  // namespace

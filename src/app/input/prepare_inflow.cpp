@@ -16,6 +16,7 @@
 #include "params/grammar/absolute_path.h"
 #include "params/grammar/value_text.h"
 #include "params/scene/read_scene.h"
+#include "simulation/inflow.h"
 
 namespace frana::app {
 namespace {
@@ -30,9 +31,6 @@ std::optional<std::size_t> column_of(const gis::Table& table, const std::string&
     }
     return std::nullopt;
 }
-
-// Of seconds, cubic metres, cubic metres per second and metres per second: more than any flood, and sums remain finite.
-constexpr double k_greatest = 1e12;
 
 struct Row {
     double time = 0, amount = 0, speed = 0;
@@ -70,9 +68,9 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
             if (!value)
                 problems.add({line + ", column " + table.columns[column] + " is not a number", place, text, "",
                               "Write decimals after a point"});
-            else if (*value < 0 || *value > k_greatest)
+            else if (*value < 0 || *value > k_most_of_hydrograph)
                 problems.add({line + ", column " + table.columns[column] + " is out of range", place, text,
-                              "0 to " + shortest_text(k_greatest), "Correct the file"});
+                              "0 to " + shortest_text(k_most_of_hydrograph), "Correct the file"});
             return value.value_or(0);
         };
         Row row{number(columns.time), number(columns.amount), columns.speed ? number(*columns.speed) : 0};
@@ -92,13 +90,6 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
 }
 
 }  // namespace
-
-double length_of(const Polyline& line) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        sum += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
-    return sum;
-}
 
 std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number) {
     const std::string& given = *reading.scene.inflow.hydrograph;
@@ -133,7 +124,7 @@ std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std:
     bool flows = false;
     for (HydrographPoint& point : points) {
         flows = flows || point.discharge > 0;
-        if (!columns.speed) point.speed = std::cbrt(gravity * point.discharge / line_length);
+        if (!columns.speed) point.speed = critical_speed(gravity, point.discharge, line_length);
         if (point.discharge > 0 && !(point.speed > 0)) {
             throw Error(ErrorKind::input, Problem{"the hydrograph has a discharge without velocity", place,
                                                   "at " + shortest_text(point.time) + " s", "greater than 0 m/s",

@@ -15,16 +15,13 @@ namespace frana::app {
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
                                    std::vector<UsedFile>& files, RunLog& log, Problems& problems);
 
-/// Returns the length of a line [m].
-double length_of(const Polyline& line);
-
 /// Returns the hydrograph's file for a line: the scene's own, or the one named in the line's column. Throws
 /// Error(input).
 std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number);
 
 /// Reads a hydrograph from a CSV with the columns time, discharge or volume (cumulative), and velocity; names may have
 /// a unit after an underscore or in brackets (time_s, discharge_m3s). Without a velocity material crosses the line at
-/// the critical speed (g Q / L)^(1/3), L being the line's length. Throws Error(input) with every problem: a missing
+/// the critical speed. Throws Error(input) with every problem: a missing
 /// column, an invalid number, times that do not rise, a negative discharge or a decreasing volume, a discharge with
 /// speed zero.
 std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std::string& where, double gravity,

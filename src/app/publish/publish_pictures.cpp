@@ -136,21 +136,24 @@ void draw_animation(const ResultReader& written, const MapSource& source, Drawin
     });
 }
 
-/// Whether a run needs the library that draws pictures and writes tables of particles.
-bool draws(const OutputSpec& output) {
-    return output.animation || output.maps.front() != "off" || particle_formats(output.formats).vtp;
+/// Whether a run needs the library that draws pictures and writes tables of particles. A surveyed area is drawn with
+/// the result whatever output.maps says.
+bool draws(const SceneSpec& scene) {
+    const OutputSpec& output = scene.output;
+    return output.animation || output.maps.front() != "off" || particle_formats(output.formats).vtp ||
+           scene.observed.perimeter || scene.observed.deposit;
 }
 
 }  // namespace
 
-void load_drawing(const OutputSpec& output) {
-    if (draws(output)) render::vtk();
-    if (output.animation) render::libav();
+void load_drawing(const SceneSpec& scene) {
+    if (draws(scene)) render::vtk();
+    if (scene.output.animation) render::libav();
 }
 
-std::int64_t drawing_library_bytes(const OutputSpec& output) {
+std::int64_t drawing_library_bytes(const SceneSpec& scene) {
     constexpr std::int64_t k_vtk_bytes = 66'000'000, k_libav_bytes = 21'000'000;
-    return (draws(output) ? k_vtk_bytes : 0) + (output.animation ? k_libav_bytes : 0);
+    return (draws(scene) ? k_vtk_bytes : 0) + (scene.output.animation ? k_libav_bytes : 0);
 }
 
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {

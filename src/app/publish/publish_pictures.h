@@ -32,11 +32,11 @@ struct PictureOutcome {
     [[nodiscard]] bool complete() const noexcept { return failed.empty() && left_out.empty(); }
 };
 
-/// Loads what the pictures and the particles of a scene are drawn and written with: it is better missed before the run
+/// Loads what the pictures and the particles of a run are drawn and written with: it is better missed before the run
 /// than after it. Throws Error(environment) if it is missing.
-void load_drawing(const OutputSpec& output);
+void load_drawing(const SceneSpec& scene);
 /// The memory that this takes once they are loaded, as measured on Debian 12 [bytes].
-std::int64_t drawing_library_bytes(const OutputSpec& output);
+std::int64_t drawing_library_bytes(const SceneSpec& scene);
 
 /// Draws them; a problem is a warning, since the numbers are more important than a picture. Pictures not begun when a
 /// stop signal arrives are left out, so that the program ends soon.

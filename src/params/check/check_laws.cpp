@@ -94,7 +94,8 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     }
 }
 
-void check_rest(const SceneSpec& scene, const std::string& file, Problems& problems) {
+void check_rest(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                Problems& problems) {
     if (scene.material.pore_dissipation_time && !(scene.material.pore_pressure_ratio.value_or(0) > 0)) {
         problems.add({"is given without a pore pressure", file + ": material.pore-dissipation-time", "", "",
                       "Set material.pore-pressure-ratio, or remove it"});
@@ -102,7 +103,7 @@ void check_rest(const SceneSpec& scene, const std::string& file, Problems& probl
     // One time for all particles: material that enters later would start with pore pressure already dissipated.
     const auto& start = scene.release.start;
     const bool fails_late = start && (start->kind != SourceSpec::Kind::number || start->number > 0);
-    if (scene.material.pore_dissipation_time && (fails_late || scene.inflow.line)) {
+    if (scene.material.pore_dissipation_time && (fails_late || given.count("inflow.line") > 0)) {
         problems.add({std::string("counts from the start of the run, but ") +
                           (fails_late ? "areas fail later (release.start)" : "material flows in later (inflow.line)"),
                       file + ": material.pore-dissipation-time",
@@ -126,7 +127,7 @@ void check_laws(const SceneSpec& scene, const std::set<std::string>& given, cons
     check_keys(scene, given, file, problems);
     check_friction(scene, given, file, problems);
     check_angles(scene, file, problems);
-    check_rest(scene, file, problems);
+    check_rest(scene, given, file, problems);
 }
 
 }  // namespace frana

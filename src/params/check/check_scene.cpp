@@ -145,7 +145,8 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
     }
 }
 
-void check_output(const SceneSpec& scene, const std::string& file, Problems& problems) {
+void check_output(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                  Problems& problems) {
     const auto has = [&](const char* format) {
         const auto& list = scene.output.formats;
         return std::find(list.begin(), list.end(), format) != list.end();
@@ -185,7 +186,8 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
         problems.add({"has no effect: there is no output.map-background", file + ": output.map-background-licence",
                       *output.map_background_licence, "", "Name the picture, or remove the key"});
     }
-    if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
+    const bool records = given.count("output.gauges") > 0 || given.count("output.cross-sections") > 0;
+    if (scene.output.sample_interval && !records) {
         problems.add({"has no effect: there are no gauges or cross-sections", file + ": output.sample-interval",
                       shortest_text(*scene.output.sample_interval), "",
                       "Set output.gauges or output.cross-sections, or remove the key"});
@@ -206,7 +208,7 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     }
     check_frames(scene, file, problems);
     check_hazard(scene.hazard, file, problems);
-    check_output(scene, file, problems);
+    check_output(scene, given, file, problems);
 }
 
 }  // namespace frana

@@ -83,6 +83,63 @@ TEST_F(Modules, AMissingOneIsNamedBeforeTheRun) {
     EXPECT_EQ(copy({"run", "scene.ini", "--out", "out"}).exit_code, 0);
 }
 
+/// Expects that the command finds no library for drawing, and has computed nothing when it says so.
+class WithoutDrawing : public Modules {
+  protected:
+    WithoutDrawing() {
+        fs::create_directories(path("bin/modules"));
+        fs::copy_file(built() / "openturns.so", path("bin/modules/openturns.so"));
+    }
+    void expect_named_first(const std::vector<std::string>& arguments, const std::string& module) const {
+        const Outcome outcome = copy(arguments);
+        EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+        EXPECT_NE(outcome.err.find(module + ": a part of frana is missing"), std::string::npos) << outcome.err;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+            EXPECT_FALSE(entry.is_directory() && entry.path().filename().string().starts_with("out")) << entry.path();
+    }
+};
+
+TEST_F(WithoutDrawing, ARunWithASurveyedOutlineIsRefused) {
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "truth", "--quiet"}).exit_code, 0);
+    expect_named_first({"run", "scene.ini", "--out", "out", "--set", "observed.perimeter=truth/extent.gpkg", "--set",
+                        "observed.perimeter-layer=trace"},
+                       "vtk.so");
+}
+
+TEST_F(WithoutDrawing, AStudyIsRefused) {
+    write_study("samples = 4\n", "[set]\noutput.maps = on\n" + k_two_keys);
+    expect_named_first({"ensemble", "study.ini", "--out", "out"}, "vtk.so");
+    fs::copy_file(built() / "vtk.so", path("bin/modules/vtk.so"));
+    write_study("samples = 4\n", "[set]\noutput.animation = on\n" + k_two_keys);
+    expect_named_first({"ensemble", "study.ini", "--out", "out"}, "libav.so");
+    write_study("samples = 4\n", k_two_keys);
+    EXPECT_EQ(copy({"ensemble", "study.ini", "--out", "out"}).exit_code, 0);
+}
+
+TEST_F(WithoutDrawing, ACalibrationIsRefused) {
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "truth", "--quiet"}).exit_code, 0);
+    const std::string scene = "perimeter = truth/extent.gpkg\nperimeter-layer = trace\n",
+                      rest = "[objective]\njaccard = 1\n" + k_two_keys;
+    write("slope.ini", read_text(path("scene.ini")) + "[observed]\n" + scene);
+    const auto write_calibration = [&](const std::string& maps) {
+        write("study.ini", "[study]\nscene = slope.ini\nsamples = 8\nrefine = 4\n[set]\ntime.end = 5\noutput.maps = " +
+                               maps + "\n" + rest);
+    };
+    write_calibration("on");
+    expect_named_first({"calibrate", "study.ini", "--out", "out"}, "vtk.so");
+    write_calibration("off");
+    EXPECT_EQ(copy({"calibrate", "study.ini", "--out", "out"}).exit_code, 0);
+}
+
+TEST_F(WithoutDrawing, ARegionIsRefused) {
+    write("region.ini", "[region]\nscene = scene.ini\nwindow = 90\n[set]\noutput.maps = on\n");
+    expect_named_first({"batch", "region.ini", "--out", "out"}, "vtk.so");
+}
+
+TEST_F(WithoutDrawing, AConvergenceStudyIsRefused) {
+    expect_named_first({"converge", "scene.ini", "--out", "out"}, "vtk.so");
+}
+
 TEST_F(Modules, AMissingOneIsNamed) {
     const Outcome outcome = copy({"ensemble", "study.ini", "--out", "out"});
     EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
