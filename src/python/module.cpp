@@ -175,18 +175,37 @@ class PythonRun {
         run_ = std::make_unique<Run>(scene, std::move(options));
     }
     std::optional<Frame> next() {
+        const Turn turn(*this);
         std::optional<Frame> frame = unlocked([&] { return run_->next(); });
         raise_interrupt();
         return frame;
     }
     Result result() {
+        const Turn turn(*this);
         std::optional<Result> result = unlocked([&] { return std::optional<Result>(run_->result()); });
         raise_interrupt();
         return *result;
     }
-    [[nodiscard]] double time() const { return run_->time(); }
+    /// While another thread computes, the time of the frame before.
+    [[nodiscard]] double time() const { return is_computing_ ? time_ : run_->time(); }
 
   private:
+    /// One thread of Python at a time computes a run. Begins and ends with Python's lock held.
+    class Turn {
+      public:
+        explicit Turn(PythonRun& run) : run_(run) {
+            if (run.is_computing_) throw py::value_error("another thread computes this run: give each thread its own");
+            run.time_ = run.run_->time();
+            run.is_computing_ = true;
+        }
+        ~Turn() { run_.is_computing_ = false; }
+        Turn(const Turn&) = delete;
+        Turn& operator=(const Turn&) = delete;
+
+      private:
+        PythonRun& run_;
+    };
+
     // The signal's exception, which is set.
     static void raise_interrupt() {
         if (PyErr_Occurred() != nullptr) throw py::error_already_set();
@@ -194,6 +213,8 @@ class PythonRun {
 
     std::shared_ptr<bool> interrupted_;
     std::unique_ptr<Run> run_;
+    bool is_computing_ = false;
+    double time_ = 0;
 };
 
 py::dict rasters_of(const std::vector<RasterInfo>& list) {

@@ -187,6 +187,28 @@ class Runs(unittest.TestCase):
         thread.join()
         self.assertGreater(during, 10)
 
+    def test_one_thread_at_a_time_computes_a_run(self):
+        scene = small_scene(slope(200, 60), end=20)
+        scene["time.stop-when-still"] = False
+        run = frana.Run(scene)
+        refused, frames = [], []
+
+        def iterate():
+            try:
+                for frame in run:
+                    frames.append(frame.time)
+            except ValueError as error:
+                refused.append(str(error))
+        threads = [threading.Thread(target=iterate) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        # Frames go to whoever asks; a thread that asks while another computes is told so.
+        self.assertEqual(sorted(frames), [2.0 * i for i in range(11)])
+        self.assertTrue(all("another thread computes this run" in text for text in refused), refused)
+        self.assertEqual(run.time, 20)
+
     def test_ctrl_c_ends_a_run(self):
         scene = small_scene(slope(400, 200), end=36000)
         scene["material.friction-coefficient"] = 0.05
