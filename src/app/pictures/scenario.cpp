@@ -4,6 +4,7 @@
 #include "app/text/number_text.h"
 #include "core/utf8.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 namespace {
@@ -59,6 +60,11 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
 
 }  // namespace
 
+std::string voellmy_bingham_words(const std::string& scheme, const Words& words) {
+    return scheme.empty() || scheme == NumericsSpec{}.scheme ? "Voellmy-Bingham"
+                                                             : words("Voellmy-Bingham, scheme {1}", {scheme});
+}
+
 std::string scenario_words(const ScenarioFacts& facts, const Words& words) {
     const auto model = facts.value("material.model");
     std::vector<std::string> parts;
@@ -68,7 +74,7 @@ std::string scenario_words(const ScenarioFacts& facts, const Words& words) {
         parts.push_back(words("Structured model"));
         add_values(facts, k_structured, words, parts);
     } else {
-        parts.push_back(words("Voellmy-Bingham, scheme {1}", {facts.value("numerics.scheme").value_or("?")}));
+        parts.push_back(voellmy_bingham_words(facts.value("numerics.scheme").value_or(""), words));
         const std::string laws = facts.value("material.bed-friction").value_or("voellmy");
         if (laws != "voellmy") parts.push_back(words("bed friction {1}", {laws}));
         add_values(facts, k_voellmy_bingham, words, parts);
