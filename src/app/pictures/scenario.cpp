@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pictures/scenario.h"
 
+#include <cmath>
+
 #include "app/text/number_text.h"
 #include "core/utf8.h"
 #include "params/grammar/value_text.h"
@@ -34,6 +36,11 @@ constexpr Named k_structured[] = {
     {"structured.solid-fraction", worded("solid fraction"), "", nullptr},
 };
 
+/// In groups of three digits where it has more than three, as the volume before it.
+std::string value_text(double value) {
+    return std::abs(value) < 1000 ? number_text(value) : grouped(value);
+}
+
 std::string what_fails(const ScenarioFacts& facts, const Words& words) {
     constexpr std::size_t k_most = 4, k_longest = 60;  // names; letters
     const bool released = facts.value("release.thickness") || facts.value("release.perimeter");
@@ -52,7 +59,7 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
         if (varies || (text && !number))
             parts.push_back(words("{1} by place", {words(one.words)}));
         else if (number && !(one.not_if_zero && *number == 0))
-            parts.push_back(words(one.words) + " " + words.number(number_text(*number)) + one.unit);
+            parts.push_back(words(one.words) + " " + words.number(value_text(*number)) + one.unit);
         else if (!text && one.absent != nullptr)
             parts.push_back(words(one.absent));
     }
