@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "core/error.h"
@@ -19,6 +18,8 @@
 
 namespace frana::gis {
 namespace {
+
+constexpr double k_millisecond = 1e-3;  // QGIS counts the end of a range in
 
 std::string element(const std::string& name, const std::string& text) {
     return "<" + name + ">" + escaped_markup(text) + "</" + name + ">";
@@ -108,10 +109,8 @@ class Document {
         if (layer.seconds) {
             layers_ += "      <temporal enabled=\"1\" mode=\"0\" fetchMode=\"0\"><fixedRange>" +
                        element("start", date_text(layer.seconds->first)) +
-                       element("end", date_text(layer.seconds->second)) + "</fixedRange></temporal>\n";
-            first_ = std::min(first_, layer.seconds->first);
+                       element("end", date_text(layer.seconds->second - k_millisecond)) + "</fixedRange></temporal>\n";
             last_ = std::max(last_, layer.seconds->second);
-            step_ = std::min(step_, layer.seconds->second - layer.seconds->first);
         }
         layers_ += style + "\n    </maplayer>\n";
     }
@@ -128,19 +127,19 @@ class Document {
     }
 
     [[nodiscard]] std::string time_settings() const {
-        if (!(last_ > first_)) return {};
+        if (!(last_ > 0)) return {};
         constexpr double k_pictures_per_second = 4;
         // Milliseconds, since the interval need not be whole seconds.
         return "  <ProjectTimeSettings cumulativeTemporalRange=\"0\" timeStepUnit=\"ms\" timeStep=\"" +
-               shortest_text(std::max(1.0, std::round(step_ * 1000))) + "\" frameRate=\"" +
-               shortest_text(k_pictures_per_second) + "\"><TemporalRange>" + element("start", date_text(first_)) +
-               element("end", date_text(last_)) + "</TemporalRange></ProjectTimeSettings>\n";
+               shortest_text(std::max(1.0, std::round(project_.step * 1000))) + "\" frameRate=\"" +
+               shortest_text(k_pictures_per_second) + "\"><TemporalRange>" + element("start", date_text(0)) +
+               element("end", date_text(last_ - k_millisecond)) + "</TemporalRange></ProjectTimeSettings>\n";
     }
 
     const QgisProject& project_;
     std::string crs_, tree_, layers_;
     int count_ = 0;
-    double first_ = std::numeric_limits<double>::infinity(), last_ = -first_, step_ = first_;
+    double last_ = 0;
 };
 
 /// Returns a zip archive with one file.

@@ -35,9 +35,10 @@ struct QgisProject {
     std::string crs_wkt;  ///< of all layers; empty: none
     Bounds extent;        ///< shown at first
     std::vector<ProjectGroup> groups;
+    double step = 0;  ///< of its temporal controller [s], if layers have times
 };
 
-/// Writes a .qgz. The steps of its temporal controller are those of the layers that have times. The same project gives
+/// Writes a .qgz. Its temporal controller begins at time 0. The same project gives
 /// the same bytes. Throws Error(environment).
 void write_qgis_project(const std::string& path, const QgisProject& project);
 

@@ -12,8 +12,8 @@ import tempfile
 
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QColor, QImage, QPainter
-from qgis.core import (QgsApplication, QgsMapRendererCustomPainterJob, QgsMapSettings, QgsProject, QgsRasterLayer,
-                       QgsVectorLayer)
+from qgis.core import (QgsApplication, QgsDateTimeRange, QgsMapRendererCustomPainterJob, QgsMapSettings, QgsProject,
+                       QgsRasterLayer, QgsUnitTypes, QgsVectorLayer)
 
 BACKGROUND = QColor(255, 0, 255)
 
@@ -48,15 +48,24 @@ def check_frames(group, folder, name):
     times = [float(row[column]) for row in rows]
     layers = [node.layer() for node in group.findLayers()]
     assert len(layers) == len(times), (len(layers), len(times))
-    starts = []
+    ranges = []
     for layer in layers:
         assert os.path.basename(layer.source()).startswith(name + "_"), layer.source()
         properties = layer.temporalProperties()
         assert properties.isActive(), layer.name() + " has no time"
-        begin = properties.fixedTemporalRange().begin().toUTC()
-        starts.append(begin.toMSecsSinceEpoch() / 1000 - 946684800)  # 2000-01-01
-    for found, wanted in zip(starts, times):
+        ranges.append(properties.fixedTemporalRange())
+    starts = [one.begin().toUTC().toMSecsSinceEpoch() / 1000 - 946684800 for one in ranges]  # 2000-01-01
+    for found, wanted in zip(starts[:-1], times):  # the last one has a step of its own
         assert abs(found - wanted) < 1e-3, (starts, times)  # milliseconds
+    # Each step of the controller shows one frame.
+    project = QgsProject.instance()
+    settings = project.timeSettings()
+    step, begin = int(settings.timeStep()), settings.temporalRange().begin()
+    assert settings.timeStepUnit() == QgsUnitTypes.TemporalMilliseconds, settings.timeStepUnit()
+    for index in range(len(times)):
+        shown = QgsDateTimeRange(begin.addMSecs(index * step), begin.addMSecs((index + 1) * step), True, False)
+        found = [i for i, one in enumerate(ranges) if one.overlaps(shown)]
+        assert found == [index], (index, found, starts)
 
 
 def check_project(folder, picture):

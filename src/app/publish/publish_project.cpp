@@ -2,6 +2,7 @@
 #include "app/publish/publish_project.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -50,7 +51,7 @@ class ProjectWriter {
     ProjectWriter(const std::string& folder, const std::string& title) : result_(folder), title_(title) {}
 
     void write() {
-        gis::QgisProject project{title_, result_.grid().crs_wkt, result_.grid().bounds(), {}};
+        gis::QgisProject project{title_, result_.grid().crs_wkt, result_.grid().bounds(), {}, frame_step()};
         for (const gis::ProjectGroup& group : {outlines(), maps()})
             if (!group.layers.empty()) project.groups.push_back(group);
         for (const ResultRaster* row : frame_rasters(result_)) project.groups.push_back(frames(*row));
@@ -110,21 +111,43 @@ class ProjectWriter {
         return group;
     }
 
-    /// Each frame from its time to the next one's; hidden, since all are visible until QGIS's temporal controller runs.
+    /// Of the controller [s]: what the scene asks for.
+    [[nodiscard]] double frame_step() const {
+        const double asked = result_.scene_number("time.frame-interval", 0);
+        return asked > 0 ? asked : 1;
+    }
+
+    /// When each frame is shown [s]: from its time, which is that of the first time step after a multiple of the
+    /// controller's step, to the next multiple, so that the controller shows one frame at a time. The last one, at the end
+    /// of the run, has a step of its own.
+    [[nodiscard]] std::vector<std::pair<double, double>> shown_times() const {
+        const double step = frame_step();
+        std::vector<double> multiples;
+        for (const StoredFrame& frame : result_.frames()) {
+            const double own = std::floor(frame.time / step + 1e-9);
+            multiples.push_back(multiples.empty() ? own : std::max(own, multiples.back() + 1));
+        }
+        std::vector<std::pair<double, double>> times;
+        for (std::size_t i = 0; i < multiples.size(); ++i) {
+            const double next = i + 1 < multiples.size() ? multiples[i + 1] : multiples[i] + 1;
+            times.emplace_back(std::max(result_.frames()[i].time, multiples[i] * step), next * step);
+        }
+        return times;
+    }
+
+    /// Hidden, since all are visible until QGIS's temporal controller runs.
     [[nodiscard]] gis::ProjectGroup frames(const ResultRaster& row) const {
         gis::ProjectGroup group{named(words_("{1} over time", {words_(row.title)})), {}, false, false};
         const std::vector<StoredFrame>& all = result_.frames();
         const std::string style = style_beside(frame_style(row.name) + ".tif");
+        const std::vector<std::pair<double, double>> times = shown_times();
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const double step = all.size() < 2       ? 1
-                                : i + 1 < all.size() ? all[i + 1].time - all[i].time
-                                                     : all[i].time - all[i - 1].time;
             const std::string file =
                 std::string(k_frame_folder) + "/" + fs::path(all[i].raster_file(row.name)).filename().string();
             group.layers.push_back({named(with_unit(words_(row.title), row.unit) + ", " +
                                           words_.number(number_text(all[i].time, 6)) + " s"),
                                     file, "", gis::Shape::area, style, true,
-                                    std::pair{all[i].time, all[i].time + step}});
+                                    times[i]});
         }
         return group;
     }
