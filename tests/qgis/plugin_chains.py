@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Outputs, models, loading, keys that the plugin does not know: plugin_chains.py TEST FRANA SAMPLE PLUGINS."""
-from plugin_ground import (FRANA, SCAR, Told, folder, main, polygons, processing, provider, run, scene)
+from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, drawn, folder, main, polygons, processing, provider, run, scene)
 import json
 import os
 import stat
@@ -33,15 +33,21 @@ def check_outputs(name, found, without=()):
             float(value)
         elif kind == "outputFolder":
             assert os.path.isdir(value), (output.name(), value)
-        elif kind in ("outputFile", "outputHtml"):
+        elif kind == "outputMultilayer":
+            assert value and all(QgsRasterLayer(one, "raster").isValid() for one in value), (output.name(), value)
+        elif kind == "outputFile":
             assert os.path.getsize(value) > 0, (output.name(), value)
         else:
             assert kind == "outputString" and isinstance(value, str), (output.name(), kind, value)
 
 
 def test_outputs_of_one_run():
-    first = run("run", scene("first", output_maps=["max_depth"], **OBSERVED))
-    check_outputs("run", first)
+    first = run("run", scene("first", output_maps=["max_depth"], output_animation=True, output_charts=True,
+                             output_gauges=drawn("Point", "POINT(529400 5094450)"),
+                             output_sections=drawn("LineString", "LINESTRING(529300 5094400, 529500 5094400)"),
+                             output_exposure=polygons(UPPER, LOWER), **OBSERVED))
+    check_outputs("run", first, {"EXPOSED_POINTS", "EXPOSED_LINES"})
+    assert first["EXPOSED_REACHED"] >= 1
     checked = run("check", {**scene("checked"), "OUTPUT": os.path.join(folder, "check.html")})
     check_outputs("check", checked)
     assert "45" in checked["TEXT"] and "UTM zone 32N" in checked["TEXT"], checked["TEXT"]
@@ -49,10 +55,10 @@ def test_outputs_of_one_run():
     check_outputs("compare", compared)
     raster = run("compare", {"RASTER": first["MAX_DEPTH"], "OBSERVED": SCAR, "OUTPUT": os.path.join(folder, "raster")})
     check_outputs("compare", raster, {"RUNOUT_DIFFERENCE_M"})  # a raster alone has no path
-    drawn = run("render", {"RESULT": first["OUTPUT"], "MAPS": "max_depth, max_velocity", "SIZE": "640x480",
+    pages = run("render", {"RESULT": first["OUTPUT"], "MAPS": "max_depth, max_velocity", "SIZE": "640x480",
                            "FORMATS": ["png", "pdf"], "OUTPUT": os.path.join(folder, "drawn")})
-    check_outputs("render", drawn, {"ANIMATION"})
-    assert drawn["COUNT"] == 4 and all(os.path.isfile(path) for path in drawn["FILES"].split("\n")), drawn
+    check_outputs("render", pages, {"ANIMATION"})
+    assert pages["COUNT"] == 4 and all(os.path.isfile(path) for path in pages["FILES"].split("\n")), pages
     film = os.path.join(folder, "film.gif")
     check_outputs("render", run("render", {"RESULT": first["OUTPUT"], "ANIMATION": film, "SIZE": "640x480"}))
     check_outputs("converge", run("converge", {**scene("levels"), "terrain_cell_size": 10, "time_end": 2}))
@@ -62,7 +68,8 @@ def test_outputs_of_one_run():
 def test_outputs_of_many_runs():
     vary = ["Material: friction angle", "uniform(8, 16)", "release.volume", "uniform(3e4, 5e4)"]
     range_of_runs = run("ensemble", {**scene("range"), "VARY": vary, "SAMPLES": 4, "output_report": True})
-    check_outputs("ensemble", range_of_runs)
+    check_outputs("ensemble", range_of_runs, {"EXPOSED_POINTS", "EXPOSED_LINES", "EXPOSED_AREAS", "EXPOSURE_TABLE",
+                                              "EXPOSED_REACHED"})
     assert range_of_runs["FINISHED"] == 4
     event = run("newscene", {**scene("event", **OBSERVED), "OUTPUT": os.path.join(folder, "event", "event.ini")})
     check_outputs("calibrate", run("calibrate", {
@@ -249,7 +256,7 @@ def test_every_key():
     keys = json.loads(subprocess.run([FRANA, "params", "--json"], capture_output=True, check=True).stdout)
     algorithm = provider.algorithm("run")
     kinds = {"raster": "raster", "polygons": "source", "lines": "source", "points": "source", "lines or points": "source",
-             "raster or polygons": "layer", "table": "file"}
+             "points, lines or polygons": "source", "raster or polygons": "layer", "table": "file"}
     first = [definition.name() for definition in algorithm.parameterDefinitions()
              if not definition.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
     assert first[0] == "terrain_dtm" and len([name for name in first if name.islower()]) <= 25, first

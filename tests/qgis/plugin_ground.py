@@ -49,6 +49,16 @@ def polygons(*texts, crs="EPSG:32632"):
     return layer
 
 
+def drawn(kind, text):
+    """A layer in memory with one feature."""
+    layer = QgsVectorLayer(kind + "?crs=EPSG:32632", "drawn", "memory")
+    feature = QgsFeature(layer.fields())
+    feature.setGeometry(QgsGeometry.fromWkt(text))
+    layer.dataProvider().addFeature(feature)
+    QgsProject.instance().addMapLayer(layer)
+    return layer
+
+
 def scene(name, **more):
     """Parameters of a run that takes a second."""
     return {"terrain_dtm": DTM, "terrain_cell_size": 20, "release_perimeter": polygons(UPPER), "release_thickness": "3",

@@ -119,6 +119,17 @@ def test_written_values():
                      "Material: viscosity: is not a number (value abc)", "is neither true nor false (value no)",
                      "is not a whole number (value 1.5)"):
         assert sentence in message, message
+    message = refusal("run", scene("choices", material_preset="mudflo", output_maps=["off", "depth_of"]))
+    assert "Material: preset: is not one of the choices (value mudflo; allowed " in message, message
+    assert "Output: maps: is not one of the choices (value depth_of; " in message and message.count("\n") == 1, message
+    assert "Number of resolutions: is out of range (value 2; allowed 3 to 6)" in refusal("converge", scene("few", LEVELS=2))
+    assert "Measures: none is given" in refusal("calibrate", {"SCENES": [DTM], "OUTPUT": os.path.join(folder, "none")})
+    try:
+        run("run", scene("place", OUTPUT="/proc/nowhere/out"))
+    except QgsProcessingException as error:
+        assert "Folder of the result: " in str(error) and "cannot be made" in str(error), error
+    else:
+        raise AssertionError("not refused")
     assert "is not a number" in refusal("probability", {"RASTERS": [DTM, DTM], "THRESHOLD": "0,5", "OUTPUT": "TEMPORARY_OUTPUT"})
     good = run("run", scene("good", time_end="6", material_friction_coefficient="2e-1", output_report="false", THREADS="1"))
     with open(os.path.join(good["OUTPUT"], "scene.ini"), encoding="utf-8") as file:
@@ -129,7 +140,7 @@ def test_refusals_elsewhere():
     """Studies, folders and comparisons name their fields too."""
     message = refusal("ensemble", scene("range", VARY=["material.friction-angel", "uniform(1, 2)", "Release: volume", "unif(1)"]))
     assert message.startswith("Uncertain values: material.friction-angel: unknown key"), message
-    assert "\nUncertain values: release.volume: 'unif' is not a distribution" in message, message
+    assert "\nUncertain values: Release: volume: 'unif' is not a distribution" in message, message
     assert refusal("ensemble", scene("range")).startswith("Uncertain values: no row is given")
     first = scene("taken")
     run("run", first)

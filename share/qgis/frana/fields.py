@@ -17,7 +17,8 @@ from .layers import Layer, RasterSource, VectorSource
 
 _GEOMETRY = {"polygons": [QgsProcessing.TypeVectorPolygon], "lines": [QgsProcessing.TypeVectorLine],
              "points": [QgsProcessing.TypeVectorPoint],
-             "lines or points": [QgsProcessing.TypeVectorLine, QgsProcessing.TypeVectorPoint]}
+             "lines or points": [QgsProcessing.TypeVectorLine, QgsProcessing.TypeVectorPoint],
+             "points, lines or polygons": [QgsProcessing.TypeVectorAnyGeometry]}
 _MOST_DECIMALS = 12
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import textwrap
 
+from qgis.core import QgsProcessingException
+
 from .fields import Field, Values
 from .layers import Layer
 
@@ -37,9 +39,17 @@ class Given:
         return texts
 
 
+def make_folder(folder: str) -> None:
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise QgsProcessingException(f"Folder of the result: {folder} cannot be made ({error.strerror}). Choose another "
+                                     "place") from error
+
+
 def write_scene(folder: str, given: Given, title: str, name: str, layers: str = "") -> str:
     """Writes the layers into the folder `layers` inside `folder`, and the scene; returns the scene's path."""
-    os.makedirs(folder, exist_ok=True)
+    make_folder(folder)
     sections: dict[str, list[str]] = {}
     for field, text in given.texts(folder, layers):
         lines = sections.setdefault(field.key.section, [])
@@ -56,7 +66,7 @@ def write_scene(folder: str, given: Given, title: str, name: str, layers: str = 
 
 def settings(folder: str, given: Given) -> list[tuple[str, str]]:
     """Writes layers; returns key and text, with absolute paths, for a scene that is somewhere else."""
-    os.makedirs(folder, exist_ok=True)
+    make_folder(folder)
     return [(field.key.name, text) for field, text in given.texts("", folder)]
 
 

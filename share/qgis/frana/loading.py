@@ -126,8 +126,5 @@ def _set_time(source: QgsProject, project: QgsProject) -> None:
 
 
 def _step(source: QgsProject) -> float:
-    """The shortest time [s] that a frame is valid."""
-    ranges = [layer.temporalProperties().fixedTemporalRange() for layer in source.mapLayers().values()
-              if layer.temporalProperties() is not None and layer.temporalProperties().isActive()]
-    steps = [times.begin().msecsTo(times.end()) / 1000 for times in ranges]
-    return min((step for step in steps if step > 0), default=0)
+    """The step [s] of the project's controller, which a project of frana has in milliseconds."""
+    return (source.timeSettings().timeStep() or 0) / 1000

@@ -10,6 +10,10 @@ _BEFORE_SENTENCE = re.compile(r"^frana: (?!warning: )|^ +- ")
 _RUN = re.compile(r"([\d.]+(?:e[-+]?\d+)?) of at most ([\d.]+(?:e[-+]?\d+)?) s simulated")
 _MEMBERS = re.compile(r"member (\d+) of at most (\d+)")
 _WARNING = "frana: warning: "
+_REMEDIES = (("Choose another folder with --out, or add --overwrite",
+              "Choose another folder, or tick “Replace an existing result”"),
+             ("add --overwrite", "tick “Replace an existing result”"), ("add --resume", "tick “Resume a stopped run”"),
+             ("see `frana materials`", "the field lists them"))
 
 
 def progress_of(line: str) -> float | None:
@@ -31,8 +35,16 @@ def problems_of(lines: list[str], fields: list[Field], names: dict[str, str]) ->
     for line in lines:
         if not _BEFORE_SENTENCE.search(line) or re.match(r"frana: \d+ problems:$", line):
             continue
-        problems.append(_at_field(_BEFORE_SENTENCE.sub("", line, count=1), fields, names))
+        problems.append(_in_dialogue(_at_field(_BEFORE_SENTENCE.sub("", line, count=1), fields, names), fields))
     return problems
+
+
+def _in_dialogue(sentence: str, fields: list[Field]) -> str:
+    """Remedies of the terminal as what a dialogue has."""
+    for words, instead in _REMEDIES:
+        sentence = sentence.replace(words, instead)
+    titles = {field.key.name: field.key.title() for field in fields}
+    return re.sub(r"[a-z]+\.[a-z][a-z-]+(?!\.?\w)", lambda match: titles.get(match.group(), match.group()), sentence)
 
 
 def _at_field(sentence: str, fields: list[Field], names: dict[str, str]) -> str:

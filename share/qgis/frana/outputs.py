@@ -2,18 +2,21 @@
 """What an algorithm declares as its outputs, and where each is in a result's folder, so that steps of a model can chain."""
 from __future__ import annotations
 
+import glob
 import json
 import os
 from dataclasses import dataclass
 from typing import Any
 
 from osgeo import ogr
-from qgis.core import (QgsProcessingAlgorithm, QgsProcessingOutputFile, QgsProcessingOutputHtml,
-                       QgsProcessingOutputNumber, QgsProcessingOutputRasterLayer, QgsProcessingOutputString,
-                       QgsProcessingOutputVectorLayer)
+from qgis.core import (QgsProcessingAlgorithm, QgsProcessingOutputFile, QgsProcessingOutputFolder,
+                       QgsProcessingOutputMultipleLayers, QgsProcessingOutputNumber, QgsProcessingOutputRasterLayer,
+                       QgsProcessingOutputString, QgsProcessingOutputVectorLayer)
 
+# A report is a file: QGIS 3.22 ends the batch of an algorithm with an output of HTML in an error of its own.
 _DEFINITIONS = {"raster": QgsProcessingOutputRasterLayer, "layer": QgsProcessingOutputVectorLayer,
-                "file": QgsProcessingOutputFile, "page": QgsProcessingOutputHtml, "number": QgsProcessingOutputNumber,
+                "file": QgsProcessingOutputFile, "folder": QgsProcessingOutputFolder,
+                "rasters": QgsProcessingOutputMultipleLayers, "number": QgsProcessingOutputNumber,
                 "text": QgsProcessingOutputString}
 
 
@@ -22,13 +25,16 @@ class Output:
     kind: str  # of _DEFINITIONS
     name: str
     label: str
-    place: str  # "max_depth.tif", "extent.gpkg|trace", "summary.json|runout.horizontal_m"
+    place: str  # "max_depth.tif", "probability_*.tif", "extent.gpkg|trace", "summary.json|runout.horizontal_m"
 
     def find(self, folder: str) -> Any:
         """Returns the path or the value; None where the result has none."""
         file, _, inside = self.place.partition("|")
         path = os.path.join(folder, file)
-        if not os.path.isfile(path):
+        if self.kind == "rasters":
+            return sorted(one for pattern in file.split() for one in
+                          glob.glob(os.path.join(glob.escape(folder), pattern))) or None
+        if not os.path.exists(path):
             return None
         if self.kind == "layer":
             package = ogr.Open(path)
@@ -70,6 +76,11 @@ COMPARISON = (
     Output("number", "TRUE_POSITIVE_RATE", "True positive rate", "comparison.json|true_positive_rate"),
     Output("number", "RUNOUT_DIFFERENCE_M", "Difference of run-out [m]", "comparison.json|runout_difference_m"),
 )
+EXPOSURE = tuple(Output("layer", "EXPOSED_" + kind.upper(), f"Exposed {kind} with what reaches them",
+                        f"exposure.gpkg|exposure_{kind}") for kind in ("points", "lines", "areas")) + (
+    Output("file", "EXPOSURE_TABLE", "Exposed features (CSV)", "exposure.csv"),
+    Output("number", "EXPOSED_REACHED", "Exposed features that are reached", "summary.json|exposure.reached"),
+)
 RUN = (
     _raster("MAX_DEPTH", "Maximum depth [m]"), _raster("MAX_VELOCITY", "Maximum velocity [m/s]"),
     _raster("MAX_PRESSURE", "Maximum pressure [kPa]"), _raster("ARRIVAL_TIME", "Arrival time [s]"),
@@ -80,7 +91,14 @@ RUN = (
     Output("layer", "DEPOSIT", "Outline of the deposit", "extent.gpkg|deposit"),
     Output("layer", "RELEASE_OUTLINE", "Outline of the release", "extent.gpkg|release"),
     Output("layer", "HAZARD_ZONES", "Zones of intensity, with a hazard scheme", "hazard_zones.gpkg|hazard_zones"),
-    Output("page", "REPORT", "Report", "report.html"),
+    Output("file", "REPORT", "Report", "report.html"),
+    Output("file", "ANIMATION", "Animation", "animation.mp4"),
+    Output("folder", "FRAMES", "Frames over time", "frames"),
+    Output("folder", "MAPS", "Maps", "maps"), Output("folder", "CHARTS", "Charts", "charts"),
+    Output("file", "TIME_SERIES", "Time series (CSV)", "timeseries.csv"),
+    Output("layer", "PROFILES", "Profiles and flow path", "profiles.gpkg|lines"),
+    Output("file", "PROFILE_TABLE", "Profiles (CSV)", "profiles.csv"),
+    Output("file", "GAUGES", "Gauges (CSV)", "gauges.csv"), Output("file", "SECTIONS", "Cross-sections (CSV)", "sections.csv"),
     Output("file", "PROJECT", "QGIS project", "result.qgz"),
     Output("file", "SCENE_USED", "Scene as used", "scene.ini"),
     Output("file", "SUMMARY", "Summary (JSON)", "summary.json"),
@@ -95,7 +113,7 @@ RUN = (
     Output("text", "STOP_REASON", "Why the run ended", "summary.json|stop_reason_text"),
     Output("text", "CRS_USED", "Working CRS", "summary.json|crs"),
     Output("text", "WARNINGS", "Warnings", "summary.json|warnings"),
-) + COMPARISON
+) + EXPOSURE + COMPARISON
 CONVERGE = (
     _raster("UNCERTAINTY", "Estimated error of the depth [m]"),
     Output("file", "TABLE", "Levels (CSV)", "convergence.csv"),
@@ -113,21 +131,25 @@ ENSEMBLE = (
     _raster("QUANTILE_VELOCITY_50", "Maximum velocity, median [m/s]", "quantile_max_velocity_50"),
     _raster("QUANTILE_VELOCITY_95", "Maximum velocity, 95 % quantile [m/s]", "quantile_max_velocity_95"),
     _raster("HIT_COUNT", "Number of runs that came"),
+    Output("rasters", "PROBABILITIES", "All probabilities and their standard errors", "probability_*.tif"),
+    Output("rasters", "STATISTICS", "All means, deviations and quantiles", "mean_*.tif deviation_*.tif quantile_*.tif"),
+    Output("rasters", "SENSITIVITY_MAPS", "Maps of sensitivity", "sensitivity_*.tif"),
     Output("layer", "OUTLINES", "Outlines of the runs", "members.gpkg|members"),
     Output("file", "MEMBERS", "Runs: values and figures (CSV)", "members.csv"),
     Output("file", "SENSITIVITIES", "Sensitivities (CSV)", "sensitivity.csv"),
-    Output("page", "REPORT", "Report", "report.html"),
+    Output("file", "REPORT", "Report", "report.html"),
     Output("file", "PROJECT", "QGIS project", "result.qgz"),
     Output("file", "STUDY_USED", "Study as used", "study.ini"),
     Output("file", "SUMMARY", "Summary (JSON)", "summary.json"),
     Output("number", "FINISHED", "Runs finished", "summary.json|finished"),
     Output("number", "FAILED", "Runs failed", "summary.json|failed"),
     Output("number", "LARGEST_STANDARD_ERROR", "Largest standard error", "summary.json|largest_standard_error"),
-)
+) + EXPOSURE
 CALIBRATE = (
     Output("file", "POSTERIOR", "Weighted runs (CSV)", "posterior.csv"),
     Output("file", "BEST_SCENE", "Best scene", "best.ini"),
-    Output("page", "REPORT", "Report", "report.html"),
+    Output("file", "REPORT", "Report", "report.html"),
     Output("file", "CALIBRATION", "Calibration (JSON)", "calibration.json"),
+    Output("rasters", "POSTERIOR_MAPS", "Posterior probability of each event", "posterior_*.tif"),
     Output("number", "BEST_SCORE", "Best score", "calibration.json|best_score"),
 )

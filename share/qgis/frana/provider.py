@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 import os
+import sys
 
 from processing.core.ProcessingConfig import ProcessingConfig, Setting
-from qgis.core import QgsProcessingProvider
+from qgis.core import Qgis, QgsMessageLog, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .algorithms import algorithms_of
 from .program import SETTING, ProgramError, ask_program
 
 ICON = os.path.join(os.path.dirname(__file__), "icon.svg")
+
+
+def _tell(problem: str) -> None:
+    """QGIS does not list a provider without algorithms, nor its message: where it has a window it is told there."""
+    QgsMessageLog.logMessage(problem, "frana", Qgis.Warning)
+    from qgis.utils import iface
+    if iface is not None and iface.messageBar() is not None:
+        iface.messageBar().pushWarning("frana", problem)
+    else:
+        print(f"frana: {problem}", file=sys.stderr)
 
 
 class FranaProvider(QgsProcessingProvider):
@@ -48,6 +59,7 @@ class FranaProvider(QgsProcessingProvider):
             program = ask_program()
         except ProgramError as error:
             self.problem = str(error)
+            _tell(self.problem)
             return
         for algorithm in algorithms_of(program):
             self.addAlgorithm(algorithm)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Values given as text, from the command line, a script or a table of a batch. QGIS takes a text that is no number for 0
-and any word for yes: here they are refused."""
+"""Values that QGIS would replace without a word: a text that is no number by 0, any word by yes, a wrong choice by none.
+They come from the command line, a script or the table of a batch."""
 from __future__ import annotations
 
 import re
 from typing import Any
 
-from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
+from qgis.core import (QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterEnum,
+                       QgsProcessingParameterNumber)
 
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 _WHOLE = re.compile(r"[-+]?\d+(\.0*)?")
@@ -14,7 +15,9 @@ _SWITCH = ("true", "false", "1", "0")
 
 
 def problem_of(parameter: QgsProcessingParameterDefinition, value: Any) -> str | None:
-    """Returns what is wrong with a value for a number or a box to tick; None: nothing, or not written as text."""
+    """Returns what is wrong with a value for a number, a box to tick or a choice; None: nothing."""
+    if isinstance(parameter, QgsProcessingParameterEnum) and parameter.usesStaticStrings():
+        return _choice_problem(parameter, value)
     if not isinstance(value, str) or not value.strip():
         return None
     text = value.strip()
@@ -27,3 +30,26 @@ def problem_of(parameter: QgsProcessingParameterDefinition, value: Any) -> str |
     if isinstance(parameter, QgsProcessingParameterBoolean) and text.lower() not in _SWITCH:
         return f"is neither true nor false (value {text}). Give one of the two"
     return None
+
+
+def _choice_problem(parameter: QgsProcessingParameterEnum, value: Any) -> str | None:
+    if value is None or value == "" or value == [] or not isinstance(value, (str, int, list, tuple)):
+        return None
+    chosen = value if isinstance(value, (list, tuple)) else str(value).split(",") if parameter.allowMultiple() else [value]
+    wrong = [str(one) for one in chosen if str(one).strip() not in parameter.options()]
+    if not wrong:
+        return None
+    return f"is not one of the choices (value {', '.join(wrong)}; allowed {', '.join(parameter.options())})"
+
+
+def range_problem(parameter: QgsProcessingParameterDefinition, value: Any) -> str | None:
+    """Returns what is wrong with a number's size; None: nothing, or no number."""
+    if not isinstance(parameter, QgsProcessingParameterNumber) or isinstance(value, bool):
+        return None
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        return None
+    if parameter.minimum() <= number <= parameter.maximum():
+        return None
+    return f"is out of range (value {number:g}; allowed {parameter.minimum():g} to {parameter.maximum():g})"

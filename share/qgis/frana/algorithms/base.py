@@ -13,7 +13,7 @@ from qgis.PyQt.QtGui import QIcon
 from ..fields import Values
 from ..inputs import inputs_folder
 from ..program import Program
-from ..written_values import problem_of
+from ..written_values import problem_of, range_problem
 
 _ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "icon.svg")
 
@@ -71,9 +71,18 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
         return parameter.description()
 
     def written_problems(self, parameters: dict[str, Any]) -> list[str]:
-        """Of texts that are no numbers, or neither true nor false."""
-        found = [(one, problem_of(one, parameters.get(one.name()))) for one in self.parameterDefinitions()]
-        return [f"{self.title_of(one)}: {problem}" for one, problem in found if problem]
+        """Of values that QGIS would take for others, and of numbers out of range."""
+        problems = []
+        for one in self.parameterDefinitions():
+            value = parameters.get(one.name())
+            problem = problem_of(one, value) or (range_problem(one, value) if self.is_own(one) else None)
+            if problem:
+                problems.append(f"{self.title_of(one)}: {problem}")
+        return problems
+
+    def is_own(self, parameter: QgsProcessingParameterDefinition) -> bool:
+        """Whether the program knows nothing of the parameter and its limits."""
+        return True
 
     def checkParameterValues(self, parameters: dict[str, Any],  # noqa: N802
                              context: QgsProcessingContext) -> tuple[bool, str]:

@@ -9,7 +9,7 @@ from qgis.core import (QgsProcessing, QgsProcessingContext, QgsProcessingExcepti
                        QgsProcessingParameterFile, QgsProcessingParameterMultipleLayers)
 
 from ..fields import Values, number_parameter
-from ..inputs import inputs_folder
+from ..inputs import inputs_folder, make_folder
 from ..outputs import CALIBRATE, collect, declare
 from ..process import run_or_refuse
 from .base import FranaAlgorithm
@@ -54,13 +54,25 @@ class CalibrateAlgorithm(FranaAlgorithm):
         entries = [("scene", ", ".join(os.path.abspath(scene) for scene in scenes)),
                    ("samples", str(values.whole("SAMPLES"))), ("refine", str(values.whole("REFINE")))]
         entries += [(name.lower(), str(values.whole(name))) for name in ("COARSE", "SEED") if values.has(name)]
-        os.makedirs(folder, exist_ok=True)
+        make_folder(folder)
         path = os.path.join(folder, "study.ini")
         with open(path, "w", encoding="utf-8") as file:
             file.write("\n".join(["# A calibration from QGIS.", *section("study", entries),
                                   *section("objective", rows(values, "OBJECTIVE", "Measures")),
                                   *section("vary", varied(values, self.program.keys))]) + "\n")
         return path
+
+    def checkParameterValues(self, parameters: dict[str, Any],  # noqa: N802
+                             context: QgsProcessingContext) -> tuple[bool, str]:
+        good, message = super().checkParameterValues(parameters, context)
+        values = self.values(parameters, context)
+        if good and not values.has("STUDY"):
+            needed = {"SCENES": "Scenes of the events", "OBJECTIVE": "Measures", "VARY": "Uncertain values"}
+            missing = [f"{title}: none is given. Add one, or a study file"
+                       for name, title in needed.items() if not values.has(name)]
+            if missing:
+                return False, "\n".join(missing)
+        return good, message
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:

@@ -25,7 +25,8 @@ class CompareAlgorithm(FranaAlgorithm):
     HELP = ("Compares a result, or any raster of depths or of probabilities, with a surveyed outline, front or tip, in any CRS: "
             "hits, false alarms, misses, scores. Without a folder of its own the comparison becomes a part of the result.")
     TAGS = ("survey", "validation", "scar")
-    NAMES = {"RESULT_DIR": "Folder of a result", "raster": "Raster", "observed": "Surveyed areas", "deposit": "Surveyed deposit",
+    NAMES = {"RESULT_DIR": "Folder of a result", "RESULT_DIR|RASTER": "Folder of a result",
+             "raster": "Raster", "observed": "Surveyed areas", "deposit": "Surveyed deposit",
              "--observed": "Surveyed areas", "--deposit": "Surveyed deposit", "--threshold": "Depth over which ground counts",
              "--out": "Folder of the comparison"}
 

@@ -45,6 +45,9 @@ class SceneAlgorithm(FranaAlgorithm):
         for parameter in field.parameters():
             self.addParameter(parameter)
 
+    def is_own(self, parameter: QgsProcessingParameterDefinition) -> bool:
+        return all(one.name != parameter.name() for one in self.fields)
+
     def title_of(self, parameter: QgsProcessingParameterDefinition) -> str:
         return next((one.key.title() for one in self.fields if one.name == parameter.name()), super().title_of(parameter))
 
