@@ -209,6 +209,63 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "doit être le contour de tout le terrain couvert par l’événement, non celui de la seule zone de départ",
      "{1} es casi el área de inicio ({2} % de las celdas de uno u otro están en ambos): debe ser el contorno de todo "
      "el terreno que cubrió el evento, no solo el del área de inicio"},
+    {"the release is held by friction: its ground, {1}, is nowhere as steep as the slope of {2} degrees that its "
+     "friction "
+     "holds, so that at most its edges move. {3}",
+     "il distacco è trattenuto dall’attrito: il suo terreno, {1}, non è in alcun punto ripido come la pendenza di {2} "
+     "gradi "
+     "che l’attrito trattiene, quindi si muovono al più i suoi bordi. {3}",
+     "der Anriss wird von der Reibung gehalten: sein Gelände, {1}, ist nirgends so steil wie die Neigung von {2} Grad, "
+     "die "
+     "seine Reibung hält, sodass sich höchstens seine Ränder bewegen. {3}",
+     "le départ est retenu par le frottement\u202F: son terrain, {1}, n’est nulle part aussi raide que la pente de {2} "
+     "degrés que son frottement retient, de sorte que seuls ses bords bougent. {3}",
+     "la fricción retiene lo liberado: su terreno, {1}, no es en ningún punto tan inclinado como la pendiente de {2} "
+     "grados "
+     "que su fricción sostiene, de modo que a lo sumo se mueven sus bordes. {3}"},
+    {"Elevations that are too low for their eastings look like this, as metres that were converted as if they were "
+     "feet: "
+     "check the elevations above against a map, and the friction",
+     "Così appaiono quote troppo basse per le loro distanze, come metri convertiti come se fossero piedi: confrontare "
+     "le "
+     "quote qui sopra con una carta, e verificare l’attrito",
+     "So sehen Höhen aus, die für ihre Abstände zu niedrig sind, wie Meter, die als Fuß umgerechnet wurden: die Höhen "
+     "oben "
+     "mit einer Karte vergleichen und die Reibung prüfen",
+     "Des altitudes trop basses pour leurs distances ont cet aspect, comme des mètres convertis en les prenant pour "
+     "des "
+     "pieds\u202F: comparer les altitudes ci-dessus à une carte et vérifier le frottement",
+     "Así se ven cotas demasiado bajas para sus distancias, como metros convertidos como si fueran pies: comparar las "
+     "cotas "
+     "de arriba con un mapa y revisar la fricción"},
+    {"The elevations were converted from {1}, as the file says: if they are in metres already, set "
+     "terrain.vertical-unit = "
+     "metre. Otherwise check the elevations above against a map, and the friction",
+     "Le quote sono state convertite da {1}, come dice il file: se sono già in metri, impostare terrain.vertical-unit "
+     "= "
+     "metre. Altrimenti confrontare le quote qui sopra con una carta, e verificare l’attrito",
+     "Die Höhen wurden aus {1} umgerechnet, wie die Datei angibt: sind sie schon in Metern, terrain.vertical-unit = "
+     "metre "
+     "setzen. Sonst die Höhen oben mit einer Karte vergleichen und die Reibung prüfen",
+     "Les altitudes ont été converties de {1}, comme le dit le fichier\u202F: si elles sont déjà en mètres, fixer "
+     "terrain.vertical-unit = metre. Sinon comparer les altitudes ci-dessus à une carte et vérifier le frottement",
+     "Las cotas se convirtieron de {1}, como dice el archivo: si ya están en metros, fijar terrain.vertical-unit = "
+     "metre. Si "
+     "no, comparar las cotas de arriba con un mapa y revisar la fricción"},
+    {"The elevations were converted from {1}: if they are in metres already, set terrain.vertical-unit = metre. "
+     "Otherwise "
+     "check the elevations above against a map, and the friction",
+     "Le quote sono state convertite da {1}: se sono già in metri, impostare terrain.vertical-unit = metre. Altrimenti "
+     "confrontare le quote qui sopra con una carta, e verificare l’attrito",
+     "Die Höhen wurden aus {1} umgerechnet: sind sie schon in Metern, terrain.vertical-unit = metre setzen. Sonst die "
+     "Höhen "
+     "oben mit einer Karte vergleichen und die Reibung prüfen",
+     "Les altitudes ont été converties de {1}\u202F: si elles sont déjà en mètres, fixer terrain.vertical-unit = "
+     "metre. "
+     "Sinon comparer les altitudes ci-dessus à une carte et vérifier le frottement",
+     "Las cotas se convirtieron de {1}: si ya están en metros, fijar terrain.vertical-unit = metre. Si no, comparar "
+     "las cotas "
+     "de arriba con un mapa y revisar la fricción"},
     {"the thickness raster contains {1} m3, of which the perimeter has {2} m3: {3} % lie beyond it and are not "
      "released. "
      "Draw the perimeter around all of the raster's mass, or leave release.perimeter out",
