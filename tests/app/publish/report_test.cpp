@@ -130,7 +130,7 @@ TEST_F(Report, HasItsWarningsInItsLanguage) {
         const std::size_t at = text.rfind(' ', text.size() / 2);
         return text.replace(at, text.find_first_of(" \n", at + 1) - at, " 9000");
     }());
-    write_scene("end = 2\n[output]\nlanguage = it\nmaps = off\nanimation = off\ncharts = off\n");
+    write_scene("[output]\nlanguage = it\nmaps = off\nanimation = off\ncharts = off\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string page = page_of();
