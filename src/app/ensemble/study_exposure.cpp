@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/ensemble/mapped_events.h"
+#include "app/input/scene_language.h"
 #include "gis/crs/crs_transform.h"
 #include "study/feature_values.h"
 
@@ -97,11 +98,16 @@ Bounds computed_ground(const StudyInput& input) {
     return gis::CrsTransform(grid.crs_wkt.empty() ? "" : file.crs_wkt, grid.crs_wkt, file.bounds).around(file.bounds);
 }
 
+ReachedBy exposure_reached_by(const StudyInput& input) {
+    return input.reading.study.per_polygon() ? ReachedBy::any_slope : ReachedBy::any_run;
+}
+
 std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
                                                      const Bounds& map, const ResultDirectory& directory) {
     const auto& layer = input.base.extra.exposure;
     if (!layer) return std::nullopt;
-    return write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt, directory);
+    return write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt, words_of(input.base.spec),
+                          directory);
 }
 
 }  // namespace frana::app

@@ -3,8 +3,12 @@
 
 #include <filesystem>
 
+#include "app/ensemble/region_report.h"
+#include "app/ensemble/study_exposure.h"
+#include "app/input/scene_language.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
+#include "app/publish/report_exposure.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
@@ -113,10 +117,13 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     page.expect_pictures(maps.size() + charts.size());
     page.add_warnings(facts.warnings);
     page.add("<h2 id=\"study\">Study</h2>\n<p>" + std::to_string(result.finished_at.size()) + " members of " +
-             std::to_string(result.members.size()) + " finished, " + study_sentence(input, facts) + keys_table(input));
+             std::to_string(result.members.size()) + " finished, " + study_sentence(input, facts) +
+             exposure_answer(facts.exposure, exposure_reached_by(input), words_of(spec)) + keys_table(input));
     if (!facts.levels.empty()) page.add("<h2 id=\"levels\">Levels</h2>\n" + levels_table(facts.levels));
     if (!result.figures().empty()) page.add("<h2 id=\"figures\">Figures</h2>\n" + figures_table(result));
     if (facts.median) page.add(median_paragraph(input, *facts.median, directory));
+    page.add(exposure_section(facts.exposure, words_of(spec)));
+    page.add(slopes_section(input, result, words_of(spec)));
     page.add("<h2 id=\"maps\">Maps</h2>\n");
     page.add_pictures(maps, "Map");
     if (!figures.empty()) page.add("<h2 id=\"sensitivity\">Sensitivity</h2>\n" + sensitivity_table(input, figures));

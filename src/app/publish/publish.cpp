@@ -8,6 +8,7 @@
 #include "app/compare/comparison.h"
 #include "app/compare/comparison_input.h"
 #include "app/input/check_ground.h"
+#include "app/input/scene_language.h"
 #include "app/input/thickness_volume.h"
 #include "app/input/thin_release.h"
 #include "app/publish/publish_exchange.h"
@@ -182,7 +183,7 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
                                   is_known ? &terrain : nullptr};
     const auto cells = exposed_cells(*layer, result.max_depth.grid);
     return write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
-                          prepared.scene.grid.crs_wkt, directory);
+                          prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
 }
 
 /// Writes the comparison with the survey, if there is one. A survey that cannot be compared does not fail the run: it
@@ -233,7 +234,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.hazard = publish_hazard(prepared, result, directory);
     facts.exposure = publish_exposure(prepared, result, directory);
-    if (facts.exposure) log.info(exposure_sentence(*facts.exposure, prepared.spec.output.exposure_count.has_value()));
+    if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::the_flow));
     publish_avaframe(prepared, result, directory, log);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
     publish_frame_stacks(prepared, directory);

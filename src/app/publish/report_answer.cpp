@@ -8,6 +8,7 @@
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
 #include "app/publish/report_comparison.h"
+#include "app/publish/report_exposure.h"
 #include "app/publish/report_scenario.h"
 #include "app/text/number_text.h"
 #include "core/markup.h"
@@ -190,7 +191,8 @@ std::string answer_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const std::string sure = cell_error_sentence(input) + " " + balance_sentence(input) + " " + end_sentences(input);
     return "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n" + release_sentences(input) +
-           material_sentences(input) + where_sentences(input) + paragraph(words("How sure."), sure) +
+           material_sentences(input) + where_sentences(input) +
+           exposure_answer(input.facts.exposure, ReachedBy::the_flow, words) + paragraph(words("How sure."), sure) +
            page_part(k_comparison_answer, comparison_answer(input.comparison, words)) + warnings_html(input) +
            paragraph(words("Not done."),
                      words("This is one run with one set of values, not a range of what is possible: frana ensemble "
