@@ -111,6 +111,20 @@ def test_bad_value():
     assert "Release: perimeter: " in refusal("run", scene("bad", release_perimeter=polygons(outside)))
 
 
+def test_written_values():
+    """Texts, as a command line and a batch give them: one that is no number is not 0, "no" is not yes."""
+    texts = {"material_friction_coefficient": "0,2", "material_viscosity": "abc", "output_report": "no", "THREADS": "1.5"}
+    message = refusal("run", scene("texts", **texts))
+    for sentence in ("Material: friction coefficient: is not a number (value 0,2). Write a point",
+                     "Material: viscosity: is not a number (value abc)", "is neither true nor false (value no)",
+                     "is not a whole number (value 1.5)"):
+        assert sentence in message, message
+    assert "is not a number" in refusal("probability", {"RASTERS": [DTM, DTM], "THRESHOLD": "0,5", "OUTPUT": "TEMPORARY_OUTPUT"})
+    good = run("run", scene("good", time_end="6", material_friction_coefficient="2e-1", output_report="false", THREADS="1"))
+    with open(os.path.join(good["OUTPUT"], "scene.ini"), encoding="utf-8") as file:
+        assert "friction-coefficient = 0.2" in file.read()
+
+
 def test_refusals_elsewhere():
     """Studies, folders and comparisons name their fields too."""
     message = refusal("ensemble", scene("range", VARY=["material.friction-angel", "uniform(1, 2)", "Release: volume", "unif(1)"]))

@@ -13,6 +13,7 @@ from qgis.PyQt.QtGui import QIcon
 from ..fields import Values
 from ..inputs import inputs_folder
 from ..program import Program
+from ..written_values import problem_of
 
 _ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "icon.svg")
 
@@ -64,6 +65,20 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
 
     def values(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Values:
         return Values(self, parameters, context)
+
+    def title_of(self, parameter: QgsProcessingParameterDefinition) -> str:
+        """The name of a field in messages."""
+        return parameter.description()
+
+    def written_problems(self, parameters: dict[str, Any]) -> list[str]:
+        """Of texts that are no numbers, or neither true nor false."""
+        found = [(one, problem_of(one, parameters.get(one.name()))) for one in self.parameterDefinitions()]
+        return [f"{self.title_of(one)}: {problem}" for one, problem in found if problem]
+
+    def checkParameterValues(self, parameters: dict[str, Any],  # noqa: N802
+                             context: QgsProcessingContext) -> tuple[bool, str]:
+        problems = self.written_problems(parameters)
+        return (False, "\n".join(problems)) if problems else super().checkParameterValues(parameters, context)
 
     # Parameters that several algorithms have.
 

@@ -8,7 +8,8 @@ import re
 import tempfile
 from typing import Any
 
-from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback, QgsProcessingParameterFile)
+from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
+                       QgsProcessingParameterDefinition, QgsProcessingParameterFile)
 
 from ..fields import Field, Values, fields_of
 from ..inputs import Given, result_of, settings, write_scene
@@ -43,6 +44,9 @@ class SceneAlgorithm(FranaAlgorithm):
     def _add(self, field: Field) -> None:
         for parameter in field.parameters():
             self.addParameter(parameter)
+
+    def title_of(self, parameter: QgsProcessingParameterDefinition) -> str:
+        return next((one.key.title() for one in self.fields if one.name == parameter.name()), super().title_of(parameter))
 
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> bool:
@@ -89,6 +93,8 @@ class SceneAlgorithm(FranaAlgorithm):
                              context: QgsProcessingContext) -> tuple[bool, str]:
         """The program's own check, before anything runs; each problem names its field. QGIS's check, which names a
         parameter only, comes after it."""
+        if written := self.written_problems(parameters):
+            return False, "\n".join(written)
         values = self.values(parameters, context)
         try:
             with tempfile.TemporaryDirectory(prefix="frana_check_") as folder:
