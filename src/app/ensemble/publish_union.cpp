@@ -20,8 +20,7 @@ namespace frana::app {
 namespace {
 
 constexpr const char* k_matrix_source =
-    "matrix of intensity and probability after the Swiss recommendations of 1997 (BWW, BRP, BUWAL) unless the region "
-    "gives another";
+    "after the Swiss recommendations of 1997 (BWW, BRP, BUWAL), or as the region gives it";
 
 /// The finished members, of a region those of one scenario.
 std::vector<study::UnionMember> members_of(const StudyInput& input, const StudyResult& result,
