@@ -237,7 +237,7 @@ std::string study_values(const StudyInput& input, const StudyResult& result, con
 }
 
 std::string study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
-    return input.reading.study.per_polygon() ? slopes_table(input, result, words) : "";
+    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : "";
 }
 
 }  // namespace frana::app

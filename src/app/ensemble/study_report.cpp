@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/ensemble/region_report.h"
 #include "app/ensemble/study_answer.h"
 #include "app/ensemble/study_charts.h"
+#include "app/ensemble/study_exposure.h"
 #include "app/input/scene_language.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
 #include "app/publish/report_comparison.h"
+#include "app/publish/report_exposure.h"
 #include "app/publish/report_numbers.h"
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
@@ -143,14 +146,16 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
                         {std::string(k_program) + " " + k_version, input.reading.study.file, words.date(facts.date)}),
                   words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
     page.expect_pictures(maps.size() + charts.size() + 1);
-    page.add(study_answer(input, result, facts, words));
+    page.add(study_answer(input, result, facts, words) +
+             exposure_answer(facts.exposure, exposure_reached_by(input), words));
     if (!maps.empty()) page.add_pictures({maps.front()}, words("Map"));
     // The first page of paper has room for a short table under its picture.
     const bool is_short = input.reading.study.per_polygon() || result.figures().size() <= k_figures_on_first_page;
     if (is_short) page.add(study_values(input, result, facts, words));
     page.end_answer();
     if (!is_short) page.add(study_values(input, result, facts, words));
-    page.add(study_sources(input, result, words));
+    page.add(study_sources(input, result, words) + exposure_section(facts.exposure, words) +
+             slopes_section(input, result, words));
     page.add_heading("maps", words("Maps"));
     if (maps.size() > 1) page.add_pictures({maps.begin() + 1, maps.end()}, words("Map"));
     if (maps.size() == 1) page.add("<p>" + escaped_markup(words("The only map is on the first page.")) + "</p>\n");
