@@ -172,12 +172,4 @@ void write_qgis_project(const std::string& path, const QgisProject& project) {
     write_file(path, zipped("result.qgs", Document(project).text(), path, session));
 }
 
-std::string hillshade_style() {
-    return qml_document(
-        "  <pipe>\n    <rasterrenderer type=\"hillshade\" band=\"1\" azimuth=\"315\" angle=\"45\" zfactor=\"1\" "
-        "multidirection=\"0\" opacity=\"1\" alphaBand=\"-1\" nodataColor=\"\"/>\n    <brightnesscontrast "
-        "brightness=\"40\"/>\n    <huesaturation/>\n    <rasterresampler "
-        "zoomedInResampler=\"bilinear\" zoomedOutResampler=\"bilinear\" maxOversampling=\"2\"/>\n  </pipe>\n");
-}
-
 }  // namespace frana::gis

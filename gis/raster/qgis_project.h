@@ -41,7 +41,4 @@ struct QgisProject {
 /// the same bytes. Throws Error(environment).
 void write_qgis_project(const std::string& path, const QgisProject& project);
 
-/// QML that shows elevations as shaded relief.
-std::string hillshade_style();
-
 }  // namespace frana::gis

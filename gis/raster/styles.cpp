@@ -158,6 +158,18 @@ StyleText polygon_style(const std::string& name, const std::string& title, const
     return {polygon_qml(attribute, stops), polygon_sld(name, title, attribute, stops)};
 }
 
+StyleText relief_style(const std::string& name, const std::string& title) {
+    return {
+        qml_document(
+            "  <pipe>\n    <rasterrenderer type=\"hillshade\" band=\"1\" azimuth=\"315\" angle=\"45\" zfactor=\"1\" "
+            "multidirection=\"0\" opacity=\"1\" alphaBand=\"-1\" nodataColor=\"\"/>\n    <brightnesscontrast "
+            "brightness=\"40\"/>\n    <huesaturation/>\n    <rasterresampler "
+            "zoomedInResampler=\"bilinear\" zoomedOutResampler=\"bilinear\" maxOversampling=\"2\"/>\n  </pipe>\n"),
+        sld_document(name, title,
+                     "        <Rule>\n          <RasterSymbolizer>\n            <ShadedRelief/>\n          "
+                     "</RasterSymbolizer>\n        </Rule>\n")};
+}
+
 void write_style(const std::string& path, const StyleText& style) {
     std::filesystem::path beside = path;
     write_file(beside.replace_extension(".qml").string(), style.qml);

@@ -44,6 +44,9 @@ void write_styles(const std::string& tif_path, const std::vector<ColourStop>& st
 StyleText polygon_style(const std::string& name, const std::string& title, const std::string& attribute,
                         const std::vector<ColourStop>& stops);
 
+/// Returns the style of elevations: shaded relief.
+StyleText relief_style(const std::string& name, const std::string& title);
+
 /// Writes NAME.qml and NAME.sld beside a file NAME.*. Throws Error(environment).
 void write_style(const std::string& path, const StyleText& style);
 

@@ -120,6 +120,11 @@ TextLine::TextLine(const std::string& text, const TextStyle& style)
     pango_layout_set_single_paragraph_mode(layout_.get(), TRUE);
     pango_layout_set_font_description(layout_.get(), font_of(style).get());
     pango_layout_set_text(layout_.get(), clean.data(), static_cast<int>(clean.size()));
+    // Ligatures would stand in a PDF's text as letters of their own, which a search for "fi" does not find.
+    const std::unique_ptr<PangoAttrList, decltype(&pango_attr_list_unref)> features(pango_attr_list_new(),
+                                                                                    &pango_attr_list_unref);
+    pango_attr_list_insert(features.get(), pango_attr_font_features_new("liga=0, clig=0"));
+    pango_layout_set_attributes(layout_.get(), features.get());
     if (pango_layout_get_unknown_glyphs_count(layout_.get()) > 0) letters_without_font().add(layout_.get());
     PangoRectangle ink;
     pango_layout_line_get_extents(pango_layout_get_line_readonly(layout_.get(), 0), &ink, nullptr);

@@ -16,8 +16,7 @@ namespace {
 constexpr Rgb k_light{186, 228, 179}, k_middle{65, 158, 90}, k_dark{0, 68, 27};
 
 const std::string k_swiss =
-    "BWW, BRP, BUWAL (1997): Beruecksichtigung der Hochwassergefahren bei raumwirksamen Taetigkeiten, Bern "
-    "(Loat and Petrascheck)";
+    "BWW, BRP, BUWAL (1997): Ber\u00FCcksichtigung der Hochwassergefahren bei raumwirksamen T\u00E4tigkeiten, Bern";
 
 // Thresholds of the schemes, in SI units.
 constexpr double k_debris_depth = 1, k_debris_speed = 1, k_flood_low = 0.5, k_flood_high = 2, k_torrent_head = 1.5,
@@ -135,7 +134,7 @@ HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) 
                 {}};
     if (name == "austrian-torrent")
         return {name,
-                "BMLFUW (2011): Richtlinie fuer die Gefahrenzonenplanung, Vienna (torrents, design event)",
+                "BMLFUW (2011): Richtlinie f\u00FCr die Gefahrenzonenplanung, Wien",
                 {{1,
                   worded("Yellow zone"),
                   over(worded("energy head"), k_torrent_head, k_metres, " < ") + " and " +

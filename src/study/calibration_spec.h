@@ -27,11 +27,11 @@ struct MeasureRow {
     const char* formula;
 };
 inline constexpr MeasureRow k_measures[] = {
-    {Measure::jaccard, "jaccard", Evidence::scar, worded("1 - Jaccard index of trace and scar")},
-    {Measure::area, "area", Evidence::scar, worded("r(area of the trace, area of the scar)")},
+    {Measure::jaccard, "jaccard", Evidence::scar, worded("1 - Jaccard index of trace and surveyed outline")},
+    {Measure::area, "area", Evidence::scar, worded("r(area of the trace, surveyed area)")},
     {Measure::runout, "runout", Evidence::runout, worded("r(simulated run-out, observed run-out)")},
     {Measure::outline, "outline", Evidence::scar,
-     worded("d / (d + R): d mean distance of both outlines, R radius of a circle with the scar's area")},
+     worded("d / (d + R): d mean distance of both outlines, R radius of a circle with the surveyed area")},
     {Measure::deposit, "deposit", Evidence::deposit, worded("1 - Jaccard index of simulated and surveyed deposit")},
     {Measure::deposit_depth, "deposit-depth", Evidence::elevation_change,
      worded("sum |h - h_obs| / sum (h + h_obs) over the cells of either deposit")},
@@ -57,7 +57,7 @@ struct GaugeValue {
 /// An event that was surveyed.
 struct EventSpec {
     std::string name;                               ///< letters, digits, '-' and '_': part of names of files
-    std::optional<double> runout;                   ///< observed [m]; none: that of the scar
+    std::optional<double> runout;                   ///< observed [m]; none: that of the surveyed outline
     std::vector<GaugeValue> arrival, speed, depth;  ///< [s], [m/s], [m]
     std::vector<std::string> set;                   ///< keys of this event alone
     std::vector<Variation> vary;                    ///< likewise

@@ -60,7 +60,7 @@ bool is_empty(const Raster& mask) {
     return mask.grid.columns == 0 || !(maximum(mask) > 0);
 }
 
-/// Run-out of the scar from the highest point of the release, as `frana compare` measures it.
+/// Run-out of the surveyed outline from the highest point of the release, as `frana compare` measures it.
 double runout_of(const MultiPolygon& scar, const Scene& scene) {
     const Release release = make_release(scene);
     const Raster observed = gis::coverage(scar, scene.grid);

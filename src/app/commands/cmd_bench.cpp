@@ -148,7 +148,7 @@ int cmd_bench(const Arguments& arguments) {
     const bool needs_scene = which == "robustness" || which == "estimate" || which == "ensemble";
     if (operands.size() > (needs_scene ? 2U : 1U)) {
         throw Error(ErrorKind::input, Problem{"is not expected here", "command line", operands.back(), "",
-                                              "Usage: " + bench_form().usage});
+                                              "See frana bench --help"});
     }
     if (which == "accuracy") return bench_accuracy(*values);
     if (which == "stability") return bench_stability(*values);
@@ -161,7 +161,7 @@ int cmd_bench(const Arguments& arguments) {
     if (operands.size() < 2) {
         throw Error(ErrorKind::input,
                     Problem{std::string(which == "ensemble" ? "STUDY.ini" : "SCENE.ini") + " is missing",
-                            "command line", "", "", "Usage: " + bench_form().usage});
+                            "command line", "", "", "See frana bench --help"});
     }
     if (which == "ensemble") return bench_ensemble(operands.back(), *values);
     return which == "estimate" ? bench_estimate(operands.back(), *values) : bench_robustness(operands.back(), *values);

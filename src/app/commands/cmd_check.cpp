@@ -195,7 +195,7 @@ int cmd_check(const Arguments& arguments) {
         print_run(prepared, expected, trial, threads, directory);
         std::fflush(stdout);
     }
-    compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
+    compare_volumes(prepared.release.file_volume, expected.volume, log);
     warn_of_thin_release(expected, prepared.scene, log);
     if (trial && trial->path) warn_of_path_ground(*trial->path, log);
     if (json) print_document(check_document({prepared, expected, trial, memory, threads, directory, log.warnings()}));

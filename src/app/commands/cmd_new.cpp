@@ -56,15 +56,17 @@ int cmd_new(const Arguments& arguments) {
     if (fs::exists(scene) && values->count("overwrite") == 0)
         throw Error(ErrorKind::input,
                     Problem{"exists already", "--out", scene.string(), "", "Choose another name, or add --overwrite"});
-    if (!fs::is_directory(scene.parent_path()))
-        throw Error(ErrorKind::input,
-                    Problem{"is in a folder that does not exist", "--out", scene.string(), "", "Make the folder"});
     const auto thickness = text_option(*values, "thickness");
     const fs::path folder = scene.parent_path();
     SceneDraft draft = draft_of(files[0], files[1]);
     draft.dtm = relative_path(absolute_path(files[0], fs::current_path().string()), folder.string());
     draft.perimeter = relative_path(absolute_path(files[1], fs::current_path().string()), folder.string());
     if (thickness) draft.thickness = thickness_of(*thickness, folder);
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::environment, Problem{"the folder cannot be made: " + error.message(), "--out",
+                                                    folder.string(), "", "Choose another place"});
     write_text_file(scene.string(), draft_text(draft));
     std::cerr << "frana: wrote " << scene.string()
               << "\nfrana: next: " << (draft.thickness.empty() ? "give release.thickness in it, then " : "")

@@ -81,6 +81,7 @@ Completion completion_of_operand(const std::string& command, const std::string& 
     if (operand == "COMMAND") {
         std::vector<std::string> names;
         for (const Command& one : commands()) names.emplace_back(one.name);
+        if (command == "man") names.emplace_back("scene");
         return {Kind::words, names};
     }
     if (auto words = literal_words(operand); !words.empty()) return {Kind::words, std::move(words)};

@@ -74,6 +74,21 @@ std::string comment(const std::string& text) {
     return lines;
 }
 
+const char* const k_preset = "debris-flow";  // of the draft
+
+/// What the draft's preset says of a key of the material: its value, else what it gives in its place.
+std::string of_preset(const std::string& key) {
+    std::string others;
+    for (const MaterialPreset& preset : material_presets(materials_directory())) {
+        if (preset.name != k_preset) continue;
+        for (const IniEntry& entry : preset.entries) {
+            if (entry.name == key) return entry.value;
+            others += (others.empty() ? "" : ", ") + entry.name.substr(entry.name.find('.') + 1) + " = " + entry.value;
+        }
+    }
+    return "(the preset has " + others + ")";
+}
+
 std::string text_of(const DraftLine& line) {
     const Parameter& key = declared(line.key);
     std::string facts = key.meaning;
@@ -150,12 +165,12 @@ std::string draft_text(const SceneDraft& draft) {
          {"Does the DTM show the slope before it failed? Then remove the # of the next line; without it the mass is "
           "laid on top of the DTM."}},
         {"material.preset",
-         "debris-flow",
+         k_preset,
          false,
          {"One of " + presets() + ": starting points, not calibrated values (`frana materials`)."}},
-        {"material.friction-angle", "", true, {k_of_preset}},
-        {"material.turbulence", "", true, {k_of_preset}},
-        {"material.density", "", true, {k_of_preset}},
+        {"material.friction-angle", of_preset("material.friction-angle"), true, {k_of_preset}},
+        {"material.turbulence", of_preset("material.turbulence"), true, {k_of_preset}},
+        {"material.density", of_preset("material.density"), true, {k_of_preset}},
         {"time.end", declared("time.end").default_text(), false},
         {"output.title", draft.title, false},
     };

@@ -13,12 +13,18 @@
 
 namespace frana::app {
 
+/// What a raster of thicknesses contains [m3].
+struct FileVolume {
+    double inside = 0;  ///< the perimeter
+    double all = 0;     ///< 0 if it is not known: a raster too large to be read whole
+};
+
 /// The release and its sources.
 struct ReleaseInput {
     std::vector<ReleaseArea> areas;
     std::optional<gis::PolygonLayer> perimeter;  ///< none: outlined by the thickness raster
     std::vector<gis::RasterInfo> rasters;        ///< source of the thickness
-    std::optional<double> file_volume_m3;        ///< of the thickness raster, see match_file_volume
+    std::optional<FileVolume> file_volume;       ///< of the thickness raster, see match_file_volume
     std::optional<Raster> solid_fraction;        ///< if the thickness is that of two phases
     double area_m2 = 0;                          ///< of the outlines, in map view
     std::optional<GroundStatistics> ground;      ///< the DTM under the outlines

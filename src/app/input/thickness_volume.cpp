@@ -18,6 +18,7 @@ namespace {
 constexpr double k_side = 100;
 
 constexpr double k_worth_a_warning = 0.01;  // of the volume; smaller than the accuracy of any thickness
+constexpr double k_of_this_mass = 0.5;      // inside the perimeter; less: a raster of all ground
 
 /// A raster's own cells as seen from the working CRS. Between different CRSs lengths are in cells of the raster, which
 /// may have sides in degrees.
@@ -68,6 +69,16 @@ double volume_inside(const Raster& thickness, const GridSpec& working, const Mul
     return volume_in_cells(thickness, cells.side(), cells.places(outline)) * cells.area();
 }
 
+/// Returns the volume of a raster of which all cells are in memory.
+double volume_of_all(const Raster& thickness, const GridSpec& working, const MultiPolygon& outline) {
+    double sum = 0;
+    thickness.values.for_each_stored([&](std::size_t, double value) {
+        if (value > 0) sum += value;
+    });
+    const OwnCells cells(thickness.grid, working, outline);
+    return sum * cells.side() * cells.side() * cells.area();
+}
+
 /// Returns the raster's own cells, in its own CRS; none if they are not square or rotated.
 std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& working) {
     const bool square = !file.rotated && std::abs(file.cell_x - file.cell_y) <= 1e-9 * file.cell_x;
@@ -103,21 +114,28 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, Used
     const std::optional<GridSpec> grid = own_grid(file, working_grid);
     if (!grid) return;
     const Raster own = read_own(file.path, *grid);
-    double sum = 0;
+    FileVolume found;
     for (ReleaseArea& area : release.areas) {
         const double volume = volume_inside(own, working_grid, area.outline);
         if (volume > 0) area.volume = volume;
-        sum += volume;
+        found.inside += volume;
     }
+    if (grid->cell_count() <= CellValues::k_most_dense) found.all = volume_of_all(own, working_grid, first.outline);
     used.checksum.add(own);
-    release.file_volume_m3 = sum;
+    release.file_volume = found;
 }
 
-void compare_volumes(std::optional<double> in_file, double released, RunLog& log) {
-    if (!in_file || !(*in_file > 0)) return;
-    const double difference = released / *in_file - 1;
+void compare_volumes(const std::optional<FileVolume>& in_file, double released, RunLog& log) {
+    if (!in_file || !(in_file->inside > 0)) return;
+    const double difference = released / in_file->inside - 1, part = in_file->inside / in_file->all;
+    if (part > k_of_this_mass && part < 1 - k_worth_a_warning)
+        log.warn(worded(
+            "the thickness raster contains {1} m3, of which the perimeter has {2} m3: {3} % lie beyond it and are "
+            "not released. Draw the perimeter around all of the raster's mass, or leave release.perimeter out",
+            {numeral(grouped(in_file->all)), numeral(grouped(in_file->inside)),
+             numeral(number_text(100 * (1 - part), 2))}));
     const Sentence both = worded("the thickness raster contains {1} m3 inside the perimeter; the release has {2} m3",
-                                 {numeral(grouped(*in_file)), numeral(grouped(released))});
+                                 {numeral(grouped(in_file->inside)), numeral(grouped(released))});
     if (std::abs(difference) > k_worth_a_warning)
         log.warn(worded("{1} ({2} %)", {both, numeral(number_text(100 * difference, 2))}));
     else

@@ -6,13 +6,14 @@
 namespace frana::app {
 
 /// Makes the volume of each area that of the thickness raster inside it, over the covered parts of the raster's own
-/// cells, and stores the sum in release.file_volume_m3. Does nothing if the thickness is not one vertical raster of
-/// square cells; their CRS may be another than the working one. `used` is that raster: its own cells are added to its
-/// checksum.
+/// cells, and stores what the raster contains in release.file_volume. Does nothing if the thickness is not one vertical
+/// raster of square cells; their CRS may be another than the working one. `used` is that raster: its own cells are
+/// added to its checksum.
 void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used);
 
-/// The released volume must equal that of the file; logs both, as a warning if they differ by a percent. `in_file`:
-/// release.file_volume_m3; none: nothing to compare.
-void compare_volumes(std::optional<double> in_file, double released, RunLog& log);
+/// The released volume must equal that of the file inside the perimeter; logs both, as a warning if they differ by a
+/// percent. Warns as well if the perimeter cuts more than that off a raster that is mostly inside: a raster of this
+/// mass, not of the thickness of all ground. `in_file`: release.file_volume; none: nothing to compare.
+void compare_volumes(const std::optional<FileVolume>& in_file, double released, RunLog& log);
 
 }  // namespace frana::app

@@ -2,6 +2,8 @@
 #include "app/pictures/class_words.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "params/grammar/value_text.h"
 
@@ -50,6 +52,17 @@ std::string class_label(const std::string& english, const Words& words) {
     const std::size_t colon = english.find(": ");
     if (colon == std::string::npos) return thresholds(english, words);
     return words.labelled(words(english.substr(0, colon)), thresholds(english.substr(colon + 2), words));
+}
+
+std::string scheme_title(const std::string& scheme, const Words& words) {
+    constexpr std::pair<std::string_view, const char*> k_titles[] = {
+        {"swiss-debris-flow", worded("Switzerland, debris flows")},
+        {"swiss-flood", worded("Switzerland, floods")},
+        {"austrian-torrent", worded("Austria, torrents")},
+        {"custom", worded("own limits")}};
+    for (const auto& [name, title] : k_titles)
+        if (name == scheme) return words(title);
+    return scheme;
 }
 
 std::string class_name(const std::string& label) {

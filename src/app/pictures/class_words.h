@@ -15,6 +15,9 @@ std::string raster_title(const ResultRaster& row, const std::string& name, const
 /// 1 m/s", "Hit: simulated and observed". Parts that no table has stay as they are.
 std::string class_label(const std::string& english, const Words& words);
 
+/// Returns the name of a hazard scheme that readers of a map know: "Switzerland, debris flows" for swiss-debris-flow.
+std::string scheme_title(const std::string& scheme, const Words& words);
+
 /// Returns the name in such a label, before the colon.
 std::string class_name(const std::string& label);
 

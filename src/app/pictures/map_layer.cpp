@@ -70,7 +70,7 @@ void add_scheme(const std::string& kind, const std::map<std::string, std::string
         notes.push_back(words("Intensity of one scenario, not a hazard level"));
     }
     if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
-        layer.title = words("{1}, scheme {2}", {layer.title, scheme->second});
+        layer.title = words("{1}, scheme {2}", {layer.title, scheme_title(scheme->second, words)});
     if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
         notes.push_back(words.labelled(is_degree ? words("Matrix") : words("Thresholds"), words(source->second)));
     layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/pictures/scenario.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
@@ -214,7 +215,7 @@ std::string page_attribution(const MapSource& source) {
 std::string map_subtitle(const MapFacts& facts, const Words& words) {
     const std::string model = facts.model.empty()           ? words("Model unknown")
                               : facts.model == "structured" ? words("Structured model")
-                                                            : words("Voellmy-Bingham, scheme {1}", {facts.scheme});
+                                                            : voellmy_bingham_words(facts.scheme, words);
     return words("{1}, {2} s simulated", {model, words.number(number_text(facts.simulated_seconds, 3))});
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pictures/scenario.h"
 
+#include <cmath>
+
 #include "app/text/number_text.h"
 #include "core/utf8.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 namespace {
@@ -33,6 +36,11 @@ constexpr Named k_structured[] = {
     {"structured.solid-fraction", worded("solid fraction"), "", nullptr},
 };
 
+/// In groups of three digits where it has more than three, as the volume before it.
+std::string value_text(double value) {
+    return std::abs(value) < 1000 ? number_text(value) : grouped(value);
+}
+
 std::string what_fails(const ScenarioFacts& facts, const Words& words) {
     constexpr std::size_t k_most = 4, k_longest = 60;  // names; letters
     const bool released = facts.value("release.thickness") || facts.value("release.perimeter");
@@ -51,13 +59,18 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
         if (varies || (text && !number))
             parts.push_back(words("{1} by place", {words(one.words)}));
         else if (number && !(one.not_if_zero && *number == 0))
-            parts.push_back(words(one.words) + " " + words.number(number_text(*number)) + one.unit);
+            parts.push_back(words(one.words) + " " + words.number(value_text(*number)) + one.unit);
         else if (!text && one.absent != nullptr)
             parts.push_back(words(one.absent));
     }
 }
 
 }  // namespace
+
+std::string voellmy_bingham_words(const std::string& scheme, const Words& words) {
+    return scheme.empty() || scheme == NumericsSpec{}.scheme ? "Voellmy-Bingham"
+                                                             : words("Voellmy-Bingham, scheme {1}", {scheme});
+}
 
 std::string scenario_words(const ScenarioFacts& facts, const Words& words) {
     const auto model = facts.value("material.model");
@@ -68,7 +81,7 @@ std::string scenario_words(const ScenarioFacts& facts, const Words& words) {
         parts.push_back(words("Structured model"));
         add_values(facts, k_structured, words, parts);
     } else {
-        parts.push_back(words("Voellmy-Bingham, scheme {1}", {facts.value("numerics.scheme").value_or("?")}));
+        parts.push_back(voellmy_bingham_words(facts.value("numerics.scheme").value_or(""), words));
         const std::string laws = facts.value("material.bed-friction").value_or("voellmy");
         if (laws != "voellmy") parts.push_back(words("bed friction {1}", {laws}));
         add_values(facts, k_voellmy_bingham, words, parts);

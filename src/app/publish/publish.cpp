@@ -140,7 +140,7 @@ void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
 
 void warn_of_problem(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
-    compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
+    compare_volumes(run.prepared.release.file_volume, released_volume(result), log);
     note_volumes(result, log);
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (result.stop_reason == StopReason::reached_no_data) {

@@ -60,7 +60,7 @@ class ProjectWriter {
                                         raster_file("dtm"),
                                         "",
                                         gis::Shape::area,
-                                        gis::hillshade_style(),
+                                        gis::relief_style("dtm", words_("Terrain")).qml,
                                         true,
                                         {}}}});
         gis::write_qgis_project(result_.path(k_project_file), project);
@@ -101,7 +101,7 @@ class ProjectWriter {
             if (row.kind == ResultRaster::Kind::classes) {
                 const gis::RasterText text = gis::read_raster_text(result_.path(raster_file(name)));
                 if (const auto scheme = text.metadata.find("HAZARD_SCHEME"); scheme != text.metadata.end())
-                    title = words_("{1}, scheme {2}", {title, scheme->second});
+                    title = words_("{1}, scheme {2}", {title, scheme_title(scheme->second, words_)});
             }
             const bool visible = has_shown ? name == k_shown : name == names.front();
             group.layers.push_back(

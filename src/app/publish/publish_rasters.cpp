@@ -27,6 +27,8 @@ void write(const ResultDirectory& directory, const ResultRaster& row, const Rast
         gis::write_styles(
             file, gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit, words),
             row.unit, gis::StyleKind::classed, words(row.title));
+    else  // elevations
+        gis::write_style(file, gis::relief_style(row.name, words(row.title)));
 }
 
 PolygonFeature feature(MultiPolygon parts, double threshold) {

@@ -74,8 +74,9 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     const std::string title = spec.output.title.value_or(scene_name(spec));
     const std::vector<ReportMap> maps = report_maps(input, directory);
     HtmlPage page(directory.path(k_report_file), title,
-                  words("Computed with {1}, scene {2}, hash {3}", {std::string(k_program) + " " + k_version, spec.file,
-                                                                   provenance(input.prepared).at("SCENE_HASH")}),
+                  words("Computed with {1}, scene {2}, hash {3}",
+                        {std::string(k_program) + " " + k_version, fs::path(spec.file).filename().string(),
+                         provenance(input.prepared).at("SCENE_HASH")}),
                   words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
     page.expect_pictures(maps.size() + 1);
     page.add(answer_sentences(input));

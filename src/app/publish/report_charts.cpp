@@ -15,11 +15,11 @@ constexpr int k_width = 380, k_height = 200;
 constexpr std::size_t k_curves = 8, k_name_letters = 30;
 
 std::string figure(const std::string& svg, const std::string& alt) {
-    // The element gets a role and a name, by which it is one picture for those who cannot see it.
+    // The element, a picture by its role, gets a name for those who cannot see it.
     const std::string tag = "<svg ";
     const std::size_t at = svg.find(tag);
     const std::string named = at == std::string::npos ? svg
-                                                      : svg.substr(0, at + tag.size()) + "role=\"img\" aria-label=\"" +
+                                                      : svg.substr(0, at + tag.size()) + "aria-label=\"" +
                                                             escaped_markup(alt) + "\" " + svg.substr(at + tag.size());
     return "<figure>\n" + named + "</figure>\n";
 }

@@ -11,10 +11,12 @@
 #include "app/publish/report_answer.h"
 #include "app/publish/report_inputs.h"
 #include "app/publish/report_scenario.h"
+#include "app/store/provenance.h"
 #include "app/text/number_text.h"
 #include "app/text/unit_sign.h"
 #include "core/markup.h"
 #include "core/utf8.h"
+#include "params/grammar/absolute_path.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/key_words.h"
 #include "params/keys/materials.h"
@@ -100,6 +102,11 @@ std::string sections_table(const ReportInput& input) {
                    error_text(input.errors, key + "volume_m3", words)});
     }
     return table.html();
+}
+
+/// The scene with its files as seen from the result: a report is handed on with the folder, not with the machine.
+SceneSpec seen_from_result(const Prepared& p) {
+    return p.result_folder.empty() ? p.spec : seen_from(p.spec, p.result_folder);
 }
 
 std::string extent_in(const Bounds& box, const Words& words) {
@@ -250,9 +257,10 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
                   n.grouped(area.area_m2) + "</td></tr>\n");
     }
     return "<p>" +
-           escaped_markup(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also "
-                                "depends on its frequency.",
-                                {*spec.hazard.scheme, hazard_scheme_of(spec.hazard)->source})) +
+           escaped_markup(
+               words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also "
+                     "depends on its frequency.",
+                     {scheme_title(*spec.hazard.scheme, words), words(hazard_scheme_of(spec.hazard)->source)})) +
            "</p>\n" + table.html();
 }
 
@@ -261,8 +269,9 @@ std::string inputs_table(const Prepared& p, const Words& words) {
     HtmlTable table(
         {words("input"), words("file"), words("content"), words("CRS"), words("operation to the working CRS")});
     for (const UsedFile& file : p.files) {
-        table.row({role_in(file, words), file.path, content_in(file, words), words(file.crs_label),
-                   operation_in(file, words)});
+        table.row({role_in(file, words),
+                   p.result_folder.empty() ? file.path : relative_path(file.path, p.result_folder),
+                   content_in(file, words), words(file.crs_label), operation_in(file, words)});
     }
     std::string html = "<p>" +
                        escaped_markup(words("Working CRS: {1}; extent {2}; cells without elevation: {3}, filled: {4}.",
@@ -279,11 +288,12 @@ std::string inputs_table(const Prepared& p, const Words& words) {
 
 std::string parameters_table(const Prepared& p, bool only_used, const Words& words) {
     HtmlTable table({words("key"), words("value"), words("origin"), words("meaning")});
+    const SceneSpec shown = seen_from_result(p);
     for (const Parameter& parameter : scene_parameters()) {
         const std::string name = parameter.name();
         const auto chosen = p.resolved.find(name);
         if (only_used && !is_used(p.spec, parameter, chosen != p.resolved.end())) continue;
-        std::string value = parameter.write(p.spec).value_or("");
+        std::string value = parameter.write(shown).value_or("");
         if (value.empty()) value = "(" + absent_in(parameter, words) + ")";
         if (chosen != p.resolved.end() && chosen->second != value)
             value += " → " + (name == "terrain.bounds" ? extent_in(p.scene.grid.bounds(), words) : chosen->second);

@@ -209,6 +209,18 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "doit être le contour de tout le terrain couvert par l’événement, non celui de la seule zone de départ",
      "{1} es casi el área de inicio ({2} % de las celdas de uno u otro están en ambos): debe ser el contorno de todo "
      "el terreno que cubrió el evento, no solo el del área de inicio"},
+    {"the thickness raster contains {1} m3, of which the perimeter has {2} m3: {3} % lie beyond it and are not "
+     "released. "
+     "Draw the perimeter around all of the raster's mass, or leave release.perimeter out",
+     "il raster dello spessore contiene {1} m³, di cui {2} m³ entro il perimetro: il {3} % sta fuori e non si "
+     "distacca. "
+     "Tracciare il perimetro attorno a tutta la massa del raster, oppure omettere release.perimeter",
+     "das Mächtigkeitsraster enthält {1} m³, davon {2} m³ innerhalb des Umrisses: {3} % liegen außerhalb und werden "
+     "nicht freigesetzt. Den Umriss um die ganze Masse des Rasters ziehen oder release.perimeter weglassen",
+     "le raster d’épaisseur contient {1} m³, dont {2} m³ dans le périmètre\u202F: {3}\u202F% sont au-dehors et ne "
+     "partent pas. Tracer le périmètre autour de toute la masse du raster, ou omettre release.perimeter",
+     "el ráster de espesor contiene {1} m³, de los que {2} m³ están dentro del perímetro: el {3} % queda fuera y no se "
+     "libera. Trazar el perímetro alrededor de toda la masa del ráster u omitir release.perimeter"},
     {"the thickness raster contains {1} m3 inside the perimeter; the release has {2} m3",
      "il raster dello spessore contiene {1} m³ entro il perimetro; il distacco ha {2} m³",
      "das Mächtigkeitsraster enthält {1} m³ innerhalb des Umrisses; der Anriss hat {2} m³",
@@ -227,11 +239,13 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "mapas y resultados no lo incluyen; fije la clave en alrededor de una centésima de la profundidad usual del "
      "flujo"},
     {"outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow depth",
-     "perimetri, area coperta e distanza percorsa non lo comprendono; impostare la chiave a circa un decimo della "
+     "perimetri, area coperta e distanza di propagazione non lo comprendono; impostare la chiave a circa un decimo "
+     "della "
      "profondità usuale del flusso",
      "Umrisse, bedeckte Fläche und Auslauflänge enthalten ihn nicht; den Schlüssel auf etwa ein Zehntel der üblichen "
      "Fließtiefe setzen",
-     "contours, surface couverte et distance parcourue ne le comprennent pas\u202F; fixer la clé à environ un dixième "
+     "contours, surface couverte et distance de propagation ne le comprennent pas\u202F; fixer la clé à environ un "
+     "dixième "
      "de la hauteur usuelle de l’écoulement",
      "contornos, área cubierta y alcance no lo incluyen; fije la clave en alrededor de una décima de la profundidad "
      "usual del flujo"},

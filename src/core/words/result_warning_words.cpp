@@ -32,25 +32,25 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"{1}, the fastest at {2} m/s", "{1}, il più veloce a {2} m/s", "{1}, das schnellste mit {2} m/s",
      "{1}, le plus rapide à {2} m/s", "{1}, lo más rápido a {2} m/s"},
     {"{1}; in its last {2} s the run-out grew by {3} m, the area by {4} % and {5}",
-     "{1}; negli ultimi {2} s la distanza percorsa è cresciuta di {3} m, l’area del {4} % e {5}",
+     "{1}; negli ultimi {2} s la distanza di propagazione è cresciuta di {3} m, l’area del {4} % e {5}",
      "{1}; in den letzten {2} s wuchs die Auslauflänge um {3} m, die Fläche um {4} %, und {5}",
-     "{1}\u202F; dans ses dernières {2} s la distance parcourue a augmenté de {3} m, la surface de {4}\u202F% et {5}",
+     "{1}\u202F; dans ses dernières {2} s la distance de propagation a augmenté de {3} m, la surface de {4}\u202F% et {5}",
      "{1}; en sus últimos {2} s el alcance creció {3} m, el área un {4} % y {5}"},
     {"{1}. Final depth and run-out are not those of the deposit: raise time.end",
-     "{1}. Profondità finale e distanza percorsa non sono quelle del deposito: aumentare time.end",
+     "{1}. Profondità finale e distanza di propagazione non sono quelle del deposito: aumentare time.end",
      "{1}. Endtiefe und Auslauflänge sind nicht die der Ablagerung: time.end erhöhen",
-     "{1}. Hauteur finale et distance parcourue ne sont pas celles du dépôt\u202F: augmenter time.end",
+     "{1}. Hauteur finale et distance de propagation ne sont pas celles du dépôt\u202F: augmenter time.end",
      "{1}. La profundidad final y el alcance no son los del depósito: aumente time.end"},
     {"at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not included there in "
      "maps, areas, speeds and run-out: set numerics.minimum-depth to about a hundredth of the usual flow depth",
      "a un certo momento il {1} % del flusso era più sottile di numerics.minimum-depth = {2} m, e lì non è compreso in "
-     "mappe, aree, velocità e distanza percorsa: impostare numerics.minimum-depth a circa un centesimo della "
+     "mappe, aree, velocità e distanza di propagazione: impostare numerics.minimum-depth a circa un centesimo della "
      "profondità usuale del flusso",
      "zeitweise waren {1} % des Stroms dünner als numerics.minimum-depth = {2} m und sind dort nicht in Karten, "
      "Flächen, Geschwindigkeiten und Auslauflänge enthalten: numerics.minimum-depth auf etwa ein Hundertstel der "
      "üblichen Fließtiefe setzen",
      "à un moment {1}\u202F% de l’écoulement était plus mince que numerics.minimum-depth = {2} m, et n’y est pas "
-     "compris dans cartes, surfaces, vitesses et distance parcourue\u202F: fixer numerics.minimum-depth à environ un "
+     "compris dans cartes, surfaces, vitesses et distance de propagation\u202F: fixer numerics.minimum-depth à environ un "
      "centième de la hauteur usuelle de l’écoulement",
      "en algún momento el {1} % del flujo fue más delgado que numerics.minimum-depth = {2} m, y ahí no está incluido "
      "en mapas, áreas, velocidades y alcance: fije numerics.minimum-depth en alrededor de una centésima de la "
@@ -58,13 +58,13 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not included there in "
      "maps, areas, speeds and run-out: set numerics.minimum-depth to about a hundredth of the usual flow depth",
      "le mappe sono vuote: il flusso non ha mai raggiunto numerics.minimum-depth = {2} m, e non è compreso in mappe, "
-     "aree, velocità e distanza percorsa: impostare numerics.minimum-depth a circa un centesimo della profondità "
+     "aree, velocità e distanza di propagazione: impostare numerics.minimum-depth a circa un centesimo della profondità "
      "usuale del flusso",
      "die Karten sind leer: der Strom war nirgends so tief wie numerics.minimum-depth = {2} m und ist nicht in Karten, "
      "Flächen, Geschwindigkeiten und Auslauflänge enthalten: numerics.minimum-depth auf etwa ein Hundertstel der "
      "üblichen Fließtiefe setzen",
      "les cartes sont vides\u202F: l’écoulement n’a nulle part atteint numerics.minimum-depth = {2} m, et n’est pas "
-     "compris dans cartes, surfaces, vitesses et distance parcourue\u202F: fixer numerics.minimum-depth à environ un "
+     "compris dans cartes, surfaces, vitesses et distance de propagation\u202F: fixer numerics.minimum-depth à environ un "
      "centième de la hauteur usuelle de l’écoulement",
      "los mapas están vacíos: el flujo no alcanzó en ningún lugar numerics.minimum-depth = {2} m, y no está incluido "
      "en mapas, áreas, velocidades y alcance: fije numerics.minimum-depth en alrededor de una centésima de la "
@@ -73,13 +73,13 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "empty, run-out is 0 and a comparison finds nothing. Set output.trace-threshold to about a tenth of the usual "
      "flow depth",
      "il flusso non è stato in nessun punto più profondo di output.trace-threshold = {1} m, ma {2} m: traccia, "
-     "deposito e area coperta sono vuoti, la distanza percorsa è 0 e un confronto non trova nulla. Impostare "
+     "deposito e area coperta sono vuoti, la distanza di propagazione è 0 e un confronto non trova nulla. Impostare "
      "output.trace-threshold a circa un decimo della profondità usuale del flusso",
      "der Strom war nirgends tiefer als output.trace-threshold = {1} m, sondern {2} m: Spur, Ablagerung und bedeckte "
      "Fläche sind leer, die Auslauflänge ist 0, und ein Vergleich findet nichts. output.trace-threshold auf etwa ein "
      "Zehntel der üblichen Fließtiefe setzen",
      "l’écoulement n’a nulle part dépassé output.trace-threshold = {1} m, mais {2} m\u202F: trace, dépôt et surface "
-     "couverte sont vides, la distance parcourue est 0 et une comparaison ne trouve rien. Fixer output.trace-threshold "
+     "couverte sont vides, la distance de propagation est 0 et une comparaison ne trouve rien. Fixer output.trace-threshold "
      "à environ un dixième de la hauteur usuelle de l’écoulement",
      "el flujo no fue en ningún lugar más profundo que output.trace-threshold = {1} m, sino {2} m: traza, depósito y "
      "área cubierta están vacíos, el alcance es 0 y una comparación no encuentra nada. Fije output.trace-threshold en "
@@ -171,18 +171,18 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Fronten und Spitzen werden nicht mit einer Wahrscheinlichkeitskarte verglichen",
      "fronts et pointes ne sont pas comparés à une carte de probabilité",
      "frentes y puntas no se comparan con un mapa de probabilidad"},
-    {"the scar reaches beyond the map; there its probability counts as 0",
+    {"the surveyed outline reaches beyond the map; there its probability counts as 0",
      "il perimetro osservato va oltre la mappa; lì la probabilità vale 0",
      "der beobachtete Umriss reicht über die Karte hinaus; dort zählt die Wahrscheinlichkeit als 0",
      "le contour observé dépasse la carte\u202F; la probabilité y compte pour 0",
      "el contorno observado sobrepasa el mapa; ahí su probabilidad cuenta como 0"},
-    {"the scar reaches beyond the result's rasters, so its run-out is unknown: no run-out difference. With "
+    {"the surveyed outline reaches beyond the result's rasters, so its run-out is unknown: no run-out difference. With "
      "output.extent = map a run's rasters cover the whole map",
-     "il perimetro osservato va oltre i raster del risultato, quindi la sua distanza percorsa è ignota: nessuna "
+     "il perimetro osservato va oltre i raster del risultato, quindi la sua distanza di propagazione è ignota: nessuna "
      "differenza. Con output.extent = map i raster di un calcolo coprono l’intera mappa",
      "der beobachtete Umriss reicht über die Raster des Ergebnisses hinaus, daher ist seine Auslauflänge unbekannt: "
      "kein Unterschied der Auslauflängen. Mit output.extent = map decken die Raster einer Rechnung die ganze Karte ab",
-     "le contour observé dépasse les rasters du résultat, sa distance parcourue est donc inconnue\u202F: pas de "
+     "le contour observé dépasse les rasters du résultat, sa distance de propagation est donc inconnue\u202F: pas de "
      "différence. Avec output.extent = map les rasters d’un calcul couvrent toute la carte",
      "el contorno observado sobrepasa los rásteres del resultado, así que su alcance se desconoce: no hay diferencia "
      "de alcance. Con output.extent = map los rásteres de un cálculo cubren todo el mapa"},
@@ -196,7 +196,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "es gibt keine Endtiefe, die mit der kartierten Ablagerung zu vergleichen wäre",
      "il n’y a pas de hauteur finale à comparer au dépôt levé",
      "no hay profundidad final que comparar con el depósito levantado"},
-    {"the scar reaches beyond the result's rasters; its part outside counts as missed",
+    {"the surveyed outline reaches beyond the result's rasters; its part outside counts as missed",
      "il perimetro osservato va oltre i raster del risultato; la parte fuori conta come mancata",
      "der beobachtete Umriss reicht über die Raster des Ergebnisses hinaus; sein Teil außerhalb zählt als verfehlt",
      "le contour observé dépasse les rasters du résultat\u202F; sa partie extérieure compte comme manquée",
