@@ -168,6 +168,53 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "coordonnées), que les altitudes sont en mètres (terrain.vertical-unit) et que le MNT y a ses altitudes",
      "el área de inicio es casi llana: {1}. Compruebe que perímetro y MDT sean del mismo lugar (sistemas de "
      "referencia), que las cotas estén en metros (terrain.vertical-unit) y que el MDT tenga ahí sus cotas"},
+    {"the release is held by friction: its ground, {1}, is nowhere as steep as the slope of {2} degrees that its "
+     "friction holds, so that at most its edges move. {3}",
+     "l’area di distacco è trattenuta dall’attrito: il suo terreno, {1}, non è in alcun punto ripido come il pendio di "
+     "{2} gradi che il suo attrito sostiene, così che si muovono al più i suoi bordi. {3}",
+     "die Anrissfläche wird von der Reibung gehalten: ihr Gelände, {1}, ist nirgends so steil wie der Hang von {2} "
+     "Grad, den ihre Reibung hält, sodass sich höchstens ihre Ränder bewegen. {3}",
+     "la zone de départ est retenue par le frottement\u202F: son terrain, {1}, n’est nulle part aussi raide que la "
+     "pente de {2} degrés que son frottement retient, de sorte que seuls ses bords bougent tout au plus. {3}",
+     "el área de inicio queda retenida por la fricción: su terreno, {1}, no es en ningún punto tan empinado como la "
+     "ladera de {2} grados que su fricción sostiene, de modo que se mueven a lo sumo sus bordes. {3}"},
+    {"The elevations were converted from {1}, as the file says: if they are in metres already, set "
+     "terrain.vertical-unit = metre. Otherwise check the elevations above against a map, and the friction",
+     "Le quote sono state convertite da {1}, come dice il file: se sono già in metri, indicare terrain.vertical-unit = "
+     "metre. Altrimenti confrontare le quote sopra con una carta, e controllare l’attrito",
+     "Die Höhen wurden aus {1} umgerechnet, wie die Datei sagt: sind sie schon in Metern, terrain.vertical-unit = "
+     "metre "
+     "setzen. Sonst die Höhen oben mit einer Karte vergleichen und die Reibung prüfen",
+     "Les altitudes ont été converties depuis {1}, comme l’indique le fichier\u202F: si elles sont déjà en mètres, "
+     "indiquer terrain.vertical-unit = metre. Sinon comparer les altitudes ci-dessus à une carte, et vérifier le "
+     "frottement",
+     "Las cotas se convirtieron desde {1}, como dice el archivo: si ya están en metros, indique terrain.vertical-unit "
+     "= "
+     "metre. Si no, compare las cotas de arriba con un mapa y compruebe la fricción"},
+    {"The elevations were converted from {1}: if they are in metres already, set terrain.vertical-unit = metre. "
+     "Otherwise check the elevations above against a map, and the friction",
+     "Le quote sono state convertite da {1}: se sono già in metri, indicare terrain.vertical-unit = metre. Altrimenti "
+     "confrontare le quote sopra con una carta, e controllare l’attrito",
+     "Die Höhen wurden aus {1} umgerechnet: sind sie schon in Metern, terrain.vertical-unit = metre setzen. Sonst die "
+     "Höhen oben mit einer Karte vergleichen und die Reibung prüfen",
+     "Les altitudes ont été converties depuis {1}\u202F: si elles sont déjà en mètres, indiquer terrain.vertical-unit "
+     "= "
+     "metre. Sinon comparer les altitudes ci-dessus à une carte, et vérifier le frottement",
+     "Las cotas se convirtieron desde {1}: si ya están en metros, indique terrain.vertical-unit = metre. Si no, "
+     "compare "
+     "las cotas de arriba con un mapa y compruebe la fricción"},
+    {"Elevations that are too low for their eastings look like this, as metres that were converted as if they were "
+     "feet: check the elevations above against a map, and the friction",
+     "Quote troppo basse rispetto alle coordinate est si presentano così, come metri convertiti quasi fossero piedi: "
+     "confrontare le quote sopra con una carta, e controllare l’attrito",
+     "So sehen Höhen aus, die für ihre Rechtswerte zu niedrig sind, wie Meter, die wie Fuß umgerechnet wurden: die "
+     "Höhen oben mit einer Karte vergleichen und die Reibung prüfen",
+     "Des altitudes trop basses pour leurs abscisses se présentent ainsi, comme des mètres convertis comme s’ils "
+     "étaient "
+     "des pieds\u202F: comparer les altitudes ci-dessus à une carte, et vérifier le frottement",
+     "Cotas demasiado bajas para sus coordenadas este tienen este aspecto, como metros convertidos como si fueran "
+     "pies: "
+     "compare las cotas de arriba con un mapa y compruebe la fricción"},
     {"the path is steeper than those of landslides: {1}. {2}",
      "il percorso è più ripido di quelli delle frane: {1}. {2}",
      "der Fließweg ist steiler als die von Rutschungen: {1}. {2}",
