@@ -42,7 +42,7 @@ constexpr Attribute k_attributes[] = {
     {"class", worded("class")},
     {"thresholds", worded("thresholds")},
     {"scheme", worded("scheme")},
-    {"source", worded("source")},
+    {"source", worded("reference")},
     {"exposed", worded("exposed feature")},
     {"count", worded("count")},
     {"reached", worded("reached (1: yes)")},
