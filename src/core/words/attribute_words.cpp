@@ -21,7 +21,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"drop [m]", "dislivello [m]", "Fallhöhe [m]", "dénivelé [m]", "desnivel [m]"},
     {"angle of reach [°]", "angolo di propagazione [°]", "Pauschalgefälle [°]", "angle de propagation [°]",
      "ángulo de alcance [°]"},
-    {"probability [-]", "probabilità [-]", "Wahrscheinlichkeit [-]", "probabilité [-]", "probabilidad [-]"},
     {"scheme", "schema", "Schema", "schéma", "esquema"},
     {"source", "fonte", "Quelle", "source", "fuente"},
     {"exposed feature", "elemento esposto", "exponiertes Objekt", "élément exposé", "elemento expuesto"},
