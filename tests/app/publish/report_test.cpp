@@ -128,7 +128,7 @@ TEST_F(Report, HasItsWarningsInItsLanguage) {
     write("dtm.asc", [&] {
         std::string text = read_text(path("dtm.asc"));
         const std::size_t at = text.rfind(' ', text.size() / 2);
-        return text.replace(at, text.find_first_of(" \n", at + 1) - at, " 9000");
+        return text.replace(at, text.find_first_of(" \n", at + 1) - at, " 9500");
     }());
     write_scene("[output]\nlanguage = it\nmaps = off\nanimation = off\ncharts = off\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
