@@ -98,8 +98,9 @@ std::string exposed_text(const GridSpec& grid) {
         return "\"what\": \"" + name + "\", \"people\": " + std::to_string(people);
     };
     std::vector<std::string> features;
-    const double houses[][2] = {{150, 62}, {205, 70},  {400, 58},  {455, 75},
-                                {760, 66}, {1065, 60}, {1110, 78}, {1330, 64}};
+    // Some where the larger events come.
+    const double houses[][2] = {{88, 120}, {205, 70},  {340, 125},  {455, 75},
+                                {760, 66}, {1065, 60}, {1110, 150}, {1366, 155}};
     int number = 0;
     for (const auto& [x, from_river] : houses) {
         const double y = river_line(x) + from_river;

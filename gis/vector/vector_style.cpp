@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/vector/vector_style.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "core/markup.h"
 #include "core/shortest_text.h"
+#include "gis/vector/value_style.h"
 
 namespace frana::gis {
 namespace {
@@ -20,7 +22,7 @@ std::string property(const char* key, const std::string& value) {
     return std::string("          <prop k=\"") + key + "\" v=\"" + value + "\"/>\n";
 }
 
-std::string symbol(Shape shape, const VectorLook& look) {
+std::string symbol(Shape shape, const VectorLook& look, std::size_t number = 0) {
     const std::string colour = qml_colour(look.colour), width = shortest_text(look.width_mm),
                       dashes = look.dashed ? "dash" : "solid";
     std::string kind, layer, properties;
@@ -40,9 +42,9 @@ std::string symbol(Shape shape, const VectorLook& look) {
         properties = property("name", "circle") + property("color", colour) + property("outline_style", "no") +
                      property("size", width) + property("size_unit", "MM");
     }
-    return "      <symbol type=\"" + kind + "\" name=\"0\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" +
-           "        <layer class=\"" + layer + "\" pass=\"0\" locked=\"0\" enabled=\"1\">\n" + properties +
-           "        </layer>\n      </symbol>\n";
+    return "      <symbol type=\"" + kind + "\" name=\"" + std::to_string(number) +
+           "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" + "        <layer class=\"" + layer +
+           "\" pass=\"0\" locked=\"0\" enabled=\"1\">\n" + properties + "        </layer>\n      </symbol>\n";
 }
 
 /// Outside the outline, beside the line or over the point, with a white halo.
@@ -63,8 +65,9 @@ std::string css(const char* name, const std::string& value) {
     return std::string("<CssParameter name=\"") + name + "\">" + value + "</CssParameter>";
 }
 
-std::string sld_rule(Shape shape, const VectorLook& look) {
-    std::string text = "        <Rule>\n          ";
+/// @param filter with the name of the rule; empty: all features
+std::string sld_rule(Shape shape, const VectorLook& look, const std::string& filter = "") {
+    std::string text = "        <Rule>\n" + filter + "          ";
     if (shape == Shape::point) {
         text += "<PointSymbolizer><Graphic><Mark><WellKnownName>circle</WellKnownName><Fill>" +
                 css("fill", hex(look.colour)) + "</Fill></Mark><Size>" +
@@ -84,6 +87,22 @@ std::string sld_rule(Shape shape, const VectorLook& look) {
                 css("fill", "#ffffff") + "</Fill></Halo><Fill>" + css("fill", hex(look.colour)) +
                 "</Fill></TextSymbolizer>\n";
     return text + "        </Rule>\n";
+}
+
+std::string sld_filter(const std::string& attribute, const ValueLook& one) {
+    const std::string name = "          <Name>" + escaped_markup(one.label) + "</Name>\n          ";
+    if (std::isnan(one.value)) return name + "<ElseFilter/>\n";
+    return name + "<ogc:Filter><ogc:PropertyIsEqualTo><ogc:PropertyName>" + escaped_markup(attribute) +
+           "</ogc:PropertyName><ogc:Literal>" + shortest_text(one.value) +
+           "</ogc:Literal></ogc:PropertyIsEqualTo></ogc:Filter>\n";
+}
+
+/// QGIS takes the empty value as all others, NULL among them.
+std::string qml_category(std::size_t number, const ValueLook& one) {
+    const bool is_rest = std::isnan(one.value);
+    return "      <category symbol=\"" + std::to_string(number) + "\" value=\"" +
+           (is_rest ? "" : shortest_text(one.value)) + "\" type=\"" + (is_rest ? "string" : "double") + "\" label=\"" +
+           escaped_markup(one.label) + "\" render=\"true\"/>\n";
 }
 
 }  // namespace
@@ -111,6 +130,21 @@ StyleText style_of(const std::string& name, Shape shape, const VectorLook& look)
         symbol(shape, look) + "    </symbols>\n  </renderer-v2>\n";
     return {qml_document(renderer + (has_labels ? labels(shape, look) : ""), has_labels),
             sld_document(name, name, sld_rule(shape, look))};
+}
+
+StyleText style_of(const std::string& name, Shape shape, const std::string& attribute,
+                   const std::vector<ValueLook>& looks) {
+    std::string categories, symbols, rules;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        categories += qml_category(i, looks[i]);
+        symbols += symbol(shape, looks[i].look, i);
+        rules += sld_rule(shape, looks[i].look, sld_filter(attribute, looks[i]));
+    }
+    return {
+        qml_document("  <renderer-v2 type=\"categorizedSymbol\" attr=\"" + escaped_markup(attribute) +
+                     "\" symbollevels=\"0\" enableorderby=\"0\" forceraster=\"0\">\n    <categories>\n" + categories +
+                     "    </categories>\n    <symbols>\n" + symbols + "    </symbols>\n  </renderer-v2>\n"),
+        sld_document(name, name, rules)};
 }
 
 }  // namespace frana::gis

@@ -23,14 +23,15 @@ inline constexpr int k_intensities = 3;  ///< 1 weak, 2 medium, 3 strong
 inline constexpr std::size_t k_probabilities = 3;
 
 /// Degrees for three intensities and three probabilities (high, medium, low). Rarer events are a residual hazard,
-/// whatever their intensity. The default follows the matrix of the Swiss recommendations of 1997 for floods and mass
-/// movements (BWW, BRP, BUWAL); where their diagram divides a field between two colours, the worse one.
+/// whatever their intensity. The default is the Swiss matrix of nine fields for all processes as the canton of Bern
+/// publishes it; where it divides a field between two colours, by the process, the worse one. share/doc/region.md has
+/// the matrices of single processes.
 struct DegreeMatrix {
     /// Longest return period of each probability [years], rising.
     std::array<double, k_probabilities> periods{30, 100, 300};
     /// By intensity, from weak; by probability, from high.
     std::array<std::array<HazardDegree, k_probabilities>, k_intensities> degrees{
-        {{HazardDegree::blue, HazardDegree::yellow, HazardDegree::yellow},
+        {{HazardDegree::blue, HazardDegree::blue, HazardDegree::yellow},
          {HazardDegree::red, HazardDegree::blue, HazardDegree::blue},
          {HazardDegree::red, HazardDegree::red, HazardDegree::red}}};
 

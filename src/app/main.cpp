@@ -20,7 +20,9 @@
 #include "app/pictures/letter_warning.h"
 #include "app/process/machine_memory.h"
 #include "app/process/signals.h"
+#include "app/process/terminal.h"
 #include "app/text/number_text.h"
+#include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/system_remedy.h"
@@ -43,7 +45,7 @@ int dispatch(Arguments words) {
     if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
     const std::string& name = words.front();
     if (name == "--help" || name == "-h" || name == "help") {
-        std::cout << help_text();
+        std::cout << folded(help_text(), output_width());
         return static_cast<int>(ExitCode::done);
     }
     if (name == "--version") {

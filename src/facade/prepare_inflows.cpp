@@ -19,8 +19,8 @@ bool is_amount(double value) {
 }
 
 bool check_line(const std::vector<Point>& line, const std::string& where, Problems& problems) {
-    const bool finite = std::all_of(line.begin(), line.end(),
-                                    [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+    const bool finite =
+        std::all_of(line.begin(), line.end(), [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
     if (finite && line.size() >= 2) return true;
     problems.add({"has no line", where, std::to_string(line.size()) + " points", "2 or more, finite",
                   "Give the points of a line"});

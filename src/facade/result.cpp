@@ -43,8 +43,7 @@ std::vector<Record> records_of(const std::vector<Named>& named, const std::vecto
         for (const Column<Row>& column : columns) record.columns.push_back({column.name, column.unit, {}});
     }
     for (const Row& row : rows)
-        for (std::size_t c = 0; c < count; ++c)
-            records[row.*index].columns[c].values.push_back(row.*columns[c].value);
+        for (std::size_t c = 0; c < count; ++c) records[row.*index].columns[c].values.push_back(row.*columns[c].value);
     return records;
 }
 
@@ -119,18 +118,18 @@ Raster Result::raster(const std::string& name) const {
 
 std::vector<Series> Result::series() const {
     static constexpr Column<SeriesRow> k_columns[] = {{"time", "s", &SeriesRow::time},
-                                           {"dt", "s", &SeriesRow::dt},
-                                           {"volume", "m3", &SeriesRow::volume},
-                                           {"volume_left", "m3", &SeriesRow::volume_left},
-                                           {"max_depth", "m", &SeriesRow::max_depth},
-                                           {"max_speed", "m/s", &SeriesRow::max_speed},
-                                           {"front_distance", "m", &SeriesRow::front_distance},
-                                           {"kinetic_energy", "J", &SeriesRow::kinetic_energy},
-                                           {"covered_area", "m2", &SeriesRow::covered_area},
-                                           {"volume_entered", "m3", &SeriesRow::volume_entered},
-                                           {"volume_inflow", "m3", &SeriesRow::volume_inflow},
-                                           {"volume_eroded", "m3", &SeriesRow::volume_eroded},
-                                           {"volume_deposited", "m3", &SeriesRow::volume_deposited}};
+                                                      {"dt", "s", &SeriesRow::dt},
+                                                      {"volume", "m3", &SeriesRow::volume},
+                                                      {"volume_left", "m3", &SeriesRow::volume_left},
+                                                      {"max_depth", "m", &SeriesRow::max_depth},
+                                                      {"max_speed", "m/s", &SeriesRow::max_speed},
+                                                      {"front_distance", "m", &SeriesRow::front_distance},
+                                                      {"kinetic_energy", "J", &SeriesRow::kinetic_energy},
+                                                      {"covered_area", "m2", &SeriesRow::covered_area},
+                                                      {"volume_entered", "m3", &SeriesRow::volume_entered},
+                                                      {"volume_inflow", "m3", &SeriesRow::volume_inflow},
+                                                      {"volume_eroded", "m3", &SeriesRow::volume_eroded},
+                                                      {"volume_deposited", "m3", &SeriesRow::volume_deposited}};
     std::vector<Series> list;
     for (const Column<SeriesRow>& column : k_columns) {
         Series& series = list.emplace_back(Series{column.name, column.unit, {}});
@@ -146,12 +145,10 @@ std::vector<Record> Result::gauges() const {
 }
 
 std::vector<Record> Result::sections() const {
-    static constexpr Column<SectionRow> k_columns[] = {{"time", "s", &SectionRow::time},
-                                                       {"discharge", "m3/s", &SectionRow::discharge},
-                                                       {"volume", "m3", &SectionRow::volume},
-                                                       {"wetted_width", "m", &SectionRow::wetted_width},
-                                                       {"max_depth", "m", &SectionRow::max_depth},
-                                                       {"max_speed", "m/s", &SectionRow::max_speed}};
+    static constexpr Column<SectionRow> k_columns[] = {
+        {"time", "s", &SectionRow::time},           {"discharge", "m3/s", &SectionRow::discharge},
+        {"volume", "m3", &SectionRow::volume},      {"wetted_width", "m", &SectionRow::wetted_width},
+        {"max_depth", "m", &SectionRow::max_depth}, {"max_speed", "m/s", &SectionRow::max_speed}};
     return records_of(data_->recording.sections, data_->result.sections, &SectionRow::section, k_columns);
 }
 

@@ -13,7 +13,7 @@ namespace frana::facade {
 struct Result::Data {
     RunResult result;
     Grid grid;
-    Recording recording;   ///< of which the result has rows
+    Recording recording;  ///< of which the result has rows
     std::string summary;  ///< JSON
     std::vector<std::string> notes;
 };

@@ -319,8 +319,10 @@ void add_scene(py::module_& module) {
             "direction: [degrees] clockwise from north; None: normal to the line, downhill")
         .def(
             "add_gauge",
-            [](Scene& scene, double x, double y, const std::string& name) { scene.add_gauge({{x, y}, name}); }, "x"_a,
-            "y"_a, "name"_a = "",
+            [](Scene& scene, double x, double y, const std::string& name) {
+                scene.add_gauge({{x, y}, name});
+            },
+            "x"_a, "y"_a, "name"_a = "",
             "Adds a place where depth and speed are recorded at every step, or as output.sample-interval says. Without "
             "a name it has its number.")
         .def(
@@ -374,8 +376,7 @@ void add_results(py::module_& module) {
             "summary", [](const Result& result) { return py::module_::import("json").attr("loads")(result.summary()); },
             "what summary.json says of the run itself, by the same keys")
         .def_property_readonly(
-            "series",
-            [](const Result& result) { return columns_of(result.series()); },
+            "series", [](const Result& result) { return columns_of(result.series()); },
             "one value for each step: time [s], dt [s], volume [m3], max_depth [m], max_speed [m/s], "
             "front_distance [m], kinetic_energy [J], covered_area [m2], ...")
         .def_property_readonly(

@@ -12,7 +12,7 @@ constexpr HazardDegree k_red = HazardDegree::red, k_blue = HazardDegree::blue, k
 // All twelve combinations by hand: three intensities with a high, medium, low and very low probability.
 TEST(HazardDegree, MatrixOfIntensityAndProbability) {
     const DegreeMatrix matrix;
-    const HazardDegree expected[3][4] = {{k_blue, k_yellow, k_yellow, k_residual},
+    const HazardDegree expected[3][4] = {{k_blue, k_blue, k_yellow, k_residual},
                                          {k_red, k_blue, k_blue, k_residual},
                                          {k_red, k_red, k_red, k_residual}};
     const double years[4] = {30, 100, 300, 301};
@@ -26,7 +26,7 @@ TEST(HazardDegree, LimitsAreThoseGiven) {
     DegreeMatrix matrix;
     matrix.periods = {10, 50, 200};
     EXPECT_EQ(matrix.of(1, 10), k_blue);
-    EXPECT_EQ(matrix.of(1, 10.001), k_yellow);
+    EXPECT_EQ(matrix.of(1, 50.001), k_yellow);
     EXPECT_EQ(matrix.of(3, 200), k_red);
     EXPECT_EQ(matrix.of(3, 200.001), k_residual);
 }
@@ -34,8 +34,8 @@ TEST(HazardDegree, LimitsAreThoseGiven) {
 TEST(HazardDegree, LegendNamesWhatLeadsToEachDegree) {
     const DegreeMatrix matrix;
     EXPECT_EQ(matrix.conditions_of(k_red), "strong \u2264 300 a; medium \u2264 30 a");
-    EXPECT_EQ(matrix.conditions_of(k_blue), "medium 30 \u2013 300 a; weak \u2264 30 a");
-    EXPECT_EQ(matrix.conditions_of(k_yellow), "weak 30 \u2013 300 a");
+    EXPECT_EQ(matrix.conditions_of(k_blue), "medium 30 \u2013 300 a; weak \u2264 100 a");
+    EXPECT_EQ(matrix.conditions_of(k_yellow), "weak 100 \u2013 300 a");
     EXPECT_EQ(matrix.conditions_of(k_residual), "any > 300 a");
     for (const HazardClass& one : degree_classes(matrix))
         EXPECT_EQ(one.thresholds, matrix.conditions_of(static_cast<HazardDegree>(one.value)));

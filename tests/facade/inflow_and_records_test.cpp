@@ -31,10 +31,11 @@ class InflowAndRecords : public TinyScene {
         write_marks("section", R"("LineString", "coordinates": [[527074, 5094120], [527074, 5094030]])", "road");
     }
     void write_marks(const std::string& file, const std::string& geometry, const std::string& name) const {
-        write(file + ".geojson",
-              R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
-              R"( "features": [{"type": "Feature", "properties": {"name": ")" +
-                  name + R"("}, "geometry": {"type": )" + geometry + "}}]}\n");
+        write(
+            file + ".geojson",
+            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
+            R"( "features": [{"type": "Feature", "properties": {"name": ")" +
+                name + R"("}, "geometry": {"type": )" + geometry + "}}]}\n");
     }
     void write_all(const std::string& hydrograph, const std::string& more = "") const {
         write("flood.csv", hydrograph);
@@ -49,7 +50,8 @@ class InflowAndRecords : public TinyScene {
     [[nodiscard]] static facade::Scene scene_of(const app::Prepared& prepared) {
         const GridSpec& grid = prepared.scene.grid;
         const auto& z = std::as_const(prepared.scene.terrain.values);
-        facade::Scene scene({grid.west, grid.north, grid.cell_size, grid.rows, grid.columns}, {{z.data(), z.size()}, {}});
+        facade::Scene scene({grid.west, grid.north, grid.cell_size, grid.rows, grid.columns},
+                            {{z.data(), z.size()}, {}});
         scene.set("material.friction-angle", 15);
         scene.set("material.turbulence", 500);
         scene.set("time.end", 4);
@@ -173,7 +175,8 @@ TEST(InflowAndRecordsRefused, InWords) {
              {{.line = line, .hydrograph = {{0, 1, 0}, {1, 1, 0}}}, "the hydrograph has a discharge without velocity"},
              {{.line = line, .hydrograph = {{0, 0}, {1, 0}}}, "the hydrograph has no discharge"},
              {{.line = line, .hydrograph = {{0, 1}, {1, 1}}, .direction = 400}, "is out of range"},
-             {{.line = line, .hydrograph = {{0, 1, 1e11}, {5, 1, 1e11}}}, "would need more particles than can be counted"},
+             {{.line = line, .hydrograph = {{0, 1, 1e11}, {5, 1, 1e11}}},
+              "would need more particles than can be counted"},
              {{.line = {{600020, 5000040}, {600020, 5000400}}, .hydrograph = {{0, 1}, {1, 1}}},
               "the inflow's line reaches beyond the working grid"}}) {
         facade::Scene scene = small_scene(z);
@@ -201,9 +204,9 @@ TEST(InflowAndRecordsRefused, InWords) {
     marks.add_section({{{600020, 5000040}, {NAN, 0}}});
     std::vector<std::string> whats;
     for (const facade::Problem& problem : problems_of(marks)) whats.push_back(problem.where + ": " + problem.what);
-    EXPECT_EQ(whats, (std::vector<std::string>{"gauges: two have the same name", "gauge 3: lies outside the terrain",
-                                               "cross-section b: has no line",
-                                               "cross-section 2: lies outside the terrain"}));
+    EXPECT_EQ(whats,
+              (std::vector<std::string>{"gauges: two have the same name", "gauge 3: lies outside the terrain",
+                                        "cross-section b: has no line", "cross-section 2: lies outside the terrain"}));
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/input/share_directory.h"
+#include "app/process/terminal.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "bench/accuracy/accuracy_report.h"
 #include "bench/accuracy/time_to_error.h"
 #include "bench/speed/law_costs.h"
@@ -61,7 +63,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void report_line(const std::string& line) {
-    std::cerr << line << '\n';
+    std::cerr << folded(line + '\n', output_width());
 }
 
 // Returns the sample's DTM; none if the samples are not installed.

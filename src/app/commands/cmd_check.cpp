@@ -18,6 +18,7 @@
 #include "app/commands/memory_limit.h"
 #include "app/commands/study_check.h"
 #include "app/commands/time_estimate.h"
+#include "app/input/check_exposure.h"
 #include "app/input/check_ground.h"
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
@@ -198,6 +199,8 @@ int cmd_check(const Arguments& arguments) {
     compare_volumes(prepared.release.file_volume, expected.volume, log);
     warn_of_thin_release(expected, prepared.scene, log);
     if (trial && trial->path) warn_of_path_ground(*trial->path, log);
+    if (const auto& exposed = prepared.extra.exposure)
+        warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
     if (json) print_document(check_document({prepared, expected, trial, memory, threads, directory, log.warnings()}));
     return static_cast<int>(ExitCode::done);
 }

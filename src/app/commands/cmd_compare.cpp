@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "analysis/trace.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/json_output.h"
@@ -15,6 +16,7 @@
 #include "app/compare/comparison_table.h"
 #include "app/compare/probability_comparison.h"
 #include "app/compare/ranking.h"
+#include "app/input/check_release.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish_project.h"
@@ -123,12 +125,17 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
     return simulated;
 }
 
+/// @param released outlines of the release, empty if unknown
+/// @param simulated the survey's CRS and cells are its
 Survey read_survey(const std::optional<std::string>& scar, const std::optional<std::string>& deposit,
-                   const GridSpec& grid, RunLog& log) {
+                   const MultiPolygon& released, const Raster& simulated, RunLog& log) {
+    const GridSpec& grid = simulated.grid;
     Survey survey;
     if (grid.crs_wkt.empty())
         log.warn(worded("the raster has no CRS: the survey's coordinates are used without transformation"));
     if (scar) add_surveyed(*scar, grid.crs_wkt, "--observed", log, survey);
+    if (!survey.scar.empty() && !released.empty())
+        question_outline(released, survey.scar, padded_to(simulated, bounds(survey.scar), k_no_data).grid, *scar, log);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;
 }
@@ -286,7 +293,7 @@ int compare_probability(const Pair& pair, const std::optional<double>& threshold
     ProbabilityMap map = read_probability_map(pair.operand, threshold);
     if (size) map.source.style.size = *size;
     RunLog log(false);
-    const Survey survey = read_survey(pair.scar, std::nullopt, map.values.grid, log);
+    const Survey survey = read_survey(pair.scar, std::nullopt, map.source.release, map.values, log);
     const ProbabilityScores scores = compare_with_survey(map, survey, log);
     make_folder(pair.folder);
     const std::vector<std::string> files = files_of(pair, map.source.style);
@@ -353,7 +360,7 @@ int cmd_compare(const Arguments& arguments) {
         if (std::exchange(operand, pair.operand) != pair.operand) simulated = read_simulated(operand, threshold);
         if (size) simulated.source.style.size = *size;
         refuse_too_large(simulated, size ? "--size" : "output.map-size");
-        simulated.input.survey = read_survey(pair.scar, deposit, simulated.input.depth.grid, log);
+        simulated.input.survey = read_survey(pair.scar, deposit, simulated.source.release, simulated.input.depth, log);
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));
         renew_project(pair.folder);

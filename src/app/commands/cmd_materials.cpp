@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <iostream>
+#include <sstream>
 
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/input/share_directory.h"
+#include "app/process/terminal.h"
+#include "app/text/text_table.h"
 #include "params/keys/materials.h"
 
 namespace frana::app {
@@ -17,16 +20,15 @@ CommandForm materials_form() {
 
 int cmd_materials(const Arguments& arguments) {
     if (!parse_arguments(materials_form(), arguments)) return static_cast<int>(ExitCode::done);
-    bool first = true;
+    std::ostringstream text;
     for (const MaterialPreset& preset : material_presets(materials_directory())) {
-        if (!first) std::cout << '\n';
-        first = false;
-        std::cout
-            << preset.name << '\n'
-            << "  A starting point, not a calibrated value: fit it to a known event of the same kind and place.\n";
-        for (const std::string& line : preset.comments) std::cout << "  # " << line << '\n';
-        for (const IniEntry& entry : preset.entries) std::cout << "  " << entry.name << " = " << entry.value << '\n';
+        if (text.tellp() > 0) text << '\n';
+        text << preset.name << '\n'
+             << "  A starting point, not a calibrated value: fit it to a known event of the same kind and place.\n";
+        for (const std::string& line : preset.comments) text << "  # " << line << '\n';
+        for (const IniEntry& entry : preset.entries) text << "  " << entry.name << " = " << entry.value << '\n';
     }
+    std::cout << folded(text.str(), output_width());
     return static_cast<int>(ExitCode::done);
 }
 

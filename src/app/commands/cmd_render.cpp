@@ -246,7 +246,7 @@ std::vector<MapLayer> difference_layers(const ResultReader& result, const Reques
                                         Problems& problems) {
     std::vector<MapLayer> layers;
     try {
-        const ResultReader other(*request.difference);
+        const ResultReader other(*request.difference, result.words().language());
         for (const std::string& name : request.maps) {
             DifferenceMap map = difference_map(result, other, name);
             map.source.style = source.style;

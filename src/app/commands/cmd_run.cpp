@@ -33,6 +33,9 @@
 #include "simulation/run_check.h"
 #include "simulation/scene_origin.h"
 #include "simulation/simulation.h"
+#include "study/read_calibration.h"
+#include "study/read_region.h"
+#include "study/read_study.h"
 
 namespace frana::app {
 
@@ -269,6 +272,17 @@ bool wants_json_progress(const boost::program_options::variables_map& values) {
     return progress.has_value();
 }
 
+/// A region, a study or a calibration has a command of its own.
+void require_scene(const std::string& file) {
+    const auto refuse = [&](const std::string& what, const std::string& command) {
+        throw Error(ErrorKind::input, Problem{"is " + what + ", not a scene", file, "", "",
+                                              "`frana " + command + " " + file + "` runs it"});
+    };
+    if (study::is_region(file)) refuse("a region of many slopes", "batch");
+    if (study::is_study(file)) refuse("a study of many runs", "ensemble");
+    if (study::is_calibration(file)) refuse("a calibration", "calibrate");
+}
+
 int run_scene(const boost::program_options::variables_map& values, std::string& target, RunLog& log) {
     const Stopwatch since_start;
     const int threads = thread_count(values);
@@ -277,6 +291,7 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     const bool json_progress = wants_json_progress(values);
     apply_memory_limit(values, log);
 
+    require_scene(values["operand"].as<std::string>());
     SceneReading reading = read_scene(values["operand"].as<std::string>(), overrides(values), materials_directory());
     find_recorded_inputs(reading, log);
     const auto out = text_option(values, "out");

@@ -9,6 +9,8 @@
 #include <iostream>
 #include <thread>
 
+#include "app/process/terminal.h"
+#include "app/text/text_table.h"
 #include "core/error.h"
 #include "core/shortest_text.h"
 #include "params/keys/scene_parameters.h"
@@ -18,6 +20,8 @@ namespace frana::app {
 namespace options = boost::program_options;
 
 namespace {
+
+constexpr std::size_t k_least_help = 40, k_most_help = 80;  // columns of the options
 
 /// An empty argument, from an unset variable of a script, would replace the intended folder or file.
 void refuse_empty_words(const options::variables_map& values, const CommandForm& form) {
@@ -40,8 +44,9 @@ void refuse_empty_words(const options::variables_map& values, const CommandForm&
 
 std::optional<options::variables_map> parse_arguments(const CommandForm& form,
                                                       const std::vector<std::string>& arguments) {
-    options::options_description visible("Options");
-    visible.add(form.options);
+    const auto columns = static_cast<unsigned>(std::clamp(output_width(), k_least_help, k_most_help));
+    options::options_description visible("Options", columns, columns / 2);
+    for (const auto& option : form.options.options()) visible.add(option);
     visible.add_options()("help,h", "print this help");
     options::options_description all = visible;
     options::positional_options_description positions;
@@ -66,7 +71,7 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
         throw Error(ErrorKind::input, Problem{error.what(), "command line", "", "", "Usage: " + form.usage});
     }
     if (values.count("help") > 0) {
-        std::cout << "Usage: " << form.usage << "\n\n" << form.purpose << "\n\n" << visible;
+        std::cout << folded("Usage: " + form.usage + "\n\n" + form.purpose + "\n\n", output_width()) << visible;
         return std::nullopt;
     }
     if (!form.operand.empty() && !form.operand_optional && values.count("operand") == 0) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/ensemble/region_input.h"
@@ -21,13 +22,9 @@ void line(const std::string& name, const std::string& value) {
     std::printf("  %-16s %s\n", name.c_str(), value.c_str());
 }
 
-/// What is known of a slope before it runs.
-struct SlopePlan {
-    std::string window, problem;
-};
-
 SlopePlan plan_of(const StudyInput& input, std::size_t member) {
-    SlopePlan plan{"", input.slopes[member].problem};
+    const Slope& slope = input.slopes[member];
+    SlopePlan plan{area(slope.outline), std::nullopt, slope.problem};
     if (!plan.problem.empty()) return plan;
     try {
         gis::RememberedReads own;
@@ -35,14 +32,16 @@ SlopePlan plan_of(const StudyInput& input, std::size_t member) {
         RunLog silent(true);
         SceneReading reading = input.member(member);
         cut_terrain(*input.reading.study.region, reading, silent);
-        const double cell = input.base.scene.grid.cell_size;
-        const auto& box = reading.scene.terrain.bounds;
-        plan.window =
-            box ? grouped(box->width() / cell) + " x " + grouped(box->height() / cell) + " cells" : "the whole DTM";
+        plan.window = reading.scene.terrain.bounds;
     } catch (const Error& error) {
         plan.problem = describe(error.problems().front());
     }
     return plan;
+}
+
+std::string window_text(const SlopePlan& plan, double cell) {
+    if (!plan.window) return "the whole DTM";
+    return grouped(plan.window->width() / cell) + " x " + grouped(plan.window->height() / cell) + " cells";
 }
 
 std::string label_of(const StudyInput& input, std::size_t member) {
@@ -65,31 +64,44 @@ void print_scenarios(const StudyInput& input) {
 
 }  // namespace
 
-void print_region(const StudyInput& input, const StudyForecast& forecast, int threads, const std::string& target) {
+std::vector<SlopePlan> slope_plans(const StudyInput& input) {
+    std::vector<SlopePlan> plans;
+    for (std::size_t i = 0; i < input.slopes.size(); ++i) plans.push_back(plan_of(input, i));
+    return plans;
+}
+
+double region_seconds(const std::vector<SlopePlan>& plans, const StudyForecast& forecast, int threads) {
+    double largest = 0, all = 0;
+    for (const SlopePlan& plan : plans) {
+        largest = std::max(largest, plan.area);
+        if (plan.problem.empty()) all += plan.area;
+    }
+    return largest > 0 ? forecast.member_seconds() * all / largest / threads : 0;
+}
+
+void print_region(const StudyInput& input, const std::vector<SlopePlan>& plans, const StudyForecast& forecast,
+                  int threads, const std::string& target) {
     const study::StudySpec& study = input.reading.study;
     std::printf("Region %s is ready to run.\n\nScene %s\n\nSlopes\n", study.file.c_str(), study.scene.c_str());
-    double largest = 0, all = 0;
-    std::vector<std::pair<std::size_t, std::string>> failing;
-    for (std::size_t i = 0; i < input.slopes.size(); ++i) {
-        const double size = area(input.slopes[i].outline);
-        largest = std::max(largest, size);
-        all += size;
-        const SlopePlan plan = plan_of(input, i);
-        if (!plan.problem.empty())
-            failing.emplace_back(i, plan.problem);
-        else if (i < k_listed)
-            line(label_of(input, i), grouped(size) + " m2 on " + plan.window);
-    }
-    if (input.slopes.size() > k_listed) line("...", "and " + std::to_string(input.slopes.size() - k_listed) + " more");
-    if (!failing.empty()) std::printf("\nSlopes that fail\n");
-    for (const auto& [member, problem] : failing) line(label_of(input, member), problem);
+    const double cell = input.base.scene.grid.cell_size;
+    const auto fails = [](const SlopePlan& plan) { return !plan.problem.empty(); };
+    for (std::size_t i = 0; i < std::min(k_listed, plans.size()); ++i)
+        if (!fails(plans[i]))
+            line(label_of(input, i), grouped(plans[i].area) + " m2 on " + window_text(plans[i], cell));
+    if (plans.size() > k_listed) line("...", "and " + std::to_string(plans.size() - k_listed) + " more");
+    const auto failing = std::count_if(plans.begin(), plans.end(), fails);
+    if (failing > 0) std::printf("\nSlopes that fail\n");
+    for (std::size_t i = 0; i < plans.size(); ++i)
+        if (fails(plans[i])) line(label_of(input, i), plans[i].problem);
     std::printf("\nAll\n");
-    line("slopes", std::to_string(input.slopes.size()) +
-                       (failing.empty() ? "" : ", of which " + std::to_string(failing.size()) + " fail"));
+    line("slopes",
+         std::to_string(plans.size()) + (failing == 0 ? "" : ", of which " + std::to_string(failing) + " fail"));
     print_scenarios(input);
     for (const study::RegionSpec::Column& one : study.region->columns) line(one.key, "column " + one.column);
-    const double seconds = largest > 0 ? forecast.member_seconds() * all / largest / threads : 0;
-    line("estimated time", std::string(forecast.trial ? "about " : "at least ") + duration_text(seconds) +
+    if (const auto& exposed = input.base.extra.exposure)
+        line("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
+    line("estimated time", std::string(forecast.trial ? "about " : "at least ") +
+                               duration_text(region_seconds(plans, forecast, threads)) +
                                ", engine alone, by the areas: " + duration_text(forecast.member_seconds()) +
                                " for the largest slope on one thread, " + std::to_string(threads) + " at a time");
     line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which the largest slope takes " +
@@ -98,6 +110,25 @@ void print_region(const StudyInput& input, const StudyForecast& forecast, int th
                      " for the slopes until the result is complete");
     line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
     std::fflush(stdout);
+}
+
+Json slopes_json(const StudyInput& input, const std::vector<SlopePlan>& plans) {
+    const auto text = [](const std::string& value) { return value.empty() ? Json() : Json(value); };
+    Json list = Json::array();
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        const Slope& slope = input.slopes[i];
+        const SlopePlan& plan = plans[i];
+        const auto& box = plan.window;
+        list.push_back({{"member", i},
+                        {"name", text(slope.name)},
+                        {"group", text(slope.group)},
+                        {"scenario", text(slope.scenario)},
+                        {"return_period", slope.return_period ? Json(*slope.return_period) : Json()},
+                        {"area_m2", plan.area},
+                        {"window", box ? Json::array({box->west, box->south, box->east, box->north}) : Json()},
+                        {"problem", text(plan.problem)}});
+    }
+    return list;
 }
 
 }  // namespace frana::app

@@ -7,6 +7,8 @@
 
 #include "app/commands/json_output.h"
 #include "app/commands/region_check.h"
+#include "app/ensemble/study_exposure.h"
+#include "app/input/check_exposure.h"
 #include "app/input/memory_bound.h"
 #include "app/process/machine_memory.h"
 #include "app/process/terminal.h"
@@ -71,6 +73,8 @@ void print_study(const StudyInput& input, const StudyForecast& forecast, int thr
                         (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
                         (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
     print_levels(input);
+    if (const auto& exposed = input.base.extra.exposure)
+        line("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
     line("estimated time", time_text(forecast, members, threads) + ", engine alone");
     line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which each member that runs takes " +
                        bytes_text(static_cast<double>(forecast.worker_bytes)));
@@ -135,10 +139,14 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
     const study::StudySpec& study = input.reading.study;
+    const std::vector<SlopePlan> plans = study.region ? slope_plans(input) : std::vector<SlopePlan>{};
     if (print && study.region)
-        print_region(input, forecast, threads, result_path(directory));
+        print_region(input, plans, forecast, threads, result_path(directory));
     else if (print)
         print_study(input, forecast, threads, directory);
+    if (const auto& exposed = input.base.extra.exposure)
+        warn_of_unknown_exposure(*exposed, computed_ground(input), study.region ? nullptr : &input.base.scene.terrain,
+                                 log);
     const auto members = members_of(input);
     Json json = document_of("check");
     json["study"] = study.file;
@@ -146,11 +154,15 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     json["members"] = members;
     json["sampling"] = study::name_of(study.sampling);
     json["keys"] = input.table.keys;
-    json["run"] = {{"threads", threads},
-                   {"estimated_seconds", forecast.member_seconds() * static_cast<double>(members) / threads},
-                   {"estimate_is_lower_bound", !forecast.trial.has_value()},
-                   {"memory_bytes", forecast.peak_bytes},
-                   {"disk_bytes", forecast.disk_bytes}};
+    json["run"] = {
+        {"threads", threads},
+        {"estimated_seconds", study.region ? region_seconds(plans, forecast, threads)
+                                           : forecast.member_seconds() * static_cast<double>(members) / threads},
+        {"estimate_is_lower_bound", !forecast.trial.has_value()},
+        {"memory_bytes", forecast.peak_bytes},
+        {"disk_bytes", forecast.disk_bytes}};
+    if (study.region) json["slopes"] = slopes_json(input, plans);
+    if (const auto& exposed = input.base.extra.exposure) json["exposed_features"] = exposed->features.size();
     const std::string target = result_path(directory);
     json["result"] = {{"folder", target}, {"exists", has_files(target)}};
     return json;

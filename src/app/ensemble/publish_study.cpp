@@ -189,9 +189,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         }
         write_member_outlines(input, result, directory.folder(), directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
-        if (facts.exposure)
-            log.info(exposure_sentence(*facts.exposure, input.base.spec.output.exposure_count.has_value()) +
-                     (input.slopes.empty() ? " by at least one run" : " by at least one slope"));
+        if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));
     }
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_member_table), members_csv(input, result));

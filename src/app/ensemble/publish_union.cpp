@@ -19,9 +19,8 @@
 namespace frana::app {
 namespace {
 
-constexpr const char* k_two_publications =
-    "BWW, BRP, BUWAL (1997): Swiss recommendations on floods and on mass movements; matrix of intensity and "
-    "probability";
+constexpr const char* k_matrix_source =
+    "after the Swiss recommendations of 1997 (BWW, BRP, BUWAL), or as the region gives it";
 
 /// The finished members, of a region those of one scenario.
 std::vector<study::UnionMember> members_of(const StudyInput& input, const StudyResult& result,
@@ -42,8 +41,8 @@ std::vector<study::UnionMember> members_of(const StudyInput& input, const StudyR
 std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
     const auto scheme = hazard_scheme_of(input.base.spec.hazard);
     const DegreeMatrix& matrix = input.reading.study.region->degrees;
-    ClassMap map{"hazard_degree",    "Degree of hazard",  degree_classes(matrix),   scheme->name,
-                 k_two_publications, k_degree_zones_file, intensity_limits(*scheme)};
+    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   scheme->name,
+                 k_matrix_source, k_degree_zones_file, intensity_limits(*scheme)};
     return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
 }
 

@@ -2,7 +2,7 @@
 #include "app/ensemble/study_answer.h"
 
 #include <algorithm>
-#include <set>
+#include <filesystem>
 
 #include "app/ensemble/study_charts.h"
 #include "app/pictures/class_words.h"
@@ -74,7 +74,8 @@ std::string varied(const StudyInput& input, const Words& words) {
     if (vary.size() > k_keys) told.emplace_back("…");
     const std::string keys = told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
     return paragraph(words("What varies."),
-                     words("{1}. All other values are those of the scene {2}.", {keys, input.reading.study.scene}));
+                     words("{1}. All other values are those of the scene {2}.",
+                           {keys, std::filesystem::path(input.reading.study.scene).filename().string()}));
 }
 
 std::string exposed(const StudyFacts& facts, bool is_region, const Words& words) {
@@ -163,10 +164,10 @@ std::string figures_table(const StudyResult& result, const Words& words) {
     const std::vector<double>& weights = result.finished.weights;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
-        const auto quantile = [&](double q) { return number(figure_quantile(values, weights, q)); };
+        const auto quantile = [&](double q) { return number.of_any_size(figure_quantile(values, weights, q)); };
         const study::Figure& figure = result.figures()[f];
         table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
-                   number(weighted_mean(values, weights)), quantile(0.05), quantile(0.5), quantile(0.95)});
+                   number.of_any_size(weighted_mean(values, weights)), quantile(0.05), quantile(0.5), quantile(0.95)});
     }
     return "<h3>" + escaped_markup(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed")) +
            "</h3>\n" + table.html();
@@ -231,9 +232,12 @@ std::string study_answer(const StudyInput& input, const StudyResult& result, con
 
 std::string study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
                          const Words& words) {
-    if (input.reading.study.per_polygon())
-        return degrees_table(facts.degrees, words) + slopes_table(input, result, words);
+    if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
     return figures_table(result, words);
+}
+
+std::string study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
+    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : "";
 }
 
 }  // namespace frana::app

@@ -13,9 +13,11 @@ namespace frana::app {
 std::string study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
                          const Words& words);
 
-/// The figures of the runs with their mean and quantiles; of a region its slopes, those that come farthest first, and
-/// the areas of the degrees of hazard.
+/// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
 std::string study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
                          const Words& words);
+
+/// The sources of a study in which each fails alone, those that come farthest first; empty for others.
+std::string study_sources(const StudyInput& input, const StudyResult& result, const Words& words);
 
 }  // namespace frana::app

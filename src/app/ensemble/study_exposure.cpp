@@ -98,6 +98,10 @@ Bounds computed_ground(const StudyInput& input) {
     return gis::CrsTransform(grid.crs_wkt.empty() ? "" : file.crs_wkt, grid.crs_wkt, file.bounds).around(file.bounds);
 }
 
+ReachedBy exposure_reached_by(const StudyInput& input) {
+    return input.reading.study.per_polygon() ? ReachedBy::any_slope : ReachedBy::any_run;
+}
+
 std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
                                                      const Bounds& map, const ResultDirectory& directory) {
     const auto& layer = input.base.extra.exposure;

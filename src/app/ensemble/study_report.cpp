@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ensemble/study_report.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "app/ensemble/region_report.h"
 #include "app/ensemble/study_answer.h"
 #include "app/ensemble/study_charts.h"
+#include "app/ensemble/study_exposure.h"
 #include "app/input/scene_language.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
 #include "app/publish/report_comparison.h"
+#include "app/publish/report_exposure.h"
 #include "app/publish/report_numbers.h"
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
@@ -93,17 +97,21 @@ std::string failures_list(const StudyResult& result, const Words& words) {
     return table.html();
 }
 
-/// The map that answers the question of the study, first.
+/// Puts the pictures of these names first, in their order.
+std::vector<std::string> with_first(const std::vector<std::string>& names, std::vector<std::string> pictures) {
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        const auto found = std::find_if(pictures.begin(), pictures.end(),
+                                        [&](const std::string& picture) { return fs::path(picture).stem() == *name; });
+        if (found != pictures.end()) std::rotate(pictures.begin(), found, found + 1);
+    }
+    return pictures;
+}
+
+/// The map that answers the question of the study first.
 std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDirectory& directory) {
-    std::vector<std::string> maps = pictures_in(directory.path("maps"));
     const std::vector<double>& depths = input.base.spec.output.depth_thresholds;
     const std::string of_runs = depths.empty() ? "" : "probability_depth_" + shortest_text(depths.front());
-    for (const std::string& main : {std::string("union_max_depth"), std::string("hazard_degree"), of_runs}) {
-        const auto found = std::find_if(maps.begin(), maps.end(),
-                                        [&](const std::string& map) { return fs::path(map).stem() == main; });
-        if (found != maps.end()) std::rotate(maps.begin(), found, found + 1);
-    }
-    return maps;
+    return with_first({of_runs, "hazard_degree", "union_max_depth"}, pictures_in(directory.path("maps")));
 }
 
 std::string title_of(const StudyInput& input, const Words& words) {
@@ -131,19 +139,23 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
                         const ResultDirectory& directory) {
     const Words words = words_of(input.base.spec);
     const std::vector<std::string> maps = maps_in_order(input, directory),
-                                   charts = pictures_in(directory.path("charts"));
+                                   charts = with_first({"exceedance", "sensitivity", "convergence"},
+                                                       pictures_in(directory.path("charts")));
     HtmlPage page(directory.path(k_report_file), title_of(input, words),
                   words("Computed with {1}, study {2}, {3}",
                         {std::string(k_program) + " " + k_version, input.reading.study.file, words.date(facts.date)}),
                   words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
     page.expect_pictures(maps.size() + charts.size() + 1);
-    page.add(study_answer(input, result, facts, words));
+    page.add(study_answer(input, result, facts, words) +
+             exposure_answer(facts.exposure, exposure_reached_by(input), words));
     if (!maps.empty()) page.add_pictures({maps.front()}, words("Map"));
     // The first page of paper has room for a short table under its picture.
-    const bool is_short = !input.reading.study.per_polygon() && result.figures().size() <= k_figures_on_first_page;
+    const bool is_short = input.reading.study.per_polygon() || result.figures().size() <= k_figures_on_first_page;
     if (is_short) page.add(study_values(input, result, facts, words));
     page.end_answer();
     if (!is_short) page.add(study_values(input, result, facts, words));
+    page.add(study_sources(input, result, words) + exposure_section(facts.exposure, words) +
+             slopes_section(input, result, words));
     page.add_heading("maps", words("Maps"));
     if (maps.size() > 1) page.add_pictures({maps.begin() + 1, maps.end()}, words("Map"));
     if (maps.size() == 1) page.add("<p>" + escaped_markup(words("The only map is on the first page.")) + "</p>\n");

@@ -52,16 +52,24 @@ void warn_of_held_release(const GroundStatistics& ground, double friction, const
     const double angle = std::atan(friction) * 180 / std::numbers::pi;
     const bool is_told = ground.mean_slope_deg < k_flat_release;  // by warn_of_release_ground
     if (!(friction > 0) || ground.steepest_slope_deg >= angle || is_told) return;
-    const std::string converted =
-        unit.metres < 1
-            ? "The elevations were converted from " + unit.name + (unit.is_of_file ? ", as the file says" : "") +
-                  ": if they are in metres already, set terrain.vertical-unit = metre. Otherwise check"
-            : "Elevations that are too low for their eastings look like this, as metres that were converted "
-              "as if they were feet: check";
-    log.warn("the release is held by friction: its ground, " + ground_text(ground) +
-             ", is nowhere as steep as the slope of " + number_text(angle, 3) +
-             " degrees that its friction holds, so that at most its edges move. " + converted +
-             " the elevations above against a map, and the friction");
+    const Sentence remedy =
+        unit.metres >= 1 ? worded(
+                               "Elevations that are too low for their eastings look like this, as metres that were "
+                               "converted as if they were feet: check the elevations above against a map, and the "
+                               "friction")
+        : unit.is_of_file
+            ? worded(
+                  "The elevations were converted from {1}, as the file says: if they are in metres already, set "
+                  "terrain.vertical-unit = metre. Otherwise check the elevations above against a map, and the friction",
+                  {unit.name})
+            : worded(
+                  "The elevations were converted from {1}: if they are in metres already, set terrain.vertical-unit = "
+                  "metre. Otherwise check the elevations above against a map, and the friction",
+                  {unit.name});
+    log.warn(
+        worded("the release is held by friction: its ground, {1}, is nowhere as steep as the slope of {2} degrees "
+               "that its friction holds, so that at most its edges move. {3}",
+               {ground_sentence(ground), numeral(number_text(angle, 3)), remedy}));
 }
 
 void warn_of_path_ground(const GroundStatistics& ground, RunLog& log) {

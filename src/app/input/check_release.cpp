@@ -188,7 +188,7 @@ MultiPolygon all_outlines(const ReleaseInput& release) {
     return all;
 }
 
-void question_outline(const ReleaseInput& release, const gis::PolygonLayer& outline, const GridSpec& grid,
+void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
                       const std::string& where, RunLog& log) {
     constexpr double k_nearly = 0.8;  // of all cells of either; two surveyors differ by as much
     const auto cells_of = [&](const MultiPolygon& polygons) {
@@ -198,11 +198,10 @@ void question_outline(const ReleaseInput& release, const gis::PolygonLayer& outl
         std::sort(cells.begin(), cells.end());
         return cells;
     };
-    const std::vector<std::int64_t> released = cells_of(all_outlines(release)),
-                                    observed = cells_of(parts_of(outline.features));
+    const std::vector<std::int64_t> source = cells_of(released), observed = cells_of(outline);
     std::vector<std::int64_t> both;
-    std::set_intersection(released.begin(), released.end(), observed.begin(), observed.end(), std::back_inserter(both));
-    const auto all = static_cast<double>(released.size() + observed.size() - both.size());
+    std::set_intersection(source.begin(), source.end(), observed.begin(), observed.end(), std::back_inserter(both));
+    const auto all = static_cast<double>(source.size() + observed.size() - both.size());
     const double alike = all > 0 ? static_cast<double>(both.size()) / all : 0;
     if (alike > k_nearly)
         log.warn(worded(

@@ -14,8 +14,9 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
 MultiPolygon all_outlines(const ReleaseInput& release);
 
 /// Warns of an observed outline that is nearly the release: what is compared is all the ground that the flow covered,
-/// while a scar in the geologists' sense is only the source. `where`: the outline's key.
-void question_outline(const ReleaseInput& release, const gis::PolygonLayer& outline, const GridSpec& grid,
+/// while a scar in the geologists' sense is only the source. Both in the CRS of `grid`, whose cells are counted.
+/// `where`: the outline's key.
+void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
                       const std::string& where, RunLog& log);
 
 }  // namespace frana::app

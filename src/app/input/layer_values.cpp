@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
@@ -12,10 +13,26 @@
 namespace frana::app {
 namespace {
 
-std::string columns_of(const PolygonFeature& feature) {
+/// The attributes in which any feature has a number.
+std::string numeric_columns(const gis::PolygonLayer& layer) {
+    std::set<std::string> names;
+    for (const PolygonFeature& feature : layer.features)
+        for (const auto& number : feature.numbers) names.insert(number.first);
     std::string known;
-    for (const auto& number : feature.numbers) known += (known.empty() ? "" : ", ") + number.first;
-    return known.empty() ? "the layer has no numeric attribute" : known;
+    for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+    return known;
+}
+
+/// Why no feature has a number in a column: one problem for the whole layer.
+Problem missing_column(const gis::PolygonLayer& layer, const std::string& column, const std::string& where) {
+    const bool is_text = std::any_of(layer.features.begin(), layer.features.end(),
+                                     [&](const PolygonFeature& f) { return f.texts.count(column) > 0; });
+    const std::string known = numeric_columns(layer);
+    const std::string remedy =
+        known.empty() ? "Give the layer a numeric attribute" : "Name one of its numeric attributes, or fill the column";
+    return {(is_text ? "finds text, no number in the attribute " : "finds no number in the attribute ") + column +
+                " of any feature of " + layer.layer_name + (known.empty() ? ", nor in another" : ""),
+            where, "", known.empty() ? "" : "attributes with numbers: " + known, remedy};
 }
 
 }  // namespace
@@ -43,21 +60,19 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
     const std::string name = "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
     const auto found = from.numbers.find(source.name);
     if (found == from.numbers.end()) {
-        // A column that only some features have a number in is told once, not for each of them.
+        // Told once for the layer, not for each feature.
         const auto lacks = [&](const PolygonFeature& f) { return f.numbers.count(source.name) == 0; };
+        const auto first = std::find_if(layer.features.begin(), layer.features.end(), lacks) - layer.features.begin();
+        if (first != static_cast<std::ptrdiff_t>(feature)) return std::nullopt;
         const auto lacking = std::count_if(layer.features.begin(), layer.features.end(), lacks);
-        if (lacking < static_cast<std::ptrdiff_t>(layer.features.size())) {
-            if (std::find_if(layer.features.begin(), layer.features.end(), lacks) - layer.features.begin() !=
-                static_cast<std::ptrdiff_t>(feature))
-                return std::nullopt;
-            problems.add({"is empty (NULL) in the attribute " + source.name + " of " + std::to_string(lacking) +
-                              " of " + std::to_string(layer.features.size()) + " features of " + layer.layer_name +
-                              ", the first of them feature " + std::to_string(feature + 1),
-                          reading.where(key), "", "a number in each", "Fill the column, or leave these features out"});
+        if (lacking == static_cast<std::ptrdiff_t>(layer.features.size())) {
+            problems.add(missing_column(layer, source.name, reading.where(key)));
             return std::nullopt;
         }
-        problems.add({name + " has no number in the attribute " + source.name, reading.where(key), "", columns_of(from),
-                      "Name one of its attributes"});
+        problems.add({"is empty (NULL) in the attribute " + source.name + " of " + std::to_string(lacking) + " of " +
+                          std::to_string(layer.features.size()) + " features of " + layer.layer_name +
+                          ", the first of them feature " + std::to_string(feature + 1),
+                      reading.where(key), "", "a number in each", "Fill the column, or leave these features out"});
         return std::nullopt;
     }
     if (!within_limits(reading, key, found->second, name + ", attribute " + source.name + ",", problems))

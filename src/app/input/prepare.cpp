@@ -121,7 +121,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
         prepare_structured(reading, known_ground, release, walls, files, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, files, log, problems);
     if (scar && ground)
-        question_outline(release, *scar, ground->terrain.grid, reading.where("observed.perimeter"), log);
+        question_outline(all_outlines(release), parts_of(scar->features), ground->terrain.grid,
+                         reading.where("observed.perimeter"), log);
     ExtraInput extra;
     if (ground) extra = prepare_extra(reading, ground->terrain.grid, files, log, problems);
     problems.throw_if_any();

@@ -20,20 +20,27 @@ std::string name_of(const gis::PolygonLayer& layer, std::size_t feature) {
     return "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
 }
 
-/// The name of a polygon in the user's file, else its number there; empty without either.
-std::string own_name(const PolygonFeature& feature) {
+/// The text or number of the first of these attributes that a polygon has, in any case; empty without one.
+std::string attribute_of(const PolygonFeature& feature, const std::vector<std::string>& wanted) {
     const auto lower = [](std::string word) {
         for (char& c : word)
             if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
         return word;
     };
-    for (const std::string wanted : {"name", "label", "id"}) {
+    for (const std::string& one : wanted) {
         for (const auto& [attribute, text] : feature.texts)
-            if (lower(attribute) == wanted && !text.empty()) return text;
+            if (lower(attribute) == one && !text.empty()) return text;
         for (const auto& [attribute, number] : feature.numbers)
-            if (lower(attribute) == wanted && std::isfinite(number)) return shortest_text(number);
+            if (lower(attribute) == one && std::isfinite(number)) return shortest_text(number);
     }
     return {};
+}
+
+/// The name of a polygon in the user's file with its id in brackets, or what it has of both; empty without either.
+std::string own_name(const PolygonFeature& feature) {
+    const std::string name = attribute_of(feature, {"name", "label"}), id = attribute_of(feature, {"id"});
+    if (name.empty() || id.empty() || name == id) return name.empty() ? id : name;
+    return name + " (" + id + ")";
 }
 
 bool by_attribute(const std::optional<SourceSpec>& source) {

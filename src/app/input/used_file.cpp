@@ -35,7 +35,7 @@ UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const
     UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, read.transform);
     const Words english;
     file.content = english(worded("{1} x {2} of"), {grouped(from.columns), grouped(from.rows)}) + "\n" +
-                   english(file.degrees ? worded("{1} x {2} degrees") : "{1} x {2}",
+                   english(file.degrees ? worded("{1} x {2} degrees") : worded("{1} x {2}"),
                            {number_text(from.cell_x, 6), number_text(from.cell_y, 6)}) +
                    "\n" + english(worded("{1} in {2}"), {from.data_type, from.vertical_unit}) +
                    (from.vertical_unit_stated ? "" : " (" + std::string(worded("assumed")) + ")") +

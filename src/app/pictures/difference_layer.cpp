@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "core/colour.h"
 #include "core/error.h"
 #include "core/shortest_text.h"
+#include "core/utf8.h"
 #include "gis/crs/crs.h"
 
 namespace frana::app {
@@ -109,6 +111,23 @@ bool same_outline(const MultiPolygon& a, const MultiPolygon& b) {
     });
 }
 
+/// The titles of both; where they are the same, as of two runs of one scene, with as much of their folders as differs.
+std::pair<std::string, std::string> names_of(const MapSource& a, const ResultReader& first, const MapSource& b,
+                                             const ResultReader& second) {
+    namespace fs = std::filesystem;
+    if (a.title != b.title) return {a.title, b.title};
+    const auto folder_of = [](const ResultReader& result) {
+        const fs::path folder = fs::absolute(result.directory()).lexically_normal();
+        return folder.has_filename() ? folder : folder.parent_path();
+    };
+    fs::path x = folder_of(first), y = folder_of(second), end_of_x = x.filename(), end_of_y = y.filename();
+    for (; x != y && end_of_x == end_of_y; end_of_x = x.filename() / end_of_x, end_of_y = y.filename() / end_of_y) {
+        x = x.parent_path();
+        y = y.parent_path();
+    }
+    return {a.title + " (" + valid_utf8(end_of_x.string()) + ")", b.title + " (" + valid_utf8(end_of_y.string()) + ")"};
+}
+
 /// Adds what belongs to the second result alone.
 void add_second(MapSource& source, const MapSource& second, const GridSpec& all) {
     Raster terrain = placed(second.terrain.grid.columns > 0 ? second.terrain : source.terrain, all);
@@ -159,7 +178,8 @@ DifferenceMap difference_map(const ResultReader& first, const ResultReader& seco
     layer.time = a.time;
     layer.source = words("{1}, minus the same of B", {a.source});
     layer.notes_alone = true;
-    layer.notes = {words.labelled("A", map.source.title), words.labelled("B", other.title), words("A minus B"),
+    const auto [name_of_a, name_of_b] = names_of(map.source, first, other, second);
+    layer.notes = {words.labelled("A", name_of_a), words.labelled("B", name_of_b), words("A minus B"),
                    both ? words("where both came") : words("0 where one did not come")};
     add_second(map.source, other, all);
     map.source.scenario = words.labelled("A", map.source.scenario) + ".  " + words.labelled("B", other.scenario);

@@ -18,7 +18,8 @@ struct DifferenceMap {
 /// Returns `first` minus `second`. Where only one of the flows came, depth, speed and the like of the other are 0;
 /// times of arrival are compared where both came. The cells must be of the same size, CRS and lattice; the map covers
 /// those of both results. Nothing is resampled. Classes are symmetric about zero: the bounds of the quantity's fixed
-/// classes, up to five on each side, as `first` chose them. Throws Error(input).
+/// classes, up to five on each side, as `first` chose them. Texts are in the language of `first`; that of `second` must
+/// be the same. Throws Error(input).
 DifferenceMap difference_map(const ResultReader& first, const ResultReader& second, const std::string& name);
 
 }  // namespace frana::app

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/pictures/exposure_marks.h"
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/require_cells.h"
 #include "app/pictures/scenario.h"
@@ -316,6 +317,7 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     const auto written = [&](const std::string& file, const std::string& layer) {
         return has(file) && gis::has_layer(path(file), layer, "RESULT_DIR");
     };
+    attempt([&] { all = exposure_marks(path(k_exposure_file), crs_wkt, words_); });
     areas("terrain.friction-zones", worded("Friction zones"), k_zones, true);
     areas("terrain.obstacles", worded("Obstacles"), k_obstacles, false);
     if (const auto walls = scene_value("terrain.walls"))

@@ -243,7 +243,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.hazard = publish_hazard(prepared, result, directory);
     facts.exposure = publish_exposure(prepared, result, directory);
-    if (facts.exposure) log.info(exposure_sentence(*facts.exposure, prepared.spec.output.exposure_count.has_value()));
+    if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::the_flow));
     publish_avaframe(prepared, result, directory, log);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
     publish_frame_stacks(prepared, directory);

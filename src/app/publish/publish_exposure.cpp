@@ -46,6 +46,15 @@ std::string renamed(const std::string& name, const std::set<std::string>& taken)
     return taken.count(lower) > 0 || lower == "geom" ? "input_" + name : name;
 }
 
+std::vector<ReachedFeature> deepest_of(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows) {
+    std::vector<ReachedFeature> reached;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].is_reached()) reached.push_back({layer.features[i].name, rows[i].numbers, rows[i].depth});
+    std::stable_sort(reached.begin(), reached.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+    if (reached.size() > k_most_named) reached.resize(k_most_named);
+    return reached;
+}
+
 }  // namespace
 
 std::vector<std::vector<std::size_t>> exposed_cells(const gis::ExposedLayer& layer, const GridSpec& grid) {
@@ -118,6 +127,7 @@ ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<
         totals.reached += row.is_reached() ? 1 : 0;
         totals.count_reached += row.is_reached() ? count : 0;
         totals.off_map += row.is_on_map() ? 0 : 1;
+        totals.has_count = totals.has_count || from.count.has_value();
         const auto cell = [](double value) { return std::isnan(value) ? std::string() : shortest_text(value); };
         table += std::to_string(from.fid) + "," + csv_cell(from.name) + "," + cell(count);
         for (const auto& [name, value] : row.texts) table += "," + csv_cell(value);
@@ -142,17 +152,22 @@ ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<
     for (const VectorLayer& one : vector_layers())
         if (one.file == k_exposure_file) styles[one.shape] = style_in(one, words);
     gis::write_exposed(directory.path(k_exposure_file), crs_wkt, "exposure", written, styles);
+    totals.deepest = deepest_of(layer, rows);
     return totals;
 }
 
-std::string exposure_sentence(const ExposureTotals& totals, bool has_count) {
-    std::string text = grouped(static_cast<double>(totals.reached)) + " of " +
-                       grouped(static_cast<double>(totals.features)) + " exposed features are reached";
-    if (has_count)
-        text +=
-            " (" + number_text(totals.count_reached, 6) + " of " + number_text(totals.count, 6) + " by their count)";
+std::string exposure_sentence(const ExposureTotals& totals, ReachedBy by, const Words& words) {
+    static const std::map<ReachedBy, std::string> k_sentences{
+        {ReachedBy::the_flow, worded("{1} of {2} exposed features are reached.")},
+        {ReachedBy::any_run, worded("{1} of {2} exposed features are reached by at least one run.")},
+        {ReachedBy::any_slope, worded("{1} of {2} exposed features are reached by at least one slope.")}};
+    const auto whole = [&](std::size_t count) { return words.number(grouped(static_cast<double>(count))); };
+    std::string text = words(k_sentences.at(by), {whole(totals.reached), whole(totals.features)});
+    if (totals.has_count)
+        text += " " + words("By their count: {1} of {2}.", {words.number(number_text(totals.count_reached, 6)),
+                                                            words.number(number_text(totals.count, 6))});
     if (totals.off_map > 0)
-        text += "; of " + grouped(static_cast<double>(totals.off_map)) + " the map says nothing, see exposure.csv";
+        text += " " + words("Of {1} of them the map says nothing: see {2}.", {whole(totals.off_map), k_exposure_table});
     return text;
 }
 

@@ -39,11 +39,26 @@ struct ExposureRow {
     [[nodiscard]] bool is_reached() const noexcept { return is_on_map() && depth > 0; }
 };
 
+/// A feature that is reached, as reports name it.
+struct ReachedFeature {
+    std::string name;
+    std::vector<std::pair<std::string, double>> numbers;  ///< of its row
+    double depth = 0;
+};
+
 /// Sums over all features.
 struct ExposureTotals {
     std::size_t features = 0, reached = 0, off_map = 0;
     double count = 0, count_reached = 0;  ///< of the count column, else features
+    bool has_count = false;
+    std::vector<ReachedFeature> deepest{};  ///< the deepest first, k_most_named at most
 };
+
+/// Features that a report names; exposure.csv has all.
+inline constexpr std::size_t k_most_named = 50;
+
+/// What reaches the features.
+enum class ReachedBy { the_flow, any_run, any_slope };
 
 /// The cells of each feature on a grid.
 std::vector<std::vector<std::size_t>> exposed_cells(const gis::ExposedLayer& layer, const GridSpec& grid);
@@ -58,11 +73,13 @@ std::vector<ExposureValues> exposure_values(const std::vector<std::vector<std::s
 std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std::vector<ExposureValues>& values,
                                        const Bounds& map);
 
-/// Writes exposure.gpkg and exposure.csv with every feature of the layer; a GIS shows `words` for the attributes. Returns the sums.
+/// Writes exposure.gpkg and exposure.csv with every feature of the layer. Returns the sums.
+/// @param words of the legend in the GeoPackage's styles
 ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows,
                               const std::string& crs_wkt, const Words& words, const ResultDirectory& directory);
 
-/// "12 of 340 exposed features are reached (45 of 1 200 by their count); 3 lie off the map"
-std::string exposure_sentence(const ExposureTotals& totals, bool has_count);
+/// "12 of 340 exposed features are reached. By their count: 45 of 1 200. Of 3 features the map says nothing: see
+/// exposure.csv."
+std::string exposure_sentence(const ExposureTotals& totals, ReachedBy by, const Words& words = {});
 
 }  // namespace frana::app

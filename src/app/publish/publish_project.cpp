@@ -75,7 +75,8 @@ class ProjectWriter {
         gis::ProjectGroup group{named(words_("Outlines")), {}};
         for (const VectorLayer& row : vector_layers()) {
             if (!result_.has(row.file) || !gis::has_layer(result_.path(row.file), row.name, "RESULT_DIR")) continue;
-            const bool visible = row.file == k_outlines_file || row.file == k_gauge_places;
+            const bool visible =
+                row.file == k_outlines_file || row.file == k_gauge_places || row.file == k_exposure_file;
             group.layers.push_back(
                 {named(words_(row.title)), row.file, row.name, row.shape, style_in(row, words_).qml, visible, {}});
         }

@@ -8,6 +8,7 @@
 #include "app/publish/report_answer.h"
 #include "app/publish/report_charts.h"
 #include "app/publish/report_comparison.h"
+#include "app/publish/report_exposure.h"
 #include "app/publish/report_maps.h"
 #include "app/publish/report_tables.h"
 #include "app/store/provenance.h"
@@ -86,6 +87,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     add_maps(page, input, maps);
     page.add(page_part(k_comparison_section,
                        comparison_section(input.comparison, drawn_picture(directory, "", "comparison"), words)));
+    page.add(exposure_section(input.facts.exposure, words));
     add_details(page, input);
     if (input.facts.warnings.size() > 0) page.add_warnings(input.facts.warnings);
     page.add_heading("inputs", words("Inputs"));

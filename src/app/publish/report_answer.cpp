@@ -7,6 +7,7 @@
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
 #include "app/publish/report_comparison.h"
+#include "app/publish/report_exposure.h"
 #include "app/publish/report_scenario.h"
 #include "app/store/run_end.h"
 #include "app/text/number_text.h"
@@ -192,7 +193,8 @@ std::string answer_sentences(const ReportInput& input) {
                              page_part(k_cell_error, cell_error + "\n") +
                              escaped_markup(balance_sentence(input) + " " + end_sentences(input)) + "</p>\n";
     return "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n" + release_sentences(input) +
-           material_sentences(input) + where_sentences(input) + sure +
+           material_sentences(input) + where_sentences(input) +
+           exposure_answer(input.facts.exposure, ReachedBy::the_flow, words) + sure +
            page_part(k_comparison_answer, comparison_answer(input.comparison, words)) +
            first_warnings(input.facts.warnings, words) +
            paragraph(words("Not done."),

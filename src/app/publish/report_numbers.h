@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "app/text/number_text.h"
@@ -17,6 +18,10 @@ class ReportNumbers {
         return words_.number(number_text(value, digits));
     }
     [[nodiscard]] std::string grouped(double value) const { return words_.number(app::grouped(value)); }
+    /// Of any size: in groups of digits from a thousand on.
+    [[nodiscard]] std::string of_any_size(double value) const {
+        return std::abs(value) < 1000 ? (*this)(value) : grouped(value);
+    }
     /// Of a fraction, without the sign.
     [[nodiscard]] std::string percent(double fraction) const { return (*this)(100 * fraction, 2); }
     /// Returns "m³/s" for "m3/s", nothing for "-".

@@ -103,7 +103,9 @@ struct NamingText {
 };
 
 void find_files(const NamingText& text, const fs::path& folder, RunLog& log) {
-    Problems missing;
+    // Of a file and the parts beside it, the first that is missing, which names the others.
+    std::vector<std::pair<std::pair<std::string, fs::path>, Problem>> missing;
+    const auto stem = [](fs::path file) { return file.replace_extension(); };
     for (const Recorded& recorded : read_recorded(folder)) {
         if (text.is_replaced(recorded.key)) continue;
         const fs::path here = (folder / recorded.relative).lexically_normal();
@@ -117,7 +119,6 @@ void find_files(const NamingText& text, const fs::path& folder, RunLog& log) {
             });
         };
         const auto named = text.files();
-        const auto stem = [](fs::path file) { return file.replace_extension(); };
         if (std::none_of(named.begin(), named.end(), [&](const NamedFile& file) {
                 const fs::path main = plain_file(file.path);
                 return file.key == recorded.key && (stem(main) == stem(here) || stem(main) == stem(recorded.then));
@@ -143,18 +144,28 @@ void find_files(const NamingText& text, const fs::path& folder, RunLog& log) {
                      " is used, which has the content of the missing " + here.string());
             text.move_file(recorded.key, here, recorded.then);
         } else {
+            const std::pair input(recorded.key, stem(here));
+            const auto known =
+                std::find_if(missing.begin(), missing.end(), [&](const auto& m) { return m.first == input; });
+            if (known != missing.end()) {
+                known->second.value += ", " + recorded.relative.extension().string();
+                continue;
+            }
             std::string places = here.string();
             if (here != recorded.then)
                 places += fs::exists(recorded.then, error)
                               ? " and as " + recorded.then.string() + ", which has another content"
                               : " and as " + recorded.then.string();
-            missing.add({"an input of this result is missing; it had " + recorded.mark(), text.where(recorded.key),
-                         recorded.relative.string(), "",
-                         "Sought as " + places + ". Put it there, or name its place" +
-                             (text.is_study ? " in the study file" : ": --set " + recorded.key + "=FILE")});
+            missing.push_back({input,
+                               {"an input of this result is missing; it had " + recorded.mark(),
+                                text.where(recorded.key), recorded.relative.string(), "",
+                                "Sought as " + places + ". Put it there, or name its place" +
+                                    (text.is_study ? " in the study file" : ": --set " + recorded.key + "=FILE")}});
         }
     }
-    missing.throw_if_any();
+    Problems problems;
+    for (const auto& [input, problem] : missing) problems.add(problem);
+    problems.throw_if_any();
 }
 
 /// The folder of inputs.json for a scene file: its own; of a member's, that of the study.

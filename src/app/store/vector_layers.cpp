@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/vector_layers.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/store/result_files.h"
+#include "core/words/words.h"
+#include "gis/vector/value_style.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {
@@ -39,7 +42,7 @@ constexpr Attribute k_attributes[] = {
     {"class", worded("class")},
     {"thresholds", worded("thresholds")},
     {"scheme", worded("scheme")},
-    {"source", worded("source")},
+    {"source", worded("reference")},
     {"exposed", worded("exposed feature")},
     {"count", worded("count")},
     {"reached", worded("reached (1: yes)")},
@@ -56,13 +59,31 @@ void set_style(const std::string& gpkg_path, Layer& layer, const Words& words) {
 
 }  // namespace
 
+const std::vector<ExposureLook>& exposure_looks() {
+    static const std::vector<ExposureLook> k_table{
+        {1, worded("Exposed, reached"), {200, 0, 130}, 3, false},
+        {0, worded("Exposed, not reached"), {0, 105, 60}, 1.8, false},
+        {std::nan(""), worded("Exposed, unknown"), {110, 110, 110}, 1.4, true},
+    };
+    return k_table;
+}
+
+gis::StyleText VectorLayer::style(const Words& words) const {
+    if (file != k_exposure_file) return gis::style_of(name, shape, look);
+    std::vector<gis::ValueLook> looks;
+    for (const ExposureLook& one : exposure_looks())
+        looks.push_back(
+            {one.reached, words(one.label), {one.colour, look.width_mm, one.dashed && shape != Shape::point, ""}});
+    return gis::style_of(name, shape, k_reached, looks);
+}
+
 const std::vector<VectorLayer>& vector_layers() {
     static const std::vector<VectorLayer> k_table{
         {k_gauge_places, "gauges", worded("Gauges"), Shape::point, {{150, 0, 60}, 2.5, false, k_name}},
         {k_gauge_places, "sections", worded("Cross-sections"), Shape::line, {{70, 50, 120}, 0.6, false, k_name}},
-        {k_exposure_file, "exposure_points", worded("Exposed places"), Shape::point, {k_exposed_colour, 2, false, ""}},
-        {k_exposure_file, "exposure_lines", worded("Exposed lines"), Shape::line, {k_exposed_colour, 0.6, false, ""}},
-        {k_exposure_file, "exposure_areas", worded("Exposed areas"), Shape::area, {k_exposed_colour, 0.5, false, ""}},
+        {k_exposure_file, "exposure_points", worded("Exposed places"), Shape::point, {{}, 3, false, ""}},
+        {k_exposure_file, "exposure_lines", worded("Exposed lines"), Shape::line, {{}, 0.8, false, ""}},
+        {k_exposure_file, "exposure_areas", worded("Exposed areas"), Shape::area, {{}, 0.6, false, ""}},
         {k_outlines_file, "scar", worded("Surveyed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
         {k_outlines_file, "release", worded("Release"), Shape::area, {k_release_colour, 0.6, true, k_name}},
         {k_outlines_file, "deposit", worded("Outline of the deposit"), Shape::area, {{120, 70, 0}, 0.4, false, ""}},
@@ -110,7 +131,7 @@ gis::AttributeTitles attribute_titles(const Words& words) {
 }
 
 gis::StyleText style_in(const VectorLayer& row, const Words& words) {
-    return gis::titled(gis::style_of(row.name, row.shape, row.look), words(row.title), attribute_titles(words));
+    return gis::titled(row.style(words), words(row.title), attribute_titles(words));
 }
 
 void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,

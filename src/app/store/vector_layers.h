@@ -15,9 +15,19 @@ namespace frana::app {
 // Release and survey must be distinguishable from each other and from every palette.
 inline constexpr Rgb k_release_colour{20, 20, 20};
 inline constexpr Rgb k_scar_colour{0, 160, 220};
-inline constexpr Rgb k_exposed_colour{120, 30, 140};
 /// Of outlines of probability.
 inline constexpr Rgb k_unlikely_colour{90, 90, 90}, k_even_chance_colour{20, 20, 20}, k_likely_colour{150, 0, 60};
+
+/// How exposed features are drawn, by the attribute that says whether they are reached: in a GIS and on maps.
+struct ExposureLook {
+    double reached;     ///< 1, 0; NaN: the map says nothing of it
+    const char* label;  ///< in English
+    Rgb colour;
+    double width_px;  ///< of lines on maps, as render::Outline
+    bool dashed;
+};
+inline constexpr const char* k_reached = "reached";
+const std::vector<ExposureLook>& exposure_looks();
 
 /// A layer of a GeoPackage of a result.
 struct VectorLayer {
@@ -26,6 +36,9 @@ struct VectorLayer {
     std::string title;  ///< in a GIS project
     gis::Shape shape = gis::Shape::area;
     gis::VectorLook look{};
+
+    /// Its style, with the texts of a legend in a language.
+    [[nodiscard]] gis::StyleText style(const Words& words = {}) const;
 };
 
 /// The one list of them, in the order in which a GIS shows them, the uppermost first.

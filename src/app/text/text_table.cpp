@@ -11,11 +11,20 @@ namespace frana::app {
 namespace {
 
 constexpr std::size_t k_gap = 2, k_narrowest = 6;
+constexpr std::size_t k_whole = 10;  // words and numbers up to this length are not torn, as "EPSG:32632"
 
 std::size_t widest_line(const std::vector<std::string>& lines) {
     std::size_t widest = 0;
     for (const std::string& line : lines) widest = std::max(widest, display_width(line));
     return widest;
+}
+
+/// The longest of the words that a column must not tear.
+std::size_t longest_whole_word(const std::string& cell) {
+    std::istringstream words(cell);
+    std::size_t longest = k_narrowest;
+    for (std::string word; words >> word;) longest = std::max(longest, std::min(display_width(word), k_whole));
+    return longest;
 }
 
 void end_line(std::string& line, std::string& text) {
@@ -26,17 +35,22 @@ void end_line(std::string& line, std::string& text) {
 }  // namespace
 
 std::vector<std::size_t> TextTable::widths(std::size_t width) const {
-    std::vector<std::size_t> widths;
+    std::vector<std::size_t> widths, least;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         widths.push_back(widest_line(wrapped(columns_[i].title, columns_[i].widest)));
-        for (const auto& row : rows_)
+        least.push_back(longest_whole_word(columns_[i].title));
+        for (const auto& row : rows_) {
             widths[i] = std::max(widths[i], widest_line(wrapped(row.at(i), columns_[i].widest)));
+            least[i] = std::max(least[i], longest_whole_word(row.at(i)));
+        }
     }
     const std::size_t gaps = k_gap * (columns_.size() - 1);
     for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
-        std::size_t& widest = *std::max_element(widths.begin(), widths.end());
-        if (widest <= k_narrowest) return {};
-        --widest;
+        std::size_t widest = columns_.size();
+        for (std::size_t i = 0; i < widths.size(); ++i)
+            if (widths[i] > least[i] && (widest == columns_.size() || widths[i] > widths[widest])) widest = i;
+        if (widest == columns_.size()) return {};
+        --widths[widest];
     }
     return widths;
 }

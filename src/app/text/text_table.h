@@ -21,8 +21,8 @@ class TextTable {
 
     /// One cell per column.
     void add(const std::vector<std::string>& cells) { rows_.push_back(cells); }
-    /// Returns the table at most so wide: its widest columns are narrowed; if it cannot be as narrow, each row becomes
-    /// a list of titles and cells.
+    /// Returns the table at most so wide: its widest columns are narrowed; if short words would be torn, each row
+    /// becomes a list of titles and cells.
     [[nodiscard]] std::string text(std::size_t width) const;
 
   private:

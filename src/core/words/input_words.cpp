@@ -31,6 +31,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"{1} feature", "{1} elemento", "{1} Objekt", "{1} élément", "{1} elemento"},
     {"{1} features", "{1} elementi", "{1} Objekte", "{1} éléments", "{1} elementos"},
     {"{1} x {2} of", "{1} × {2} da", "{1} × {2} von", "{1} × {2} de", "{1} × {2} de"},
+    {"{1} x {2}", "{1} × {2}", "{1} × {2}", "{1} × {2}", "{1} × {2}"},
     {"{1} x {2} degrees", "{1} × {2} gradi", "{1} × {2} Grad", "{1} × {2} degrés", "{1} × {2} grados"},
     {"{1} in {2}", "{1} in {2}", "{1} in {2}", "{1} en {2}", "{1} en {2}"},
     {"from {1}", "da {1}", "von {1}", "de {1}", "de {1}"},

@@ -33,6 +33,7 @@ std::span<const WordRow> input_words();           ///< input files
 std::span<const WordRow> preset_words();          ///< sources and remarks of share/materials
 std::span<const WordRow> input_warning_words();   ///< warnings of inputs, and how warnings are put together
 std::span<const WordRow> result_warning_words();  ///< warnings of results
+std::span<const WordRow> ground_warning_words();  ///< warnings of terrain and slopes
 std::span<const WordRow> study_report_words();    ///< reports of studies and regions
 std::span<const WordRow> calibration_words();     ///< reports of calibrations, scores of probabilities
 

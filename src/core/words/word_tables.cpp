@@ -10,7 +10,7 @@ std::vector<std::span<const WordRow>> word_tables() {
             study_report_words(), calibration_words(),    attribute_words(),     term_words(),
             accuracy_words(),     input_words(),          preset_words(),        key_words_site(),
             key_words_material(), key_words_structured(), key_words_method(),    key_words_output(),
-            key_words_pictures(), key_words_absent()};
+            key_words_pictures(), key_words_absent(),     ground_warning_words()};
 }
 
 }  // namespace frana

@@ -39,6 +39,11 @@ TEST_F(Terminal, TablesFitItsWidth) {
         }
         EXPECT_TRUE(table);
     }
+    // Where columns would tear words, each input is a list.
+    const auto narrow = lines_on(60, "check scene.ini");
+    EXPECT_NE(std::find(narrow.begin(), narrow.end(), "CRS: EPSG:32632 (WGS 84 / UTM zone 32N)"), narrow.end());
+    for (const std::string words : {"--help", "check --help", "bench --help", "compare --help", "materials"})
+        for (const std::string& line : lines_on(60, words)) EXPECT_LE(app::display_width(line), 60U) << words << line;
     // A pipe is no terminal: nothing depends on a window.
     EXPECT_NE(frana({"check", "scene.ini"}).out.find("Extent (west south,"), std::string::npos);
 }

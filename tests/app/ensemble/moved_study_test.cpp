@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Folders with studies and their results are moved, repeated and resumed.
+#include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "ensemble/tiny_study.h"
 
@@ -48,13 +50,19 @@ const std::string k_result = "elsewhere/far/project/results/many";
 TEST_F(MovedStudy, TheResultNamesNoAbsolutePathButInItsRecordOfInputs) {
     compute();
     for (const std::string name : {"study.ini", "scene.ini", "members/member_0000000/scene.ini"}) {
-        const std::string text = read_text(path("project/results/many/" + name));
-        EXPECT_NE(text, "") << name;
-        EXPECT_EQ(text.find(folder_.string()), std::string::npos) << name << '\n' << text;
+        std::istringstream lines(read_text(path("project/results/many/" + name)));
+        int keys = 0;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.empty() || line.front() == '#') continue;
+            ++keys;
+            EXPECT_EQ(line.find(folder_.string()), std::string::npos) << name << ": " << line;
+        }
+        EXPECT_GT(keys, 5) << name;
     }
     EXPECT_NE(read_text(path("project/results/many/study.ini")).find("\nscene = ../../scene.ini\n"), std::string::npos);
     int scenes = 0, perimeters = 0;
-    for (const Json& file : parse_json(read_text(path("project/results/many/inputs.json"))).at("files")) {
+    const Json inputs = parse_json(read_text(path("project/results/many/inputs.json"))).at("files");
+    for (const Json& file : inputs) {
         scenes += file.at("key") == "study.scene" ? 1 : 0;
         perimeters += file.at("key") == "release.perimeter" ? 1 : 0;
     }
@@ -70,14 +78,17 @@ TEST_F(MovedStudy, AMovedResultIsRepeatedWithTheSameBits) {
     const Rows then = members(k_result), now = members("again");
     ASSERT_EQ(then.size(), now.size());
     for (std::size_t i = 0; i < then.size(); ++i)
-        for (const std::string column : {"material.turbulence", "max_velocity_ms", "covered_area_m2"})
-            if (then[i].contains(column)) EXPECT_EQ(then[i].at(column), now[i].at(column)) << column;
+        for (const std::string column : {"material.turbulence", "runout_m", "covered_area_m2", "max_depth_m"})
+            EXPECT_EQ(then[i].at(column), now[i].at(column)) << column;
     const std::string map = "/probability_depth_0.1.tif";
     ASSERT_TRUE(fs::exists(path("again" + map)));
     const Raster a = gis::read_result_raster(path("again" + map)), b = gis::read_result_raster(path(k_result + map));
-    for (int row = 0; row < k_rows; ++row)
-        for (int column = 0; column < k_columns; ++column)
-            if (!std::isnan(b.at(row, column))) ASSERT_EQ(a.at(row, column), b.at(row, column));
+    for (int row = 0; row < k_rows; ++row) {
+        for (int column = 0; column < k_columns; ++column) {
+            const bool both_empty = std::isnan(a.at(row, column)) && std::isnan(b.at(row, column));
+            ASSERT_TRUE(both_empty || a.at(row, column) == b.at(row, column)) << row << ", " << column;
+        }
+    }
     // A member alone, as `frana run`.
     const Outcome member = frana({"run", k_result + "/members/member_0000001/scene.ini", "--out", "one", "--quiet"});
     EXPECT_EQ(member.exit_code, 0) << member.err;

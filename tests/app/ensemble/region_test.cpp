@@ -214,8 +214,15 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
     EXPECT_EQ(check.exit_code, 0) << check.err;
     for (const std::string words : {"6, of which 3 fail", "3 far", "4 steep", "5 blank", "column THICK", "memory"})
         EXPECT_NE(check.out.find(words), std::string::npos) << words << "\n" << check.out;
+    const Outcome document = frana({"check", "region.ini", "--json"});
+    for (const std::string words :
+         {R"("slopes": [)", R"("name": "far")", R"("window": null)", R"("scenario": "often")"})
+        EXPECT_NE(document.out.find(words), std::string::npos) << words << "\n" << document.out;
     const Outcome outcome = batch();
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const std::string page = read_text(path("out/report.html")), section = page.substr(page.find("<h2 id=\"slopes\""));
+    for (const std::string words : {"<td>far</td>", "<td>rare</td>", "Run-out [m]", "Why it failed", "column THICK"})
+        EXPECT_NE(section.substr(0, section.find("</table>")).find(words), std::string::npos) << words;
     const Rows rows = members();
     ASSERT_EQ(rows.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(rows[i].at("status"), i < 3 ? "finished" : "failed") << i;
@@ -239,7 +246,8 @@ TEST_F(Region, MistakesAreRefusedBeforeAnythingRuns) {
     const Outcome scheme = batch();
     EXPECT_EQ(scheme.exit_code, 2);
     EXPECT_NE(scheme.err.find("hazard.scheme"), std::string::npos) << scheme.err;
-    EXPECT_NE(frana({"ensemble", "region.ini"}).err.find("frana batch"), std::string::npos);
+    for (const std::string command : {"ensemble", "run"})
+        EXPECT_NE(frana({command, "region.ini"}).err.find("frana batch"), std::string::npos) << command;
     EXPECT_NE(frana({"batch", "scene.ini"}).err.find("[region]"), std::string::npos);
     std::vector<TestSlope> slopes = three();
     slopes[1].years = "100";  // of the same scenario

@@ -97,6 +97,38 @@ TEST_F(BadFile, DtmWithoutCrsIsRefusedWithARemedy) {
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.crs=local"}).exit_code, 0);
 }
 
+// Three polygons, of which one has a number in another column and none in that of the key.
+TEST_F(BadFile, AColumnThatNoPolygonHasANumberInIsToldOnce) {
+    const auto polygon = [](int east, const std::string& properties) {
+        const auto corner = [&](double x, double y) {
+            return "[" + std::to_string(k_west + east + x) + "," + std::to_string(k_south + y) + "]";
+        };
+        return R"({"type": "Feature", "properties": {)" + properties +
+               R"(}, "geometry": {"type": "Polygon", "coordinates": [[)" + corner(0, 55) + "," + corner(10, 55) + "," +
+               corner(10, 95) + "," + corner(0, 55) + "]]}}";
+    };
+    write("many.geojson", R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": )"
+                          R"({"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)" +
+                              polygon(20, R"("dicke": null, "title": "A")") + "," +
+                              polygon(40, R"("dicke": 2, "title": "B")") + "," +
+                              polygon(60, R"("dicke": null, "title": "C")") + "]}");
+    const auto check = [&](const std::string& column) {
+        const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=many.geojson", "--set",
+                                       "release.thickness=attribute:" + column});
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        return outcome.err;
+    };
+    for (const std::string column : {"Dicke_m", "title"}) {
+        const std::string error = check(column);
+        EXPECT_NE(error.find("no number in the attribute " + column + " of any feature of many"), std::string::npos)
+            << error;
+        EXPECT_NE(error.find("attributes with numbers: dicke)"), std::string::npos) << error;
+    }
+    EXPECT_NE(check("title").find("finds text"), std::string::npos);
+    EXPECT_NE(check("dicke").find("is empty (NULL) in the attribute dicke of 2 of 3 features"), std::string::npos);
+}
+
 TEST_F(BadFile, PerimeterOutsideNamesBothExtents) {
     write_polygon("perimeter", {{1020, 55}, {1070, 55}, {1070, 95}});
     const Outcome outcome = frana({"run", "scene.ini"});

@@ -112,6 +112,19 @@ TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
     write_polygon("covered", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     const Outcome outcome = frana({"check", "scene.ini", "--set", "observed.perimeter=covered.geojson"});
     EXPECT_EQ(outcome.err.find("nearly the release"), std::string::npos) << outcome.err;
+    // compare asks the same of its own outline.
+    write_scene(k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const auto compare = [&](const std::string& outline) {
+        return frana({"compare", "result", "--observed", outline, "--out", "compared", "--json"});
+    };
+    const Outcome release = compare("perimeter.geojson");
+    EXPECT_EQ(release.exit_code, 0) << release.err;
+    expect_words(release.err, {"perimeter.geojson is nearly the release (100 %"});
+    expect_words(release.out, {"perimeter.geojson is nearly the release (100 %"});
+    const Outcome covered = compare("covered.geojson");
+    EXPECT_EQ(covered.exit_code, 0) << covered.err;
+    EXPECT_EQ(covered.err.find("nearly the release"), std::string::npos) << covered.err;
 }
 
 // The second name stays: no warning, and errors use the user's word.

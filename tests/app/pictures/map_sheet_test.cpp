@@ -204,6 +204,25 @@ TEST_F(MapSheet, ADifferenceIsCentredOnZeroAndOnTheGround) {
     EXPECT_EQ(other, 0);
 }
 
+TEST_F(MapSheet, ADifferenceIsInOneLanguageAndTellsTwoRunsOfOneSceneApart) {
+    run("title = Slope\n", "a");
+    run("title = Slope\nlanguage = de\n[release]\nvolume = 2000\n", "b");
+    for (const auto& [language, release, other_release] :
+         {std::tuple{"", "Release: ", "Anrissgebiet: "}, std::tuple{"it", "Area di distacco: ", "Release: "}}) {
+        std::vector<std::string> options{"--difference", "b",   "--map", "max_depth",
+                                         "--format",     "svg", "--out", "sheet"};
+        if (*language != '\0') options.insert(options.end(), {"--language", language});
+        const Outcome outcome = render(options, "a");
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const std::string svg = read_text(path("sheet/difference_max_depth.svg"));
+        for (const std::string line : {"A: " + std::string(release), "B: " + std::string(release)})
+            EXPECT_NE(svg.find(line), std::string::npos) << line << svg;
+        EXPECT_EQ(svg.find(other_release), std::string::npos) << other_release;
+        for (const char* line : {">A: Slope (a)<", ">B: Slope (b)<"})
+            EXPECT_NE(svg.find(line), std::string::npos) << line;
+    }
+}
+
 TEST_F(MapSheet, OnlyTheSameCellsHaveADifference) {
     run("", "a");
     run("[terrain]\ncell-size = 10\n[material]\n", "coarse");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "core/mixed_shape.h"
 #include "ensemble/tiny_study.h"
 #include "gis/crs/crs.h"
@@ -42,7 +44,7 @@ class Exposure : public Ensemble {
                   feature("house", "4", shape("Polygon", box(81, 71, 8))) + "," +
                   feature("barn", "0", shape("Polygon", box(280, 130, 8))) + "," +
                   feature("road", "10", shape("LineString", "[" + place(97.5, 5) + ", " + place(97.5, 145) + "]")) +
-                  "," + feature("people", "7", shape("Point", place(112, 73))) + "," +
+                  "," + feature("people", "7", shape("Point", place(92, 73))) + "," +
                   feature("rim", "1", shape("Polygon", box(-4, 71, 8))) + "," +
                   feature("elsewhere", "2", shape("Point", place(5000, 73))) + "," +
                   feature("drawn nowhere", "null", "null") + "]}");
@@ -93,7 +95,7 @@ TEST_F(Exposure, OfARunIsThatOfTheCellsTouched) {
     expect(0, speed, "max_velocity_ms", 81, 71, 89, 79);
     expect(0, pressure, "max_pressure_kpa", 81, 71, 89, 79);
     expect(2, depth, "max_depth_m", 97, 5, 98, 145);
-    expect(3, depth, "max_depth_m", 111.9, 72.9, 112.1, 73.1);
+    expect(3, depth, "max_depth_m", 91.9, 72.9, 92.1, 73.1);
     EXPECT_GT(number(0, "arrival_s"), 0);
     EXPECT_EQ(all[1].at("max_depth_m"), "0") << "not reached";
     EXPECT_EQ(all[1].at("arrival_s"), "");
@@ -133,7 +135,7 @@ TEST_F(Exposure, OfAnEnsembleHasProbabilities) {
                 gis::read_result_raster(path("out/members/member_000000" + std::to_string(member) + "/max_depth.tif"));
             const double here = feature == 0   ? greatest(depth, 81, 71, 89, 79)
                                 : feature == 2 ? greatest(depth, 97, 5, 98, 145)
-                                               : greatest(depth, 111.9, 72.9, 112.1, 73.1);
+                                               : greatest(depth, 91.9, 72.9, 92.1, 73.1);
             const double weight = member == 0 ? 0.75 : 0.25;
             reached += here > 0 ? weight : 0;
             deep += here > 0.5 ? weight : 0;
@@ -145,6 +147,51 @@ TEST_F(Exposure, OfAnEnsembleHasProbabilities) {
     }
     EXPECT_EQ(all[1].at("probability_reached"), "0");
     EXPECT_EQ(all[5].at("probability_reached"), "");
+}
+
+// What a mayor asks first: how many are reached, in the log, in the report and on the map.
+TEST_F(Exposure, IsAnsweredInTheLanguageOfTheScene) {
+    write_exposed();
+    const std::vector<std::string> report{"--quiet", "--set", "output.maps=max_depth", "--set", "output.language=de"};
+    std::vector<std::string> arguments{"run", "scene.ini", "--out", "out"};
+    arguments.insert(arguments.end(), report.begin(), report.end());
+    const Outcome outcome = frana(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(read_text(path("out/log.txt")).find("3 of 7 exposed features are reached. By their count: 21 of 25."),
+              std::string::npos);
+    const std::string page = read_text(path("out/report.html"));
+    const std::size_t answer = page.find("3 von 7 exponierten Objekten werden erreicht. Nach ihrer Anzahl: 21 von 25.");
+    ASSERT_NE(answer, std::string::npos);
+    EXPECT_LT(answer, page.find("<h2 id=\"maps\"")) << "the answer comes first";
+    const std::string section = page.substr(page.find("<h2 id=\"exposure\""));
+    const std::string table = section.substr(0, section.find("</table>"));
+    for (const std::string reached : {"house", "road", "people"})
+        EXPECT_NE(table.find("<td>" + reached + "</td>"), std::string::npos) << reached;
+    for (const std::string other : {"barn", "rim", "elsewhere"})
+        EXPECT_EQ(table.find("<td>" + other + "</td>"), std::string::npos) << other;
+}
+
+TEST(ExposureLayers, TellReachedFromNotReached) {
+    int layers = 0;
+    for (const app::VectorLayer& row : app::vector_layers()) {
+        if (row.file != app::k_exposure_file) continue;
+        ++layers;
+        const gis::StyleText style = row.style(Words(Language::german));
+        for (const std::string& text : {style.qml, style.sld})
+            for (const std::string words : {"Exponiert, erreicht", "Exponiert, nicht erreicht", "Exponiert, unbekannt"})
+                EXPECT_NE(text.find(words), std::string::npos) << row.name << ' ' << words;
+        EXPECT_NE(style.qml.find("attr=\"reached\""), std::string::npos) << row.name;
+    }
+    EXPECT_EQ(layers, 3);
+}
+
+TEST_F(Exposure, CheckCountsFeaturesAndWarnsOfThoseOffTheMap) {
+    write_exposed();
+    const Outcome outcome = frana({"check", "scene.ini"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("7 features"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.err.find("2 of 7 exposed features are off the map"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("elsewhere"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Exposure, MistakesAreRefused) {

@@ -98,21 +98,22 @@ TEST_F(ResultTable, ClassesAreTheScenesOnMapsFramesAndInStyles) {
     EXPECT_EQ(frana({"check", "scene.ini"}).exit_code, 2);
 }
 
-// The names that polygons have in the user's file are in every output.
-TEST_F(ResultTable, NamesOfReleaseAreasReachOutlinesSummaryLogReportAndMap) {
+// The names and ids that polygons have in the user's file are in every output.
+TEST_F(ResultTable, NamesAndIdsOfReleaseAreasReachOutlinesSummaryLogReportAndMap) {
     std::string perimeter = read_text(path("perimeter.geojson"));
     const std::string depth = "\"depth\": 2.0";
     const auto at = perimeter.find(depth);
     ASSERT_NE(at, std::string::npos) << perimeter;
-    write("perimeter.geojson", perimeter.insert(at + depth.size(), ", \"Name\": \"Upper scar\""));
+    write("perimeter.geojson", perimeter.insert(at + depth.size(), ", \"Name\": \"Upper scar\", \"ID\": \"A-17\""));
+    const std::string name = "Upper scar (A-17)";
     run(k_voellmy + k_numbers_only, "old");
-    EXPECT_EQ(parse_json(read_text(path("old/summary.json")))["release_areas"][0]["name"], "Upper scar");
-    EXPECT_NE(read_text(path("old/log.txt")).find("release area 1 'Upper scar'"), std::string::npos);
+    EXPECT_EQ(parse_json(read_text(path("old/summary.json")))["release_areas"][0]["name"], name);
+    EXPECT_NE(read_text(path("old/log.txt")).find("release area 1 '" + name + "'"), std::string::npos);
     const auto areas = gis::read_polygons(path("old/extent.gpkg") + "|layer=release", "EPSG:32632", "test");
-    EXPECT_EQ(areas.features.at(0).texts.at("name"), "Upper scar");
-    EXPECT_EQ(app::ResultReader(path("old")).map_source().release_names, std::vector<std::string>{"Upper scar"});
+    EXPECT_EQ(areas.features.at(0).texts.at("name"), name);
+    EXPECT_EQ(app::ResultReader(path("old")).map_source().release_names, std::vector<std::string>{name});
     run(k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\n", "reported");
-    EXPECT_NE(read_text(path("reported/report.html")).find("<td>Upper scar</td>"), std::string::npos);
+    EXPECT_NE(read_text(path("reported/report.html")).find("<td>" + name + "</td>"), std::string::npos);
 }
 
 // The project follows the files of the result; one that was saved from QGIS is kept.

@@ -81,6 +81,16 @@ TEST_F(Moved, AMissingInputIsOneClearError) {
               0);
 }
 
+TEST_F(Moved, AMissingInputIsToldOnceWithThePartsBesideIt) {
+    move_project();
+    for (const char* file : {"dtm.asc", "dtm.prj"}) fs::remove(folder_ / "elsewhere/far/project/data" / file);
+    const Outcome outcome = frana({"run", "elsewhere/far/project/results/one/scene.ini", "--out", "again"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("terrain.dtm: an input of this result is missing"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("../../data/dtm.asc, .prj"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Moved, AResultMovedAloneFindsItsInputsWhereTheyWere) {
     fs::rename(folder_ / "project/results/one", folder_ / "one");
     const Outcome outcome = frana({"run", "one/scene.ini", "--out", "again"});

@@ -50,6 +50,19 @@ TEST(TextTable, IsAsNarrowAsAsked) {
     }
 }
 
+// Words of 9, 10 and 10 letters and two gaps need 33 columns.
+TEST(TextTable, TearsNoShortWord) {
+    TextTable table({{"Input", 20}, {"CRS", 20}, {"Extent", 20}});
+    table.add({"perimeter of the release", "EPSG:32632", "361015.60\n5094023.40"});
+    for (const std::size_t width : {80U, 40U, 34U, 33U, 20U}) {
+        const std::string text = table.text(width);
+        for (const char* word : {"perimeter", "EPSG:32632", "361015.60", "5094023.40"})
+            EXPECT_NE(text.find(word), std::string::npos) << width << "\n" << text;
+        for (const std::string& line : lines_of(text)) EXPECT_LE(display_width(line), width) << text;
+        EXPECT_EQ(text.find("CRS: EPSG:32632") != std::string::npos, width < 33) << width << "\n" << text;
+    }
+}
+
 TEST(TextTable, FactsAreWrappedBesideTheirName) {
     EXPECT_EQ(fact_line("terms", "friction and turbulence of the bed, everywhere", 45),
               "  terms            friction and turbulence of\n                   the bed, everywhere\n");

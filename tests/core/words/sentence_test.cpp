@@ -14,7 +14,7 @@ TEST(Sentences, AreEnglishTextsAndShownInALanguageWithTheirNumbers) {
     EXPECT_EQ(left.text(),
               "1 234.5 m3 left the computed ground (2.5 % of all volume that came in): the map does not show its full "
               "run-out; use a larger DTM or terrain.bounds");
-    EXPECT_EQ(left.in(Words(Language::german)).substr(0, 43), "1.234,5 m³ verließen das berechnete Gelände");
+    EXPECT_EQ(left.in(Words(Language::german)).find("1.234,5 m³ verließen das berechnete Gelände (2,5 %"), 0U);
 }
 
 TEST(Sentences, ContainOthersAndKeepNamesAsTheyAre) {

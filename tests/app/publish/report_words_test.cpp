@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texts of a report that are composed of several rows of the tables of words.
+#include <gtest/gtest.h>
+
+#include "app/publish/report_inputs.h"
+#include "app/store/accuracy_record.h"
+#include "app/text/unit_sign.h"
+#include "simulation/run_values.h"
+#include "simulation/terms.h"
+
+namespace frana::app {
+namespace {
+
+const Words k_german(Language::german), k_french(Language::french);
+
+TEST(ReportWords, TermsArePutIntoTheLanguagePartByPart) {
+    EXPECT_EQ(term_in("Bingham bed resistance, exact", k_german), "Bingham-Widerstand an der Sohle, exakt");
+    EXPECT_EQ(term_in("quadratic B-splines, APIC", k_german), "quadratische B-Splines, APIC");
+    EXPECT_EQ(term_in("friction by zones", k_french), "coefficient de frottement par zones");
+    EXPECT_EQ(term_in("friction by zones", Words()), "friction coefficient by zones");
+}
+
+TEST(ReportWords, AValueAtAPlaceKeepsItsName) {
+    const RunValue depth{"gauge {1}: x: max_depth_m", "greatest depth at gauge {1}: x", "m", 2, 0, 0};
+    EXPECT_EQ(title_in(depth, k_german), "größte Fließtiefe am Messpunkt {1}: x");
+    EXPECT_EQ(title_in(depth, Words()), depth.title);
+    EXPECT_EQ(title_in({"runout_m", "run-out", "m", 2, 0, 0}, k_french), "distance de propagation");
+}
+
+/// Three levels whose only value settles slowly.
+AccuracyRecord record(double finest) {
+    AccuracyRecord all{0.025, finest, 10, 5, {}};
+    for (const auto& [size, value] : {std::pair{20.0, 10.0}, std::pair{10.0, 12.0}, std::pair{5.0, 13.5}})
+        all.levels.push_back({size, 100, 10, 1, 0, 0, {{"max_depth_m", "maximum depth", "m", value, 0, 0}}, ""});
+    return all;
+}
+
+TEST(ReportWords, TheVerdictOnAccuracyIsInTheLanguage) {
+    EXPECT_EQ(accuracy_verdict({0.05, 2, 2, 2, {}}),
+              "numerics.accuracy = 5 % is not claimed: there are too few coarser levels for an estimate of error; the "
+              "result is on cells of 2 m, the scene's own");
+    const std::string german = accuracy_verdict(record(2.5), k_german);
+    EXPECT_EQ(
+        german.find("numerics.accuracy = 2,5 % wird für 1 von 1 Werten nicht zugesichert, deren geschätzter Fehler "
+                    "größer ist: maximale Fließtiefe ("),
+        0U)
+        << german;
+    EXPECT_NE(german.find("Die Zellen der Szene von 2,5 m wurden nicht gerechnet"), std::string::npos) << german;
+    EXPECT_NE(german.find("feiner als die des DGM (10 m)"), std::string::npos) << german;
+    EXPECT_EQ(german.find(" the "), std::string::npos) << german;
+}
+
+TEST(ReportWords, AnInputIsDescribedInTheLanguage) {
+    UsedFile file;
+    file.role = "Zones: zones.cohesion";
+    file.resampling = "average";
+    file.crs_label = "EPSG:32632";
+    file.content = "1 300 x 270 of\n0.5 x 0.5\nFloat32 in metre (assumed)\nrotated";
+    file.transform.operation = "UTM zone 32N";
+    file.transform.accuracy_m = 0.5;
+    EXPECT_EQ(role_in(file, k_german), "Zonen: zones.cohesion (average)");
+    EXPECT_EQ(content_in(file, k_german), "1.300 × 270 von\n0,5 × 0,5\nFloat32 in Meter (angenommen)\ngedreht");
+    EXPECT_EQ(operation_in(file, k_german), "UTM zone 32N; Genauigkeit 0,5 m");
+    EXPECT_EQ(operation_in(file, Words()), "UTM zone 32N; accuracy 0.5 m");
+    file.content = "2 polygons\n63 071 m2";
+    EXPECT_EQ(content_in(file, k_german), "2 Polygone\n63.071 m²");
+    file.transform = {};
+    EXPECT_EQ(operation_in(file, k_french), "inutile");
+    file.crs_label = "";
+    EXPECT_EQ(operation_in(file, k_french), "");
+}
+
+TEST(UnitSign, IsThatOfPrint) {
+    EXPECT_EQ(unit_sign("m3/s"), "m³/s");
+    EXPECT_EQ(unit_sign("degrees"), "°");
+    EXPECT_EQ(unit_sign("kg/m3"), "kg/m³");
+    EXPECT_EQ(unit_sign("s/m^(1/3)"), "s/m^(1/3)");
+    EXPECT_EQ(unit_sign(""), "");
+}
+
+}  // namespace
+}  // namespace frana::app
