@@ -41,6 +41,13 @@ def check_outputs(name, found, without=()):
             assert kind == "outputString" and isinstance(value, str), (output.name(), kind, value)
 
 
+def test_no_output_breaks_a_batch():
+    """QGIS 3.22 ends a batch of an algorithm with an output of HTML in an error."""
+    for algorithm in provider.algorithms():
+        kinds = [output.type() for output in algorithm.outputDefinitions()]
+        assert "outputHtml" not in kinds, algorithm.name()
+
+
 def test_outputs_of_one_run():
     first = run("run", scene("first", output_maps=["max_depth"], output_animation=True, output_charts=True,
                              output_gauges=drawn("Point", "POINT(529400 5094450)"),
@@ -48,7 +55,7 @@ def test_outputs_of_one_run():
                              output_exposure=polygons(UPPER, LOWER), **OBSERVED))
     check_outputs("run", first, {"EXPOSED_POINTS", "EXPOSED_LINES"})
     assert first["EXPOSED_REACHED"] >= 1
-    checked = run("check", {**scene("checked"), "OUTPUT": os.path.join(folder, "check.html")})
+    checked = run("check", {**scene("checked"), "OUTPUT": os.path.join(folder, "check.txt")})
     check_outputs("check", checked)
     assert "45" in checked["TEXT"] and "UTM zone 32N" in checked["TEXT"], checked["TEXT"]
     compared = run("compare", {"RESULT": first["OUTPUT"], "OBSERVED": SCAR, "THRESHOLD": 0.5})

@@ -2,7 +2,6 @@
 """frana check."""
 from __future__ import annotations
 
-import html
 import os
 import tempfile
 from typing import Any
@@ -25,7 +24,7 @@ class CheckAlgorithm(SceneAlgorithm):
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.add_scene()
         self.add_threads()
-        self.addParameter(QgsProcessingParameterFileDestination("OUTPUT", "Report of the check", "HTML (*.html)", None, True))
+        self.addParameter(QgsProcessingParameterFileDestination("OUTPUT", "Report of the check", "Text (*.txt)", None, True))
         self.addOutput(QgsProcessingOutputString("TEXT", "Report as text"))
         self.addOutput(QgsProcessingOutputString("WARNINGS", "Warnings"))
         self.addOutput(QgsProcessingOutputNumber("WARNING_COUNT", "Number of warnings"))
@@ -43,9 +42,7 @@ class CheckAlgorithm(SceneAlgorithm):
         found = {"TEXT": text, "WARNINGS": "\n".join(done.warnings), "WARNING_COUNT": len(done.warnings)}
         page = self.parameterAsFileOutput(parameters, "OUTPUT", context)
         if page:
-            warnings = "".join(f"<p><b>{html.escape(warning)}</b></p>" for warning in done.warnings)
             with open(page, "w", encoding="utf-8") as file:
-                file.write(f"<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>frana check</title></head><body>"
-                           f"{warnings}<pre>{html.escape(text)}</pre></body></html>\n")
+                file.write("".join(f"Warning: {warning}\n" for warning in done.warnings) + text)
             found["OUTPUT"] = page
         return found
