@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/counted_texts.h"
 #include "core/error.h"
@@ -57,6 +56,7 @@ void read_attributes(const OGRFeature& from, PolygonFeature& feature) {
 PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, Problems& problems,
                             CountedTexts& warnings) {
     PolygonFeature feature;
+    read_attributes(from, feature);
     const std::string number = std::to_string(from.GetFID());
     const auto problem = [&](const std::string& what, const std::string& value, const std::string& remedy) {
         problems.add(Problem{"feature " + number + " " + what, source.where, value, "", remedy});
@@ -96,7 +96,6 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
         if (auto part = from_ogr(*polygon); part && area(*part) > 0) feature.parts.push_back(std::move(*part));
     }
     if (feature.parts.empty()) problem("has no area", "", "Redraw it");
-    read_attributes(from, feature);
     return feature;
 }
 
@@ -138,12 +137,20 @@ std::string condition_of(OGRLayer& layer, const OGRFeature& feature) {
     return (column.empty() ? "FID" : column) + " = " + std::to_string(feature.GetFID());
 }
 
-std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source, TimeLimit& limit,
-                                          std::vector<Sentence>& warnings, std::vector<std::string>& conditions) {
+/// Why a feature is no area, in one line.
+std::string reason_of(const Problems& problems) {
+    if (problems.list().empty()) return "no geometry";
+    const Problem& first = problems.list().front();
+    return "the polygon " + first.what.substr(first.what.find(' ', std::string("feature ").size()) + 1) +
+           (first.value.empty() ? "" : " (" + first.value + ")");
+}
+
+/// Reads features, conditions, what is unusable, and warnings.
+void read_features(OGRLayer& layer, const VectorSource& source, bool keep_unusable, TimeLimit& limit,
+                   PolygonLayer& read) {
     Problems problems;
     CountedTexts counted;
-    std::vector<PolygonFeature> features;
-    std::int64_t n_read = 0, unreported = 0;
+    std::int64_t n_read = 0, n_areas = 0, unreported = 0;
     VertexCount vertices(source);
     layer.ResetReading();
     for (const auto& from : layer) {
@@ -152,21 +159,23 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
         vertices.add(from->GetGeometryRef());
         Problems of_this;
         PolygonFeature feature = read_feature(*from, source, of_this, counted);
-        for (const Problem& problem : of_this.list()) {
-            problems.list().size() < k_most_problems ? problems.add(problem) : void(++unreported);
+        if (!keep_unusable) {
+            for (const Problem& problem : of_this.list()) {
+                problems.list().size() < k_most_problems ? problems.add(problem) : void(++unreported);
+            }
+            if (feature.parts.empty()) continue;
         }
-        if (feature.parts.empty()) continue;
-        features.push_back(std::move(feature));
-        conditions.push_back(condition_of(layer, *from));
+        n_areas += feature.parts.empty() ? 0 : 1;
+        read.unusable.push_back(feature.parts.empty() ? reason_of(of_this) : "");
+        read.features.push_back(std::move(feature));
+        read.conditions.push_back(condition_of(layer, *from));
     }
     if (unreported > 0)
         problems.add(Problem{std::to_string(unreported) + " more features have problems", source.where, "", "", ""});
     problems.throw_if_any();
-    warnings = counted.texts();
+    read.warnings = counted.texts();
     if (n_read == 0) throw vector_error(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
-    if (features.empty())
-        throw vector_error(source, "the layer contains no polygon", layer.GetName(), "Draw at least one");
-    return features;
+    if (n_areas == 0) throw vector_error(source, "the layer contains no polygon", layer.GetName(), "Draw at least one");
 }
 
 bool same_vertices(const MultiPolygon& a, const MultiPolygon& b) {
@@ -190,8 +199,9 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
         areas.push_back(area(feature.parts));
     }
     // From west to east, so that features far apart are not compared; reported in the layer's order.
-    std::vector<std::size_t> order(features.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < features.size(); ++i)
+        if (!features[i].parts.empty()) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return boxes[a].west < boxes[b].west; });
     struct Overlap {
         std::size_t one, other;
@@ -248,7 +258,7 @@ PolygonLayer read_now(const std::string& path, const std::string& target_crs_wkt
     read.layer_name = layer.GetName();
     read.crs_wkt = crs;
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
-    read.features = read_features(layer, source, limit, read.warnings, read.conditions);
+    read_features(layer, source, choice.keep_unusable, limit, read);
     require_sound(session, source);
     const Bounds own = bounds_of(read.features);
     if (!target_crs_wkt.empty() && !plausible(crs, own)) {
@@ -295,7 +305,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
                            const LayerChoice& choice) {
     return remembered(
         "read_polygons", [&] { return read_now(path, target_crs_wkt, where, choice); }, path, target_crs_wkt, where,
-        choice.name, choice.filter, choice.crs);
+        choice.name, choice.filter, choice.crs, choice.keep_unusable);
 }
 
 }  // namespace frana::gis

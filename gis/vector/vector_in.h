@@ -13,6 +13,7 @@ namespace frana::gis {
 struct PolygonLayer {
     std::vector<PolygonFeature> features;  ///< in the target CRS
     std::vector<std::string> conditions;   ///< for each feature the SQL condition that it alone satisfies: "fid = 3"
+    std::vector<std::string> unusable;     ///< for each feature why it has no parts; empty: it has some
     std::string crs_wkt;                   ///< of the file; empty: none
     std::string crs_label;                 ///< of the file, for messages
     std::string layer_name;
@@ -28,13 +29,15 @@ struct LayerChoice {
     std::string name;    ///< of the layer; empty: the only one with areas
     std::string filter;  ///< SQL condition on the attributes ("kind = 'release'")
     std::string crs;     ///< WKT, replaces that of the file
+    bool keep_unusable =
+        false;  ///< features that are no area stay in their place, without parts; else they are refused
 };
 
 /// Returns every polygon of a vector layer in the target CRS (empty: coordinates unchanged). `path` may name a layer:
 /// "file.gpkg|layer=release". Curves become straight segments, heights are dropped, closed lines count as polygons,
 /// long edges are curved as by the projection (to 1 mm). An outline that touches itself is repaired with a warning; one
 /// that crosses itself is refused with the place. `where` names the key. Throws Error(input) with every feature's
-/// problem: missing file, no CRS, empty layer, no polygon, crossing.
+/// problem: missing file, no CRS, empty layer, no polygon, crossing (unless choice.keep_unusable).
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
                            const LayerChoice& choice = {});
 

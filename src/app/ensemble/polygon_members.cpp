@@ -93,6 +93,7 @@ void add_columns(const study::StudySpec& study, const gis::PolygonLayer& layer, 
     }
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         Slope slope = slope_of(region, layer.features[i]);
+        if (!layer.unusable[i].empty()) slope.problem = layer.unusable[i];
         for (const study::RegionSpec::Column& one : region.columns) {
             const auto text = text_in(layer.features[i], one.column);
             if (!text) slope.problem = "column " + one.column + " for " + one.key + " has no value";
@@ -119,8 +120,9 @@ PolygonMembers polygon_members(const study::StudySpec& study, const std::string&
     }
     const std::string key = "release.perimeter-filter", own = release.perimeter_layer.filter.value_or("");
     try {
-        const gis::PolygonLayer layer = gis::read_polygons(
-            *release.perimeter, "", where, layer_choice(scene, release.perimeter_layer, "release.perimeter"));
+        gis::LayerChoice choice = layer_choice(scene, release.perimeter_layer, "release.perimeter");
+        choice.keep_unusable = study.region.has_value();
+        const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
         members.table.keys = {key};
         members.table.nominal = {true};
         for (std::size_t i = 0; i < layer.conditions.size(); ++i) {

@@ -18,10 +18,12 @@
 namespace frana::app {
 namespace {
 
-gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& crs, const LayerSpec& choice) {
+/// @param all polygons of a region; those without an area, which fail alone, too
+gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& crs, const LayerSpec& choice, bool all) {
     const std::string key = "release.perimeter";
-    return gis::read_polygons(*reading.scene.release.perimeter, crs, reading.where(key),
-                              layer_choice(reading, choice, key));
+    gis::LayerChoice own = layer_choice(reading, choice, key);
+    own.keep_unusable = all;
+    return gis::read_polygons(*reading.scene.release.perimeter, crs, reading.where(key), own);
 }
 
 void check_degree(const StudyInput& input) {
@@ -75,7 +77,7 @@ void cut_terrain(const study::RegionSpec& region, SceneReading& reading, RunLog&
     if (reading.scene.terrain.bounds || reading.scene.terrain.dtm.empty() || !reading.scene.release.perimeter) return;
     const DtmFile dtm = inspect_dtm(reading, log);
     const GridSpec all = gis::working_grid(dtm.file, dtm.working_crs, std::nullopt, reading.scene.terrain.cell_size);
-    const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer).bounds;
+    const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer, false).bounds;
     if (box.east <= all.west || box.west >= all.east() || box.north <= all.south() || box.south >= all.north)
         throw Error(ErrorKind::input,
                     Problem{"the polygon lies outside the DTM", reading.where("release.perimeter"), extent_text(box),
@@ -106,7 +108,7 @@ void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunL
     input.base.scene.time.frame_interval = 0;
     check_degree(input);
     const GridSpec& grid = input.base.scene.grid;
-    const gis::PolygonLayer layer = polygons_of(of_all, grid.crs_wkt, of_all.scene.release.perimeter_layer);
+    const gis::PolygonLayer layer = polygons_of(of_all, grid.crs_wkt, of_all.scene.release.perimeter_layer, true);
     for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)
         input.slopes[i].outline = layer.features[i].parts;
     input.identity = "study = region\n" + study::values_text(input.table) + scene_identity(input.base);

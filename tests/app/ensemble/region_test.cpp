@@ -202,6 +202,39 @@ TEST_F(Region, TerrainIsCutFromAMosaic) {
             << cell;
 }
 
+// Polygons without geometry and one that crosses itself keep their place in the table; the others are done.
+TEST_F(Region, PolygonsWithoutAnAreaFailAlone) {
+    std::vector<TestSlope> slopes = three();
+    slopes.insert(slopes.begin() + 1, {"none", "rare", "300", "2", "0.2", 30, 70, 20});
+    slopes.insert(slopes.begin() + 2, {"tie", "rare", "300", "2", "0.2", 40, 70, 20});
+    write_slopes(slopes);
+    std::string text = read_text(path("slopes.geojson"));
+    const auto geometry_of = [&](const std::string& name) {
+        const std::size_t from = text.find(R"("geometry": )", text.find("\"" + name + "\"")) + 12;
+        return std::pair{from, text.find("]]}", from) + 3 - from};
+    };
+    const auto [tie, tie_length] = geometry_of("tie");
+    const auto corner = [](double x, double y) {
+        return "[" + std::to_string(k_west + x) + ", " + std::to_string(k_south + y) + "]";
+    };
+    text.replace(tie, tie_length, R"({"type": "Polygon", "coordinates": [[)" + corner(40, 70) + ", " + corner(60, 90) +
+                                      ", " + corner(60, 70) + ", " + corner(40, 90) + ", " + corner(40, 70) + "]]}");
+    const auto [none, none_length] = geometry_of("none");
+    text.replace(none, none_length, "null");
+    write("slopes.geojson", text);
+    write_region();
+    const Outcome check = frana({"check", "region.ini"});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    EXPECT_NE(check.out.find("5, of which 2 fail"), std::string::npos) << check.out;
+    const Outcome outcome = batch();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 5U);
+    for (const std::size_t i : {0U, 3U, 4U}) EXPECT_EQ(rows[i].at("status"), "finished") << i;
+    EXPECT_NE(rows[1].at("reason").find("no geometry"), std::string::npos) << rows[1].at("reason");
+    EXPECT_NE(rows[2].at("reason").find("crosses itself"), std::string::npos) << rows[2].at("reason");
+}
+
 // One without terrain, one with an impossible value, one without a value: the others are done.
 TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
     std::vector<TestSlope> slopes = three();
