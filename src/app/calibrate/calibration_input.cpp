@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/calibrate/event_survey.h"
+#include "app/ensemble/recorded_study.h"
 #include "app/store/recorded_inputs.h"
 #include "core/shortest_text.h"
 #include "params/grammar/value_text.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/ensemble/polygon_members.h"
+#include "app/ensemble/recorded_study.h"
 #include "app/ensemble/region_input.h"
 #include "app/input/scene_language.h"
 #include "app/input/share_directory.h"

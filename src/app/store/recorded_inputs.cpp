@@ -75,97 +75,23 @@ std::vector<Recorded> read_recorded(const fs::path& folder) {
     return all;
 }
 
-/// The files of a text that names inputs.
-struct NamingText {
-    std::function<void(const study::KeyedFileMap&)> map_files;  ///< maps each to another
-    std::function<std::string(const std::string& key)> where;   ///< for messages
-    std::function<bool(const std::string& key)> is_replaced;    ///< by the command line
-    bool is_study = false;    ///< a file of which no key can be set on the command line
-    bool warns_only = false;  ///< files are missed elsewhere
+std::vector<NamedFile> files_of(const NamingText& text) {
+    std::vector<NamedFile> all;
+    text.map_files([&](const std::string& key, const std::string& path) {
+        all.push_back({key, path});
+        return path;
+    });
+    return all;
+}
 
-    [[nodiscard]] std::vector<NamedFile> files() const {
-        std::vector<NamedFile> all;
-        map_files([&](const std::string& key, const std::string& path) {
-            all.push_back({key, path});
-            return path;
-        });
-        return all;
-    }
-    /// Lets a key name a file at another place.
-    void move_file(const std::string& key, const fs::path& from, const fs::path& to) const {
-        map_files([&](const std::string& named, const std::string& path) {
-            const auto at = path.find(from.string());
-            return named != key || at == std::string::npos
-                       ? path
-                       : path.substr(0, at) + to.string() + path.substr(at + from.string().size());
-        });
-    }
-};
-
-void find_files(const NamingText& text, const fs::path& folder, RunLog& log) {
-    // Of a file and the parts beside it, the first that is missing, which names the others.
-    std::vector<std::pair<std::pair<std::string, fs::path>, Problem>> missing;
-    const auto stem = [](fs::path file) { return file.replace_extension(); };
-    for (const Recorded& recorded : read_recorded(folder)) {
-        if (text.is_replaced(recorded.key)) continue;
-        const fs::path here = (folder / recorded.relative).lexically_normal();
-        const auto belongs_to_key = [&](const fs::path& file, bool main_only) {
-            const auto files = text.files();
-            return std::any_of(files.begin(), files.end(), [&](const NamedFile& named) {
-                if (named.key != recorded.key) return false;
-                if (main_only) return file == plain_file(named.path);
-                const auto parts = parts_of(plain_file(named.path));
-                return std::find(parts.begin(), parts.end(), file) != parts.end();
-            });
-        };
-        const auto named = text.files();
-        if (std::none_of(named.begin(), named.end(), [&](const NamedFile& file) {
-                const fs::path main = plain_file(file.path);
-                return file.key == recorded.key && (stem(main) == stem(here) || stem(main) == stem(recorded.then));
-            }))
-            continue;  // the text was changed and names another file
-        std::error_code error;
-        if (fs::exists(here, error)) {
-            if (belongs_to_key(here, false) && !has_content(here, recorded)) {
-                const FileMark mark = mark_at(here);
-                log.warn(worded(
-                    "{1}: {2} is not as it was when this result was computed (then {3}; now {4}): the run repeats the "
-                    "scene, not the result",
-                    {text.where(recorded.key), here.string(), recorded.mark(),
-                     std::to_string(mark.bytes) + " bytes" +
-                         (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum)}));
-            }
-        } else if (text.warns_only) {
-            continue;
-        } else if (here != recorded.then && has_content(recorded.then, recorded) &&
-                   (belongs_to_key(here, true) || belongs_to_key(recorded.then, false))) {
-            if (!belongs_to_key(here, true)) continue;  // beside a file that was found there
-            log.info(text.where(recorded.key) + ": " + recorded.then.string() +
-                     " is used, which has the content of the missing " + here.string());
-            text.move_file(recorded.key, here, recorded.then);
-        } else {
-            const std::pair input(recorded.key, stem(here));
-            const auto known =
-                std::find_if(missing.begin(), missing.end(), [&](const auto& m) { return m.first == input; });
-            if (known != missing.end()) {
-                known->second.value += ", " + recorded.relative.extension().string();
-                continue;
-            }
-            std::string places = here.string();
-            if (here != recorded.then)
-                places += fs::exists(recorded.then, error)
-                              ? " and as " + recorded.then.string() + ", which has another content"
-                              : " and as " + recorded.then.string();
-            missing.push_back({input,
-                               {"an input of this result is missing; it had " + recorded.mark(),
-                                text.where(recorded.key), recorded.relative.string(), "",
-                                "Sought as " + places + ". Put it there, or name its place" +
-                                    (text.is_study ? " in the study file" : ": --set " + recorded.key + "=FILE")}});
-        }
-    }
-    Problems problems;
-    for (const auto& [input, problem] : missing) problems.add(problem);
-    problems.throw_if_any();
+/// Lets a key name a file at another place.
+void move_file(const NamingText& text, const std::string& key, const fs::path& from, const fs::path& to) {
+    text.map_files([&](const std::string& named, const std::string& path) {
+        const auto at = path.find(from.string());
+        return named != key || at == std::string::npos
+                   ? path
+                   : path.substr(0, at) + to.string() + path.substr(at + from.string().size());
+    });
 }
 
 /// The folder of inputs.json for a scene file: its own; of a member's, that of the study.
@@ -178,7 +104,7 @@ fs::path recording_folder(const fs::path& scene) {
 }
 
 /// Maps the files of a scene.
-void map_scene_files(SceneSpec& scene, const study::KeyedFileMap& map) {
+void map_scene_files(SceneSpec& scene, const NamingText::FileMap& map) {
     static const std::vector<Parameter> k_keys = scene_parameters();
     for (const Parameter& key : k_keys)
         if (key.reads_files()) key.map_files(scene, [&](const std::string& path) { return map(key.name(), path); });
@@ -212,37 +138,87 @@ std::string recorded_inputs(const std::vector<NamedFile>& files, const std::stri
     return json_text(json);
 }
 
+void find_recorded_files(const NamingText& text, const std::string& result_folder, RunLog& log) {
+    const fs::path folder = result_folder;
+    // Of a file and the parts beside it, the first that is missing, which names the others.
+    std::vector<std::pair<std::pair<std::string, fs::path>, Problem>> missing;
+    const auto stem = [](fs::path file) { return file.replace_extension(); };
+    for (const Recorded& recorded : read_recorded(folder)) {
+        if (text.is_replaced(recorded.key)) continue;
+        const fs::path here = (folder / recorded.relative).lexically_normal();
+        const auto belongs_to_key = [&](const fs::path& file, bool main_only) {
+            const auto files = files_of(text);
+            return std::any_of(files.begin(), files.end(), [&](const NamedFile& named) {
+                if (named.key != recorded.key) return false;
+                if (main_only) return file == plain_file(named.path);
+                const auto parts = parts_of(plain_file(named.path));
+                return std::find(parts.begin(), parts.end(), file) != parts.end();
+            });
+        };
+        const auto named = files_of(text);
+        if (std::none_of(named.begin(), named.end(), [&](const NamedFile& file) {
+                const fs::path main = plain_file(file.path);
+                return file.key == recorded.key && (stem(main) == stem(here) || stem(main) == stem(recorded.then));
+            }))
+            continue;  // the text was changed and names another file
+        std::error_code error;
+        if (fs::exists(here, error)) {
+            if (belongs_to_key(here, false) && !has_content(here, recorded)) {
+                const FileMark mark = mark_at(here);
+                log.warn(worded(
+                    "{1}: {2} is not as it was when this result was computed (then {3}; now {4}): the run repeats the "
+                    "scene, not the result",
+                    {text.where(recorded.key), here.string(), recorded.mark(),
+                     std::to_string(mark.bytes) + " bytes" +
+                         (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum)}));
+            }
+        } else if (text.warns_only) {
+            continue;
+        } else if (here != recorded.then && has_content(recorded.then, recorded) &&
+                   (belongs_to_key(here, true) || belongs_to_key(recorded.then, false))) {
+            if (!belongs_to_key(here, true)) continue;  // beside a file that was found there
+            log.info(text.where(recorded.key) + ": " + recorded.then.string() +
+                     " is used, which has the content of the missing " + here.string());
+            move_file(text, recorded.key, here, recorded.then);
+        } else {
+            const std::pair input(recorded.key, stem(here));
+            const auto known =
+                std::find_if(missing.begin(), missing.end(), [&](const auto& m) { return m.first == input; });
+            if (known != missing.end()) {
+                known->second.value += ", " + recorded.relative.extension().string();
+                continue;
+            }
+            std::string places = here.string();
+            if (here != recorded.then)
+                places += fs::exists(recorded.then, error)
+                              ? " and as " + recorded.then.string() + ", which has another content"
+                              : " and as " + recorded.then.string();
+            missing.push_back({input,
+                               {"an input of this result is missing; it had " + recorded.mark(),
+                                text.where(recorded.key), recorded.relative.string(), "",
+                                "Sought as " + places + ". Put it there, or name its place" +
+                                    (text.is_study ? " in the study file" : ": --set " + recorded.key + "=FILE")}});
+        }
+    }
+    Problems problems;
+    for (const auto& [input, problem] : missing) problems.add(problem);
+    problems.throw_if_any();
+}
+
 void find_recorded_inputs(SceneReading& reading, RunLog& log) {
-    find_files({[&](const study::KeyedFileMap& map) { map_scene_files(reading.scene, map); },
-                [&](const std::string& key) { return reading.where(key); },
-                [&](const std::string& key) { return reading.scene.origin_of(key) == Origin::command_line; }},
-               recording_folder(reading.scene.file), log);
-}
-
-void find_recorded_inputs(study::StudyReading& reading, RunLog& log) {
-    const auto where = [&](const std::string& key) {
-        const bool of_region = reading.study.region && key.starts_with("study.");
-        return reading.where(of_region ? "region" + key.substr(key.find('.')) : key);
-    };
-    find_files({[&](const study::KeyedFileMap& map) { reading.study = with_files(std::move(reading.study), map); },
-                where, [](const std::string&) { return false; }, true},
-               fs::path(reading.study.file).parent_path(), log);
-}
-
-void find_recorded_inputs(study::CalibrationReading& reading, RunLog& log) {
-    find_files(
-        {[&](const study::KeyedFileMap& map) { reading.calibration = with_files(std::move(reading.calibration), map); },
-         [&](const std::string& key) { return reading.where(key); }, [](const std::string&) { return false; }, true},
-        fs::path(reading.calibration.study.file).parent_path(), log);
+    find_recorded_files({[&](const NamingText::FileMap& map) { map_scene_files(reading.scene, map); },
+                         [&](const std::string& key) { return reading.where(key); },
+                         [&](const std::string& key) { return reading.scene.origin_of(key) == Origin::command_line; }},
+                        recording_folder(reading.scene.file).string(), log);
 }
 
 void warn_of_changed_inputs(const std::string& study_file, const SceneReading& scene, RunLog& log) {
     SceneSpec spec = scene.scene;
-    find_files(
-        {[&](const study::KeyedFileMap& map) { map_scene_files(spec, map); },
+    find_recorded_files(
+        {[&](const NamingText::FileMap& map) { map_scene_files(spec, map); },
          [&](const std::string& key) { return scene.where(key); },
          [&](const std::string& key) { return scene.scene.origin_of(key) == Origin::command_line; }, false, true},
-        fs::path(study_file).parent_path(), log);
+        fs::path(study_file).parent_path().string(), log);
 }
 
 }  // namespace frana::app

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "app/input/prepare.h"
 #include "app/text/run_log.h"
 #include "params/scene/read_scene.h"
-#include "study/read_calibration.h"
 
 namespace frana::app {
 
@@ -24,9 +24,20 @@ std::string recorded_inputs(const std::vector<NamedFile>& files, const std::stri
 /// key that the command line sets is not compared. Throws Error(input) with every file that is missing, its key,
 /// checksum and the places where it was sought.
 void find_recorded_inputs(SceneReading& reading, RunLog& log);
-/// The same for the files that the study file of a result names: scenes, table, files in [set] and [vary].
-void find_recorded_inputs(study::StudyReading& reading, RunLog& log);
-void find_recorded_inputs(study::CalibrationReading& reading, RunLog& log);
+/// A text that names inputs: a scene, a study.
+struct NamingText {
+    /// Maps the path that a key names to another.
+    using FileMap = std::function<std::string(const std::string& key, const std::string& path)>;
+
+    std::function<void(const FileMap&)> map_files;             ///< replaces each file by what the map returns
+    std::function<std::string(const std::string& key)> where;  ///< for messages
+    std::function<bool(const std::string& key)> is_replaced;   ///< by the command line
+    bool is_study = false;                                     ///< no key of it can be set on the command line
+    bool warns_only = false;                                   ///< files are missed elsewhere
+};
+
+/// The same for any text in a result's folder.
+void find_recorded_files(const NamingText& text, const std::string& folder, RunLog& log);
 
 /// Warns of files named by the scene of a study whose content is not that recorded beside the study file.
 void warn_of_changed_inputs(const std::string& study_file, const SceneReading& scene, RunLog& log);
