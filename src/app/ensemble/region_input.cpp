@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ensemble/region_input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -37,6 +38,55 @@ void check_degree(const StudyInput& input) {
                         input.central.where("hazard.scheme"), scheme ? scheme->name : "",
                         "swiss-debris-flow, swiss-flood, or custom with two limits",
                         "Choose one of these, or remove region.return-period"});
+}
+
+/// Prepares a slope in its window.
+Prepared prepare_slope(const study::RegionSpec& region, SceneReading& slope, const std::optional<Problem>& place,
+                       RunLog& log) {
+    slope.scene.observed = {};
+    slope.scene.output.profiles.reset();
+    try {
+        if (slope.problems.empty()) cut_terrain(region, slope, log);
+    } catch (const Error&) {
+        slope.scene.terrain.bounds.reset();  // what is wrong is told by prepare(), with all else
+    }
+    return prepare(slope, place, log);
+}
+
+/// The slopes against which nothing is known, the largest first.
+std::vector<std::size_t> sound_slopes(const StudyInput& input, const SceneReading& of_all) {
+    const gis::PolygonLayer layer = polygons_of(of_all, "", of_all.scene.release.perimeter_layer, true);
+    std::vector<std::pair<double, std::size_t>> sizes;
+    for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)
+        if (input.slopes[i].problem.empty()) sizes.emplace_back(-area(layer.features[i].parts), i);
+    std::sort(sizes.begin(), sizes.end());
+    std::vector<std::size_t> members;
+    for (const auto& [size, member] : sizes) members.push_back(member);
+    return members;
+}
+
+/// Prepares the largest slope that can be; one that cannot, off the DTM for example, fails alone when it runs. Throws
+/// what is wrong with the largest if none can be.
+void prepare_central(StudyInput& input, const SceneReading& of_all, const std::optional<Problem>& place, RunLog& log) {
+    const study::RegionSpec& region = *input.reading.study.region;
+    try {
+        SceneReading slope = input.central;
+        input.base = prepare_slope(region, slope, place, log);
+        input.central = std::move(slope);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input || place || !input.central.problems.empty()) throw;
+        for (const std::size_t member : sound_slopes(input, of_all)) {
+            try {
+                SceneReading slope = input.member(member);
+                input.base = prepare_slope(region, slope, std::nullopt, log);
+                input.central = std::move(slope);
+                return;
+            } catch (const Error&) {
+                continue;
+            }
+        }
+        throw;
+    }
 }
 
 }  // namespace
@@ -92,19 +142,10 @@ void cut_terrain(const study::RegionSpec& region, SceneReading& reading, RunLog&
 }
 
 void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
-    SceneReading slope = input.central;
     const SceneReading of_all = input.scene_with({});
-    slope.scene.observed = {};
-    slope.scene.output.profiles.reset();
-    try {
-        if (slope.problems.empty()) cut_terrain(*input.reading.study.region, slope, log);
-    } catch (const Error&) {
-        slope.scene.terrain.bounds.reset();  // what is wrong is told by prepare(), with all else
-    }
-    input.base = prepare(slope, place, log);
+    prepare_central(input, of_all, place, log);
     input.base.spec.terrain.bounds = of_all.scene.terrain.bounds;
     input.base.spec.release.perimeter_layer = of_all.scene.release.perimeter_layer;
-    input.central = std::move(slope);
     input.base.scene.time.frame_interval = 0;
     check_degree(input);
     const GridSpec& grid = input.base.scene.grid;

@@ -23,8 +23,8 @@ std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Sl
 /// nor one whose need is not known (flow_window), which is run as `frana run` runs it. Throws Error(input).
 void cut_terrain(const study::RegionSpec& region, SceneReading& reading, RunLog& log);
 
-/// Prepares the slope that stands for all of a region (its material, its time, its output) and the outlines of all.
-/// Throws Error(input).
+/// Prepares the slope that stands for all of a region (its material, its time, its output), the largest that can be
+/// prepared, and the outlines of all. Throws Error(input) if none can be.
 void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log);
 
 }  // namespace frana::app
