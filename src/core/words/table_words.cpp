@@ -152,7 +152,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "claves que la escena no usa."},
     {"All keys", "Tutte le chiavi", "Alle Schlüssel", "Toutes les clés", "Todas las claves"},
     {"key", "chiave", "Schlüssel", "clé", "clave"},
-    {"unit", "unità", "Einheit", "unité", "unidad"},
     {"origin", "origine", "Herkunft", "origine", "origen"},
     {"meaning", "significato", "Bedeutung", "signification", "significado"},
 });
