@@ -215,7 +215,7 @@ TEST_F(MapSheet, ADifferenceIsInOneLanguageAndTellsTwoRunsOfOneSceneApart) {
         const Outcome outcome = render(options, "a");
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         const std::string svg = read_text(path("sheet/difference_max_depth.svg"));
-        for (const std::string line : {"A: " + std::string(release), "B: " + std::string(release)})
+        for (const std::string& line : {"A: " + std::string(release), "B: " + std::string(release)})
             EXPECT_NE(svg.find(line), std::string::npos) << line << svg;
         EXPECT_EQ(svg.find(other_release), std::string::npos) << other_release;
         for (const char* line : {">A: Slope (a)<", ">B: Slope (b)<"})
