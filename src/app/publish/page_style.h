@@ -23,7 +23,7 @@ th { font-weight: bold; border-bottom-color: #888; }
 .n { text-align: right; font-variant-numeric: tabular-nums; }
 td.n { white-space: nowrap; } td.u { overflow-wrap: normal; } td.u { padding-left: 0; }
 .soft { color: #555; }
-table.keys { table-layout: fixed; } table.keys th { width: 20%; } table.keys th:nth-child(2) { width: 23%; }
+table.keys { table-layout: fixed; } table.keys th { width: 18%; } table.keys th:nth-child(2) { width: 19%; }
 table.keys th:nth-child(3) { width: 10%; } table.keys th:last-child { width: auto; }
 tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal; }
 .answer p { margin: .4rem 0; }
@@ -44,13 +44,14 @@ summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
   h1 { font-size: 15pt; } h2 { font-size: 11.5pt; margin: 5mm 0 2mm; } h3 { font-size: 9pt; margin: 3mm 0 1mm; }
   h1, h2, h3 { break-after: avoid; }
   table { font-size: 7.5pt; margin: 1mm 0; } th, td { padding: .5mm 1.5mm; }
-  table.keys { font-size: 6.5pt; line-height: 1.25; } table.keys td { padding: .25mm 1mm; }
+  table.keys { font-size: 6.5pt; line-height: 1.2; } table.keys td { padding: .2mm 1mm; }
   thead { display: table-header-group; }
   tr, figure, img, svg, .warning { break-inside: avoid; }
   p { orphans: 3; widows: 3; }
   .small, figcaption { font-size: 7.5pt; }
   .columns { grid-template-columns: 1fr 1fr; gap: 1mm 6mm; }
   figure { margin: 1.5mm 0; }
+  figure svg { width: auto; max-width: 100%; max-height: 44mm; }
   figure img { width: auto; max-width: 100%; max-height: 110mm; }
   .warning, .good { background: none; border-left-width: 1.5mm; padding: .3mm 2mm; margin: 1mm 0; }
   details { display: none; }
