@@ -203,8 +203,14 @@ PageBox draw_common_names(Drawing& drawing, const PageStyle& style, const Chart&
 ChartLayout draw_on(Drawing& drawing, const Chart& chart, int width, int height) {
     const PageStyle style(width, height);
     const double inner = width - 2 * style.margin;
-    const TitleResult titles =
-        draw_titles(drawing, style, chart.title, chart.subtitle, false, {style.margin, style.margin}, inner);
+    const auto titles_on = [&](Drawing& on, const std::string& subtitle) {
+        return draw_titles(on, style, chart.title, subtitle, false, {style.margin, style.margin}, inner);
+    };
+    constexpr double k_most_of_page = 0.25;
+    Sheet trial(width, height);
+    const bool has_room =
+        !chart.long_subtitle.empty() && titles_on(trial, chart.long_subtitle).bottom < k_most_of_page * height;
+    const TitleResult titles = titles_on(drawing, has_room ? chart.long_subtitle : chart.subtitle);
     PageBox room{style.margin, std::max(titles.bottom, style.margin) + style.gap, style.margin + inner,
                  draw_foot(drawing, style, {chart.foot}, style.margin, height - style.margin, inner) - style.gap};
     if (chart.alike && !chart.panels.empty()) room = draw_common_names(drawing, style, chart, room);

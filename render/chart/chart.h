@@ -63,6 +63,7 @@ struct Chart {
     std::vector<ChartPanel> panels;
     bool alike = false;  ///< all panels have the first one's quantities, and kinds of series: named once for the page
     Words words{};       ///< of the numbers; the texts above are in its language already
+    std::string long_subtitle{};  ///< in place of the subtitle where the page has room for it
 };
 
 /// Places of everything drawn, for tests.

@@ -9,7 +9,8 @@ render::Chart chart_sheet(const MapSource& source, const std::string& what, cons
     for (std::string& line : block_lines(source.style)) parts.push_back(std::move(line));
     render::Chart chart;
     chart.title = page_title(source, what);
-    chart.subtitle = foot_line({note, scenario_line(source)});
+    chart.subtitle = note;
+    chart.long_subtitle = foot_line({note, scenario_line(source)});
     chart.foot = foot_line(parts);
     chart.words = source.style.words;
     return chart;
