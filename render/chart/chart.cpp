@@ -200,17 +200,11 @@ PageBox draw_common_names(Drawing& drawing, const PageStyle& style, const Chart&
     return left;
 }
 
-ChartLayout draw_on(Drawing& drawing, const Chart& chart, int width, int height) {
+ChartLayout draw_on(Drawing& drawing, const Chart& chart, const std::string& subtitle, int width, int height) {
     const PageStyle style(width, height);
     const double inner = width - 2 * style.margin;
-    const auto titles_on = [&](Drawing& on, const std::string& subtitle) {
-        return draw_titles(on, style, chart.title, subtitle, false, {style.margin, style.margin}, inner);
-    };
-    constexpr double k_most_of_page = 0.25;
-    Sheet trial(width, height);
-    const bool has_room =
-        !chart.long_subtitle.empty() && titles_on(trial, chart.long_subtitle).bottom < k_most_of_page * height;
-    const TitleResult titles = titles_on(drawing, has_room ? chart.long_subtitle : chart.subtitle);
+    const TitleResult titles =
+        draw_titles(drawing, style, chart.title, subtitle, false, {style.margin, style.margin}, inner);
     PageBox room{style.margin, std::max(titles.bottom, style.margin) + style.gap, style.margin + inner,
                  draw_foot(drawing, style, {chart.foot}, style.margin, height - style.margin, inner) - style.gap};
     if (chart.alike && !chart.panels.empty()) room = draw_common_names(drawing, style, chart, room);
@@ -244,13 +238,22 @@ void look_apart(ChartSeries& series, std::size_t number) {
 }
 
 Page chart_page(const Chart& chart, int width, int height, ChartLayout* layout) {
-    Sheet sheet(width, height);
-    ChartLayout drawn = draw_on(sheet, chart, width, height);
-    drawn.texts = sheet.texts();
-    if (layout != nullptr) *layout = std::move(drawn);
-    Page page(width, height);
-    page.put(sheet.take());
-    return page;
+    const auto drawn_with = [&](const std::string& subtitle) {
+        Sheet sheet(width, height);
+        ChartLayout drawn = draw_on(sheet, chart, subtitle, width, height);
+        drawn.texts = sheet.texts();
+        if (layout != nullptr) *layout = std::move(drawn);
+        Page page(width, height);
+        page.put(sheet.take());
+        return page;
+    };
+    if (chart.long_subtitle.empty()) return drawn_with(chart.subtitle);
+    try {
+        return drawn_with(chart.long_subtitle);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input) throw;  // a page too small for both may be large enough for the charts
+        return drawn_with(chart.subtitle);
+    }
 }
 
 Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout) {
@@ -259,7 +262,7 @@ Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout)
 
 std::string chart_svg(const Chart& chart, int width, int height, ChartLayout* layout) {
     SvgDrawing drawing(width, height);
-    ChartLayout drawn = draw_on(drawing, chart, width, height);
+    ChartLayout drawn = draw_on(drawing, chart, chart.subtitle, width, height);
     if (layout != nullptr) *layout = std::move(drawn);
     return drawing.svg();
 }

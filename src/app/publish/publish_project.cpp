@@ -24,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double k_millisecond = 1e-3;
 const char* const k_shown = "max_depth";  // the map that is visible at first; of a study the first map
 
 std::string text_of_file(const std::string& path) {
@@ -119,8 +120,8 @@ class ProjectWriter {
     }
 
     /// When each frame is shown [s]: from its time, which is that of the first time step after a multiple of the
-    /// controller's step, to the next multiple, so that the controller shows one frame at a time. The last one, at the end
-    /// of the run, has a step of its own.
+    /// controller's step, to the next multiple, so that the controller shows one frame at a time. The last one, at the
+    /// end of the run, has a step of its own.
     [[nodiscard]] std::vector<std::pair<double, double>> shown_times() const {
         const double step = frame_step();
         std::vector<double> multiples;
@@ -131,7 +132,9 @@ class ProjectWriter {
         std::vector<std::pair<double, double>> times;
         for (std::size_t i = 0; i < multiples.size(); ++i) {
             const double next = i + 1 < multiples.size() ? multiples[i + 1] : multiples[i] + 1;
-            times.emplace_back(std::max(result_.frames()[i].time, multiples[i] * step), next * step);
+            // QGIS counts what begins at the end of the controller's range as in it.
+            const double begin = multiples[i] == 0 ? 0 : multiples[i] * step + k_millisecond;
+            times.emplace_back(std::max(result_.frames()[i].time, begin), next * step);
         }
         return times;
     }
@@ -147,8 +150,7 @@ class ProjectWriter {
                 std::string(k_frame_folder) + "/" + fs::path(all[i].raster_file(row.name)).filename().string();
             group.layers.push_back({named(with_unit(words_(row.title), row.unit) + ", " +
                                           words_.number(number_text(all[i].time, 6)) + " s"),
-                                    file, "", gis::Shape::area, style, true,
-                                    times[i]});
+                                    file, "", gis::Shape::area, style, true, times[i]});
         }
         return group;
     }

@@ -114,11 +114,12 @@ void add_extra_output(std::vector<Parameter>& list) {
                       "Lines along which profiles of the results are written, in their own CRS; the profile along "
                       "the flow path is always written.",
                       "none"))));
-    list.push_back(holds("points, lines or polygons",
-                         text("output.exposure", FRANA_MEMBER(output.exposure), "file",
-                              "Buildings, roads, people: points, lines or areas in their own CRS, for each of which the "
-                              "greatest depth, speed and pressure and the arrival are written.",
-                              "none")));
+    list.push_back(
+        holds("points, lines or polygons",
+              text("output.exposure", FRANA_MEMBER(output.exposure), "file",
+                   "Buildings, roads, people: points, lines or areas in their own CRS, for each of which the "
+                   "greatest depth, speed and pressure and the arrival are written.",
+                   "none")));
     list.push_back(text("output.exposure-name", FRANA_MEMBER(output.exposure_name), "text",
                         "Column of output.exposure with the name of each feature.", "number of the feature"));
     list.push_back(text("output.exposure-count", FRANA_MEMBER(output.exposure_count), "text",

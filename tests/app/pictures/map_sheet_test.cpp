@@ -176,7 +176,7 @@ TEST_F(MapSheet, HazardMapsGiveTheNumbersOfTheirLimits) {
     const std::string svg = svg_of({"--size", "1600x1200"}, "hazard");
     EXPECT_NE(svg.find("0.5 m"), std::string::npos);
     EXPECT_NE(svg.find("2 m"), std::string::npos);
-    EXPECT_NE(svg.find("scheme custom"), std::string::npos);
+    EXPECT_NE(svg.find("scheme own limits"), std::string::npos);
     EXPECT_EQ(svg.find("Class 1"), std::string::npos);
 }
 

@@ -106,7 +106,7 @@ TEST_F(PrintedReport, OfTheSampleFillsItsFewPages) {
           "no estimate of the error", "Jaccard index", "frana ensemble", "Maximum depth", "Run-out, in map view"})
         EXPECT_NE(first.find(without_space(words)), std::string::npos) << words;
     // The head of the keys is on each page that has keys; what is folded is on none.
-    const std::string head = "keyvalueunitoriginmeaning";
+    const std::string head = "keyvalueoriginmeaning";
     for (const std::string key : {"terrain.dtm", "time.moving-speed"})
         EXPECT_TRUE(std::any_of(pages_.begin(), pages_.end(), [&](const std::string& text) {
             return text.find(key) != std::string::npos && text.find(head) != std::string::npos;
