@@ -26,9 +26,9 @@ ProjPointer<PJ> own_degrees(PJ_CONTEXT* context, const PJ* from, const PJ* to) {
     const PJ_TYPE type = proj_get_type(to);
     if (proj_get_type(from) != PJ_TYPE_PROJECTED_CRS || type != PJ_TYPE_GEOGRAPHIC_2D_CRS) return nullptr;
     ProjPointer<PJ> own(proj_crs_get_geodetic_crs(context, from));
-    const bool same = own && proj_get_type(own.get()) == type &&
-                      proj_is_equivalent_to_with_ctx(context, own.get(), to,
-                                                     PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
+    const bool same =
+        own && proj_get_type(own.get()) == type &&
+        proj_is_equivalent_to_with_ctx(context, own.get(), to, PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
     return same ? std::move(own) : nullptr;
 }
 

@@ -12,9 +12,8 @@ constexpr HazardDegree k_red = HazardDegree::red, k_blue = HazardDegree::blue, k
 // All twelve combinations by hand: three intensities with a high, medium, low and very low probability.
 TEST(HazardDegree, MatrixOfIntensityAndProbability) {
     const DegreeMatrix matrix;
-    const HazardDegree expected[3][4] = {{k_blue, k_blue, k_yellow, k_residual},
-                                         {k_red, k_blue, k_blue, k_residual},
-                                         {k_red, k_red, k_red, k_residual}};
+    const HazardDegree expected[3][4] = {
+        {k_blue, k_blue, k_yellow, k_residual}, {k_red, k_blue, k_blue, k_residual}, {k_red, k_red, k_red, k_residual}};
     const double years[4] = {30, 100, 300, 301};
     for (int intensity = 1; intensity <= 3; ++intensity)
         for (int p = 0; p < 4; ++p)

@@ -149,8 +149,8 @@ int cmd_bench(const Arguments& arguments) {
     const std::string& which = operands.front();
     const bool needs_scene = which == "robustness" || which == "estimate" || which == "ensemble";
     if (operands.size() > (needs_scene ? 2U : 1U)) {
-        throw Error(ErrorKind::input, Problem{"is not expected here", "command line", operands.back(), "",
-                                              "See frana bench --help"});
+        throw Error(ErrorKind::input,
+                    Problem{"is not expected here", "command line", operands.back(), "", "See frana bench --help"});
     }
     if (which == "accuracy") return bench_accuracy(*values);
     if (which == "stability") return bench_stability(*values);

@@ -69,9 +69,10 @@ PathRunout path_runout(const ComparisonInput& input, const ComparedFlow& flow) {
 void compare_run_outs(const ComparisonInput& input, const Raster& observed, RunLog& log, Comparison& comparison) {
     if (!input.bed || !input.release) return;
     if (!observed.grid.same_cells(input.bed->grid)) {
-        log.warn(worded(
-            "the surveyed outline reaches beyond the result's rasters, so its run-out is unknown: no run-out difference. With "
-            "output.extent = map a run's rasters cover the whole map"));
+        log.warn(
+            worded("the surveyed outline reaches beyond the result's rasters, so its run-out is unknown: no run-out "
+                   "difference. With "
+                   "output.extent = map a run's rasters cover the whole map"));
         return;
     }
     const ComparedFlow flow = compared_flow(input, observed);
@@ -151,7 +152,8 @@ Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
     if (!input.survey.scar.empty()) {
         const Raster depth = padded_to(input.depth, bounds(input.survey.scar), k_no_data);
         if (!depth.grid.same_cells(input.depth.grid))
-            log.warn(worded("the surveyed outline reaches beyond the result's rasters; its part outside counts as missed"));
+            log.warn(
+                worded("the surveyed outline reaches beyond the result's rasters; its part outside counts as missed"));
         compare_area(input, depth, log, comparison);
     }
     compare_fronts_and_tips(input, log, comparison);
@@ -162,8 +164,9 @@ Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
 std::string comparison_headline(const Comparison& comparison) {
     std::string text;
     if (comparison.statistics) {
-        text = "the area differs from the surveyed one by " + number_text(comparison.statistics->area_difference_percent, 3) +
-               " %, Jaccard " + number_text(comparison.statistics->jaccard, 3);
+        text = "the area differs from the surveyed one by " +
+               number_text(comparison.statistics->area_difference_percent, 3) + " %, Jaccard " +
+               number_text(comparison.statistics->jaccard, 3);
     }
     for (const FrontComparison& front : comparison.fronts)
         text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " + number_text(front.mean_m, 3) +

@@ -31,9 +31,10 @@ void warn_of_unknown_exposure(const gis::ExposedLayer& layer, const Bounds& map,
     }
     if (unknown == 0) return;
     const auto whole = [](std::size_t count) { return numeral(grouped(static_cast<double>(count))); };
-    log.warn(worded("{1} of {2} exposed features are off the map or on ground without elevation, the first is {3}: the "
-                    "result will say nothing of them",
-                    {whole(unknown), whole(layer.features.size()), first}));
+    log.warn(
+        worded("{1} of {2} exposed features are off the map or on ground without elevation, the first is {3}: the "
+               "result will say nothing of them",
+               {whole(unknown), whole(layer.features.size()), first}));
 }
 
 }  // namespace frana::app

@@ -101,7 +101,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "doit être le contour de tout le terrain couvert par l’événement, non celui de la seule zone de départ",
      "{1} es casi el área de inicio ({2} % de las celdas de uno u otro están en ambos): debe ser el contorno de todo "
      "el terreno que cubrió el evento, no solo el del área de inicio"},
-    {"{1} of {2} exposed features are off the map or on ground without elevation, the first is {3}: the result will say "
+    {"{1} of {2} exposed features are off the map or on ground without elevation, the first is {3}: the result will "
+     "say "
      "nothing of them",
      "{1} di {2} elementi esposti sono fuori dalla mappa o su terreno senza quota, il primo è {3}: il risultato non ne "
      "dirà nulla",
@@ -109,7 +110,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Ergebnis sagt nichts über sie",
      "{1} éléments exposés sur {2} sont hors de la carte ou sur un terrain sans altitude, le premier est {3}\u202F: le "
      "résultat n’en dira rien",
-     "{1} de {2} elementos expuestos están fuera del mapa o en terreno sin cota, el primero es {3}: el resultado no dirá "
+     "{1} de {2} elementos expuestos están fuera del mapa o en terreno sin cota, el primero es {3}: el resultado no "
+     "dirá "
      "nada de ellos"},
     {"the thickness raster contains {1} m3, of which the perimeter has {2} m3: {3} % lie beyond it and are not "
      "released. "

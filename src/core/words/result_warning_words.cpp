@@ -34,7 +34,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"{1}; in its last {2} s the run-out grew by {3} m, the area by {4} % and {5}",
      "{1}; negli ultimi {2} s la distanza di propagazione è cresciuta di {3} m, l’area del {4} % e {5}",
      "{1}; in den letzten {2} s wuchs die Auslauflänge um {3} m, die Fläche um {4} %, und {5}",
-     "{1}\u202F; dans ses dernières {2} s la distance de propagation a augmenté de {3} m, la surface de {4}\u202F% et {5}",
+     "{1}\u202F; dans ses dernières {2} s la distance de propagation a augmenté de {3} m, la surface de {4}\u202F% et "
+     "{5}",
      "{1}; en sus últimos {2} s el alcance creció {3} m, el área un {4} % y {5}"},
     {"{1}. Final depth and run-out are not those of the deposit: raise time.end",
      "{1}. Profondità finale e distanza di propagazione non sono quelle del deposito: aumentare time.end",
@@ -50,7 +51,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Flächen, Geschwindigkeiten und Auslauflänge enthalten: numerics.minimum-depth auf etwa ein Hundertstel der "
      "üblichen Fließtiefe setzen",
      "à un moment {1}\u202F% de l’écoulement était plus mince que numerics.minimum-depth = {2} m, et n’y est pas "
-     "compris dans cartes, surfaces, vitesses et distance de propagation\u202F: fixer numerics.minimum-depth à environ un "
+     "compris dans cartes, surfaces, vitesses et distance de propagation\u202F: fixer numerics.minimum-depth à environ "
+     "un "
      "centième de la hauteur usuelle de l’écoulement",
      "en algún momento el {1} % del flujo fue más delgado que numerics.minimum-depth = {2} m, y ahí no está incluido "
      "en mapas, áreas, velocidades y alcance: fije numerics.minimum-depth en alrededor de una centésima de la "
@@ -58,13 +60,15 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not included there in "
      "maps, areas, speeds and run-out: set numerics.minimum-depth to about a hundredth of the usual flow depth",
      "le mappe sono vuote: il flusso non ha mai raggiunto numerics.minimum-depth = {2} m, e non è compreso in mappe, "
-     "aree, velocità e distanza di propagazione: impostare numerics.minimum-depth a circa un centesimo della profondità "
+     "aree, velocità e distanza di propagazione: impostare numerics.minimum-depth a circa un centesimo della "
+     "profondità "
      "usuale del flusso",
      "die Karten sind leer: der Strom war nirgends so tief wie numerics.minimum-depth = {2} m und ist nicht in Karten, "
      "Flächen, Geschwindigkeiten und Auslauflänge enthalten: numerics.minimum-depth auf etwa ein Hundertstel der "
      "üblichen Fließtiefe setzen",
      "les cartes sont vides\u202F: l’écoulement n’a nulle part atteint numerics.minimum-depth = {2} m, et n’est pas "
-     "compris dans cartes, surfaces, vitesses et distance de propagation\u202F: fixer numerics.minimum-depth à environ un "
+     "compris dans cartes, surfaces, vitesses et distance de propagation\u202F: fixer numerics.minimum-depth à environ "
+     "un "
      "centième de la hauteur usuelle de l’écoulement",
      "los mapas están vacíos: el flujo no alcanzó en ningún lugar numerics.minimum-depth = {2} m, y no está incluido "
      "en mapas, áreas, velocidades y alcance: fije numerics.minimum-depth en alrededor de una centésima de la "
@@ -79,7 +83,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Fläche sind leer, die Auslauflänge ist 0, und ein Vergleich findet nichts. output.trace-threshold auf etwa ein "
      "Zehntel der üblichen Fließtiefe setzen",
      "l’écoulement n’a nulle part dépassé output.trace-threshold = {1} m, mais {2} m\u202F: trace, dépôt et surface "
-     "couverte sont vides, la distance de propagation est 0 et une comparaison ne trouve rien. Fixer output.trace-threshold "
+     "couverte sont vides, la distance de propagation est 0 et une comparaison ne trouve rien. Fixer "
+     "output.trace-threshold "
      "à environ un dixième de la hauteur usuelle de l’écoulement",
      "el flujo no fue en ningún lugar más profundo que output.trace-threshold = {1} m, sino {2} m: traza, depósito y "
      "área cubierta están vacíos, el alcance es 0 y una comparación no encuentra nada. Fije output.trace-threshold en "

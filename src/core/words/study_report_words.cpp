@@ -73,7 +73,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "La distanza di propagazione massima è {1} m in pianta, dalla sorgente {2}; metà delle sorgenti supera {3} m.",
      "Die größte Auslauflänge ist {1} m im Grundriss, von Anrissgebiet {2}; die Hälfte der Anrissgebiete kommt weiter "
      "als {3} m.",
-     "La plus grande distance de propagation est de {1} m en plan, depuis la zone de départ {2}\u202F; la moitié des zones "
+     "La plus grande distance de propagation est de {1} m en plan, depuis la zone de départ {2}\u202F; la moitié des "
+     "zones "
      "dépasse {3} m.",
      "El mayor alcance es de {1} m en planta, desde el área de inicio {2}; la mitad de las áreas supera {3} m."},
     {"At least one source covers {1} m² deeper than {2} m.", "Almeno una sorgente copre {1} m² per più di {2} m.",

@@ -217,8 +217,9 @@ TEST_F(Region, PolygonsWithoutAnAreaFailAlone) {
     const auto corner = [](double x, double y) {
         return "[" + std::to_string(k_west + x) + ", " + std::to_string(k_south + y) + "]";
     };
-    text.replace(tie, tie_length, R"({"type": "Polygon", "coordinates": [[)" + corner(40, 70) + ", " + corner(60, 90) +
-                                      ", " + corner(60, 70) + ", " + corner(40, 90) + ", " + corner(40, 70) + "]]}");
+    text.replace(tie, tie_length,
+                 R"({"type": "Polygon", "coordinates": [[)" + corner(40, 70) + ", " + corner(60, 90) + ", " +
+                     corner(60, 70) + ", " + corner(40, 90) + ", " + corner(40, 70) + "]]}");
     const auto [none, none_length] = geometry_of("none");
     text.replace(none, none_length, "null");
     write("slopes.geojson", text);

@@ -46,9 +46,8 @@ TEST(ClassStops, TheLastClassMayBeOpen) {
 }
 
 TEST(ClassStops, NumbersAreThoseOfTheLanguage) {
-    const std::vector<ColourStop> stops =
-        class_stops(palette("depth"), {0.5, 1.5, std::numeric_limits<double>::infinity()}, "m",
-                    Words(Language::german), true);
+    const std::vector<ColourStop> stops = class_stops(
+        palette("depth"), {0.5, 1.5, std::numeric_limits<double>::infinity()}, "m", Words(Language::german), true);
     ASSERT_EQ(stops.size(), 3U);
     EXPECT_EQ(stops[0].label, "0,5");
     EXPECT_EQ(stops[1].label, "0,5 \u2013 1,5 m");
