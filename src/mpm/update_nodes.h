@@ -27,7 +27,6 @@ struct NormalSlope {
 /// With the load of motion over a curved bed (mpm/curvature.h). Particles and nodes then exchange the velocity along
 /// the bed (BedFrame), so that material that moves from one slope to another keeps its energy; velocities in map view,
 /// transferred from a gentle slope to a steep one, would become faster.
-/// transferred from a gentle slope to a steep one, would become faster.
 template <class Slope>
 struct Curved : Slope {
     static constexpr bool curved = true;  // cppcheck-suppress duplInheritedMember; hides it on purpose
