@@ -89,7 +89,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
                        comparison_section(input.comparison, drawn_picture(directory, "", "comparison"), words)));
     page.add(exposure_section(input.facts.exposure, words));
     add_details(page, input);
-    if (input.facts.warnings.size() > 0) page.add_warnings(input.facts.warnings);
+    if (!input.facts.warnings.empty()) page.add_warnings(warnings_of(input));
     page.add_heading("inputs", words("Inputs"));
     page.add(inputs_table(input.prepared, words));
     add_keys(page, input);

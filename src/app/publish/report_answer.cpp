@@ -185,6 +185,14 @@ std::string answer_tables(const ReportInput& input) {
            values_table(words("How strong, at most"), strength, input) + "</div>\n";
 }
 
+std::vector<Sentence> warnings_of(const ReportInput& input) {
+    std::vector<Sentence> warnings = input.facts.warnings;
+    if (const auto& accuracy = input.facts.accuracy)
+        for (Sentence& warning : warnings)
+            if (warning == Sentence(accuracy_verdict(*accuracy))) warning = accuracy_verdict(*accuracy, input.words);
+    return warnings;
+}
+
 std::string answer_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const std::string cell_error =
@@ -196,7 +204,7 @@ std::string answer_sentences(const ReportInput& input) {
            material_sentences(input) + where_sentences(input) +
            exposure_answer(input.facts.exposure, ReachedBy::the_flow, words) + sure +
            page_part(k_comparison_answer, comparison_answer(input.comparison, words)) +
-           first_warnings(input.facts.warnings, words) +
+           first_warnings(warnings_of(input), words) +
            paragraph(words("Not done."),
                      words("This is one run with one set of values, not a range of what is possible: frana ensemble "
                            "computes the range, frana calibrate fits the values to observed events."));
