@@ -101,6 +101,8 @@ def check_project(folder, picture):
     for layer in layers:
         if layer.source().split("|")[0].endswith("extent.gpkg"):
             check_outline(layer)
+    # Otherwise the relief is striped in a project of another CRS.
+    assert rasters["dtm.tif"].dataProvider().isProviderResamplingEnabled()
     visible = [layer for layer in project.layerTreeRoot().layerOrder()
                if project.layerTreeRoot().findLayer(layer.id()).isVisible()]
     shown = [os.path.basename(layer.source()) for layer in visible if isinstance(layer, QgsRasterLayer)]
