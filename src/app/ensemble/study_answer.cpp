@@ -78,14 +78,6 @@ std::string varied(const StudyInput& input, const Words& words) {
                            {keys, std::filesystem::path(input.reading.study.scene).filename().string()}));
 }
 
-std::string exposed(const StudyFacts& facts, bool is_region, const Words& words) {
-    if (!facts.exposure) return "";
-    const std::vector<std::string> counts{std::to_string(facts.exposure->reached),
-                                          std::to_string(facts.exposure->features)};
-    return " " + (is_region ? words("{1} of {2} exposed features are reached by at least one source.", counts)
-                            : words("{1} of {2} exposed features are reached in at least one run.", counts));
-}
-
 std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
     const ReportNumbers number(words);
     std::string text;
@@ -100,7 +92,7 @@ std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, 
                           "with at least 50 %, {4} m² with at least 5 %.",
                           {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
                            number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
-    return paragraph(words("Where it goes."), text + exposed(facts, false, words));
+    return paragraph(words("Where it goes."), text);
 }
 
 /// The name of a source, else its number.
@@ -127,7 +119,7 @@ std::string reached_by_sources(const StudyInput& input, const StudyResult& resul
                             {number.grouped(facts.reached_m2.front()), number(facts.reached_threshold)});
     text +=
         " " + words("Maps show the worst of all: what at least one of the sources causes, not all of them together.");
-    return paragraph(words("Where it goes."), text + exposed(facts, true, words));
+    return paragraph(words("Where it goes."), text);
 }
 
 std::string runs_sentence(const StudyInput& input, const StudyResult& result, const Words& words) {

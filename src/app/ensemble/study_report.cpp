@@ -143,7 +143,8 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
                                                        pictures_in(directory.path("charts")));
     HtmlPage page(directory.path(k_report_file), title_of(input, words),
                   words("Computed with {1}, study {2}, {3}",
-                        {std::string(k_program) + " " + k_version, input.reading.study.file, words.date(facts.date)}),
+                        {std::string(k_program) + " " + k_version,
+                         fs::path(input.reading.study.file).filename().string(), words.date(facts.date)}),
                   words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
     page.expect_pictures(maps.size() + charts.size() + 1);
     page.add(study_answer(input, result, facts, words) +

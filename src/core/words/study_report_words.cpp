@@ -39,16 +39,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"{1}. All other values are those of the scene {2}.", "{1}. Tutti gli altri valori sono quelli della scena {2}.",
      "{1}. Alle anderen Werte sind die der Szene {2}.", "{1}. Toutes les autres valeurs sont celles de la scène {2}.",
      "{1}. Todos los demás valores son los de la escena {2}."},
-    {"{1} of {2} exposed features are reached by at least one source.",
-     "{1} elementi esposti su {2} sono raggiunti da almeno una sorgente.",
-     "{1} von {2} exponierten Objekten werden von mindestens einem Anrissgebiet erreicht.",
-     "{1} éléments exposés sur {2} sont atteints par au moins une zone de départ.",
-     "{1} de {2} elementos expuestos son alcanzados por al menos un área de inicio."},
-    {"{1} of {2} exposed features are reached in at least one run.",
-     "{1} elementi esposti su {2} sono raggiunti in almeno una simulazione.",
-     "{1} von {2} exponierten Objekten werden in mindestens einem Lauf erreicht.",
-     "{1} éléments exposés sur {2} sont atteints dans au moins un calcul.",
-     "{1} de {2} elementos expuestos son alcanzados en al menos una simulación."},
     {"In half of the runs the material comes more than {1} m far in map view, in 5 % of them less than {2} m and in 5 "
      "% more than {3} m.",
      "In metà delle simulazioni il materiale percorre più di {1} m in pianta, nel 5 % di esse meno di {2} m e nel 5 % "
