@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/input/scene_language.h"
 #include "app/publish/html_page.h"
@@ -169,7 +170,8 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
                                    charts = pictures_in(directory.path("charts"));
     HtmlPage page(directory.path(k_report_file), words("{1}: calibration", {calibration_title(input)}),
                   words("Computed with {1}, study {2}, {3}",
-                        {std::string(k_program) + " " + k_version, input.spec().study.file, words.date(facts.date)}),
+                        {std::string(k_program) + " " + k_version,
+                         std::filesystem::path(input.spec().study.file).filename().string(), words.date(facts.date)}),
                   words, Opening::answer);
     page.expect_pictures(maps.size() + charts.size());
     page.add(answer(input, runs, result, facts, words));
