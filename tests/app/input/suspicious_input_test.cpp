@@ -187,6 +187,30 @@ TEST_F(SuspiciousInput, AThicknessInAnotherCrsKeepsItsVolume) {
     }
 }
 
+// 50 m x 40 m of 2 m thickness, of which the perimeter has all but the eastern fifth: 800 of 4 000 m3.
+TEST_F(SuspiciousInput, AThicknessBeyondThePerimeterIsToldWithBothVolumes) {
+    write_scene(k_numbers_only);
+    gis::test::TestRaster raster;
+    raster.columns = 10;
+    raster.rows = 8;
+    raster.west = k_west + 30;
+    raster.north = k_south + 100;
+    raster.cell_x = raster.cell_y = 5;
+    raster.crs = "EPSG:32632";
+    raster.values.assign(80, 2);
+    gis::test::make_raster(path("thickness.tif"), raster);
+    const auto check = [&](double east) {
+        write_polygon("part", {{30, 60}, {east, 60}, {east, 100}, {30, 100}});
+        return frana({"check", "scene.ini", "--set", "release.perimeter=part.geojson", "--set",
+                      "release.thickness=raster:thickness.tif"})
+            .err;
+    };
+    expect_words(check(70), {"the thickness raster contains 4 000 m3", "the perimeter has 3 200 m3", "20 %"});
+    const std::string of_this_mass = "lie beyond it";
+    EXPECT_EQ(check(80).find(of_this_mass), std::string::npos) << "all is inside";
+    EXPECT_EQ(check(45).find(of_this_mass), std::string::npos) << "a raster of all ground, of which this is a part";
+}
+
 TEST_F(SuspiciousInput, ANumberSignInAFolderIsNoComment) {
     const std::filesystem::path folder = folder_ / "Flache#1";
     std::filesystem::create_directories(folder);
