@@ -24,7 +24,7 @@ th { font-weight: bold; border-bottom-color: #888; }
 td.n { white-space: nowrap; } td.u { overflow-wrap: normal; } td.u { padding-left: 0; }
 .soft { color: #555; }
 table.keys { table-layout: fixed; } table.keys th { width: 18%; } table.keys th:nth-child(2) { width: 19%; }
-table.keys th:nth-child(3) { width: 10%; } table.keys th:last-child { width: auto; }
+table.keys th:nth-child(3) { width: 9%; } table.keys th:last-child { width: auto; }
 tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal; }
 .answer p { margin: .4rem 0; }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(22rem, 100%), 1fr)); gap: .4rem 1.6rem;
@@ -44,7 +44,7 @@ summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
   h1 { font-size: 15pt; } h2 { font-size: 11.5pt; margin: 5mm 0 2mm; } h3 { font-size: 9pt; margin: 3mm 0 1mm; }
   h1, h2, h3 { break-after: avoid; }
   table { font-size: 7.5pt; margin: 1mm 0; } th, td { padding: .5mm 1.5mm; }
-  table.keys { font-size: 6.5pt; line-height: 1.2; } table.keys td { padding: .2mm 1mm; }
+  table.keys { font-size: 6.3pt; line-height: 1.2; } table.keys td { padding: .2mm 1mm; }
   thead { display: table-header-group; }
   tr, figure, img, svg, .warning { break-inside: avoid; }
   p { orphans: 3; widows: 3; }
