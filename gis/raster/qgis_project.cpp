@@ -19,8 +19,6 @@
 namespace frana::gis {
 namespace {
 
-constexpr double k_millisecond = 1e-3;  // QGIS counts the end of a range in
-
 std::string element(const std::string& name, const std::string& text) {
     return "<" + name + ">" + escaped_markup(text) + "</" + name + ">";
 }
@@ -109,7 +107,7 @@ class Document {
         if (layer.seconds) {
             layers_ += "      <temporal enabled=\"1\" mode=\"0\" fetchMode=\"0\"><fixedRange>" +
                        element("start", date_text(layer.seconds->first)) +
-                       element("end", date_text(layer.seconds->second - k_millisecond)) + "</fixedRange></temporal>\n";
+                       element("end", date_text(layer.seconds->second)) + "</fixedRange></temporal>\n";
             last_ = std::max(last_, layer.seconds->second);
         }
         layers_ += style + "\n    </maplayer>\n";
@@ -133,7 +131,7 @@ class Document {
         return "  <ProjectTimeSettings cumulativeTemporalRange=\"0\" timeStepUnit=\"ms\" timeStep=\"" +
                shortest_text(std::max(1.0, std::round(project_.step * 1000))) + "\" frameRate=\"" +
                shortest_text(k_pictures_per_second) + "\"><TemporalRange>" + element("start", date_text(0)) +
-               element("end", date_text(last_ - k_millisecond)) + "</TemporalRange></ProjectTimeSettings>\n";
+               element("end", date_text(last_)) + "</TemporalRange></ProjectTimeSettings>\n";
     }
 
     const QgisProject& project_;

@@ -52,14 +52,14 @@ void read_attributes(const OGRFeature& from, PolygonFeature& feature) {
     }
 }
 
-/// Returns one feature in its own CRS; adds to `problems` why it cannot be used.
+/// Returns one feature in its own CRS; adds to `problems` why it cannot be used ("crosses itself").
 PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, Problems& problems,
                             CountedTexts& warnings) {
     PolygonFeature feature;
     read_attributes(from, feature);
     const std::string number = std::to_string(from.GetFID());
     const auto problem = [&](const std::string& what, const std::string& value, const std::string& remedy) {
-        problems.add(Problem{"feature " + number + " " + what, source.where, value, "", remedy});
+        problems.add(Problem{what, source.where, value, "", remedy});
     };
     const OGRGeometry* geometry = from.GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
@@ -141,8 +141,7 @@ std::string condition_of(OGRLayer& layer, const OGRFeature& feature) {
 std::string reason_of(const Problems& problems) {
     if (problems.list().empty()) return "no geometry";
     const Problem& first = problems.list().front();
-    return "the polygon " + first.what.substr(first.what.find(' ', std::string("feature ").size()) + 1) +
-           (first.value.empty() ? "" : " (" + first.value + ")");
+    return "the polygon " + first.what + (first.value.empty() ? "" : " (" + first.value + ")");
 }
 
 /// Reads features, conditions, what is unusable, and warnings.
@@ -160,7 +159,8 @@ void read_features(OGRLayer& layer, const VectorSource& source, bool keep_unusab
         Problems of_this;
         PolygonFeature feature = read_feature(*from, source, of_this, counted);
         if (!keep_unusable) {
-            for (const Problem& problem : of_this.list()) {
+            for (Problem problem : of_this.list()) {
+                problem.what = "feature " + std::to_string(from->GetFID()) + " " + problem.what;
                 problems.list().size() < k_most_problems ? problems.add(problem) : void(++unreported);
             }
             if (feature.parts.empty()) continue;

@@ -176,13 +176,13 @@ std::string slopes_table(const StudyInput& input, const StudyResult& result, con
     std::vector<std::size_t> order = result.finished_at;
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return of(a, run_out) > of(b, run_out); });
-    HtmlTable table({words("source"), words("scenario"), words("volume [m³]"), words("Run-out [m]"),
-                     words("covered area [m²]"), words("greatest depth [m]")});
+    HtmlTable table({words("source"), words("volume [m³]"), words("Run-out [m]"), words("covered area [m²]"),
+                     words("greatest depth [m]")});
     for (std::size_t i = 0; i < std::min(k_slopes, order.size()); ++i) {
         const std::size_t member = result.members[order[i]].member;
-        table.row({source_name(input, member), input.slopes.empty() ? "" : input.slopes[member].scenario,
-                   number.grouped(of(order[i], volume)), number.grouped(of(order[i], run_out)),
-                   number.grouped(of(order[i], area)), number(of(order[i], depth), 3)});
+        table.row({source_name(input, member), number.grouped(of(order[i], volume)),
+                   number.grouped(of(order[i], run_out)), number.grouped(of(order[i], area)),
+                   number(of(order[i], depth), 3)});
     }
     const std::string more = order.size() > k_slopes
                                  ? "<p class=\"small\">" +

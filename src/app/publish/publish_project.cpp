@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double k_millisecond = 1e-3;
+constexpr double k_millisecond = 1e-3;    // the step of QGIS's times, whose ranges contain their ends
 const char* const k_shown = "max_depth";  // the map that is visible at first; of a study the first map
 
 std::string text_of_file(const std::string& path) {
@@ -132,9 +132,8 @@ class ProjectWriter {
         std::vector<std::pair<double, double>> times;
         for (std::size_t i = 0; i < multiples.size(); ++i) {
             const double next = i + 1 < multiples.size() ? multiples[i + 1] : multiples[i] + 1;
-            // QGIS counts what begins at the end of the controller's range as in it.
             const double begin = multiples[i] == 0 ? 0 : multiples[i] * step + k_millisecond;
-            times.emplace_back(std::max(result_.frames()[i].time, begin), next * step);
+            times.emplace_back(std::max(result_.frames()[i].time, begin), next * step - k_millisecond);
         }
         return times;
     }

@@ -8,6 +8,7 @@
 #include "app/publish/html_table.h"
 #include "app/publish/report_comparison.h"
 #include "app/publish/report_exposure.h"
+#include "app/publish/report_numbers.h"
 #include "app/publish/report_scenario.h"
 #include "app/store/run_end.h"
 #include "app/text/number_text.h"
@@ -24,26 +25,13 @@ constexpr std::size_t k_gauges = 4, k_name_letters = 30;
 constexpr const char* k_cell_error = "cell error";
 const std::string k_error_of = "error of ";
 
-/// Numbers in the report's language.
-class Numbers {
-  public:
-    explicit Numbers(const Words& words) : words_(words) {}
-    [[nodiscard]] std::string operator()(double value, int digits = 4) const {
-        return words_.number(number_text(value, digits));
-    }
-    [[nodiscard]] std::string grouped(double value) const { return words_.number(app::grouped(value)); }
-
-  private:
-    const Words& words_;
-};
-
 double greatest(const PeakValues& high) {
     return std::isnan(high.greatest) ? 0 : high.greatest;
 }
 
 std::string arrivals(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number(words);
+    const ReportNumbers number(words);
     const std::vector<GaugeAnswer> gauges = gauge_answers(input);
     std::vector<std::string> told;
     for (std::size_t i = 0; i < std::min(k_gauges, gauges.size()); ++i) {
@@ -58,7 +46,7 @@ std::string arrivals(const ReportInput& input) {
 
 std::string where_sentences(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number(words);
+    const ReportNumbers number(words);
     const SummaryFacts& f = input.facts;
     const Runout& run_out = f.statistics.run_out();
     std::string text = words(
@@ -73,7 +61,7 @@ std::string where_sentences(const ReportInput& input) {
 }
 
 std::string cell_error_sentence(const ErrorEstimates& errors, double cell_size, const Words& words) {
-    const std::string size = Numbers(words)(cell_size);
+    const std::string size = ReportNumbers(words)(cell_size);
     if (errors.of.empty())
         return words(
             "On cells of {1} m; there is no estimate of the error from their size (frana converge or "
@@ -84,7 +72,7 @@ std::string cell_error_sentence(const ErrorEstimates& errors, double cell_size, 
 
 std::string balance_sentence(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number(words);
+    const ReportNumbers number(words);
     constexpr double k_least = 1e-4;  // [%]; less is rounding
     const double error = 100 * std::abs(relative_volume_error(input.result));
     const std::string volume = error < k_least ? "< " + number(k_least) : number(error, 2);
@@ -95,7 +83,7 @@ std::string balance_sentence(const ReportInput& input) {
 
 std::string end_sentences(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number(words);
+    const ReportNumbers number(words);
     const RunResult& r = input.result;
     const RunEnd end = run_end(r);
     std::string text = end_sentence(end, words);
@@ -160,7 +148,7 @@ std::string error_text(const ErrorEstimates& errors, const std::string& key, con
 
 std::string answer_tables(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number(words);
+    const ReportNumbers number(words);
     const SummaryFacts& f = input.facts;
     const Runout& run_out = f.statistics.run_out();
     const RunResult& r = input.result;

@@ -10,6 +10,7 @@
 #include "app/publish/html_table.h"
 #include "app/publish/report_answer.h"
 #include "app/publish/report_inputs.h"
+#include "app/publish/report_numbers.h"
 #include "app/publish/report_scenario.h"
 #include "app/store/provenance.h"
 #include "app/text/number_text.h"
@@ -31,22 +32,6 @@ namespace {
 
 constexpr std::size_t k_most_rows = 20;  // of hundreds, the files of the result have the rest
 
-/// Numbers in a language.
-struct Numbers {
-    const Words& words;
-    [[nodiscard]] std::string operator()(double value, int digits = 4) const {
-        return words.number(number_text(value, digits));
-    }
-    template <class T>
-    [[nodiscard]] std::string grouped(T value) const {
-        return words.number(app::grouped(value));
-    }
-    /// With groups of three digits where it has no decimals.
-    [[nodiscard]] std::string rounded(double value, int digits = 4) const {
-        return std::abs(value) < std::pow(10, digits) ? (*this)(value, digits) : grouped(value);
-    }
-};
-
 std::string small(const std::string& text) {
     return "<p class=\"small\">" + escaped_markup(text) + "</p>\n";
 }
@@ -54,7 +39,7 @@ std::string small(const std::string& text) {
 /// The separate flows of a result, if it has several.
 std::string flows_table(const std::vector<Runout>& run_outs, const Words& words) {
     if (run_outs.size() < 2) return "";
-    const Numbers number{words};
+    const ReportNumbers number(words);
     HtmlTable table({words("Flow"), words("Run-out [m]"), words("Drop [m]"), words("Angle of reach [°]"),
                      words("Area [m²]"), words("From"), words("To")});
     const auto place = [](Point p) { return number_text(p.x, 9) + ", " + number_text(p.y, 9); };
@@ -69,7 +54,7 @@ std::string flows_table(const std::vector<Runout>& run_outs, const Words& words)
 
 std::string gauges_table(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number{words};
+    const ReportNumbers number(words);
     const std::vector<GaugeAnswer> gauges = gauge_answers(input);
     if (gauges.empty()) return "";
     HtmlTable table({words("Gauge"), words("First arrival [s]"), words("Greatest depth [m]"), words("its error"),
@@ -85,7 +70,7 @@ std::string gauges_table(const ReportInput& input) {
 
 std::string sections_table(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number{words};
+    const ReportNumbers number(words);
     const std::vector<CrossSection>& sections = input.prepared.scene.recording.sections;
     if (sections.empty()) return "";
     std::vector<double> discharge(sections.size()), volume(sections.size());
@@ -123,7 +108,7 @@ std::string extent_in(const Bounds& box, const Words& words) {
 
 std::string high_values_table(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers number{words};
+    const ReportNumbers number(words);
     HtmlTable table({"", words("greatest"), words("99.9 % of the area"), words("99 % of the area")});
     const PeakStatistics& high = input.facts.high;
     for (std::size_t i = 0; i < high.size(); ++i) {
@@ -141,7 +126,7 @@ std::string high_values_table(const ReportInput& input) {
 }
 
 std::string ground_table(const SummaryFacts& facts, const Words& words) {
-    const Numbers number{words};
+    const ReportNumbers number(words);
     HtmlTable table(
         {"", words("lowest [m]"), words("highest [m]"), words("mean slope [°]"), words("steepest slope [°]")});
     const auto row = [&](const std::string& where, const std::optional<GroundStatistics>& ground) {
@@ -155,7 +140,7 @@ std::string ground_table(const SummaryFacts& facts, const Words& words) {
 }
 
 std::string budget_table(const RunResult& r, const Words& words) {
-    const Numbers n{words};
+    const ReportNumbers n(words);
     HtmlTable table;
     const auto volume = [&](const std::string& name, double value) { table.number(name, n.grouped(value), "m³"); };
     volume(words("Released, at the start and later"), r.volume_entered - r.volume_inflow);
@@ -184,7 +169,7 @@ std::string budget_table(const RunResult& r, const Words& words) {
 
 std::string numerics_table(const ReportInput& input) {
     const Words& words = input.words;
-    const Numbers n{words};
+    const ReportNumbers n(words);
     const RunResult& r = input.result;
     const GridSpec& grid = input.prepared.scene.grid;
     const HardEvents& e = r.hard_events;
@@ -215,7 +200,7 @@ std::string terms_note(const ReportInput& input) {
 }
 
 std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {
-    const Numbers n{words};
+    const ReportNumbers n(words);
     HtmlTable levels({words("cells [m]"), words("particles"), words("steps"), words("time [s]"), words("problem")});
     for (const AccuracyLevel& level : record.levels) {
         levels.row({n(level.cell_size), n.grouped(level.particles), n.grouped(level.steps), n(level.wall_seconds, 3),
@@ -236,7 +221,7 @@ std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {
 }
 
 std::string release_table(const RunResult& result, const Words& words) {
-    const Numbers n{words};
+    const ReportNumbers n(words);
     HtmlTable table({words("area"), words("name"), words("start [s]"), words("area [m²]"), words("volume [m³]")});
     for (std::size_t i = 0; i < result.released.size(); ++i) {
         const ReleasedArea& area = result.released[i];
@@ -247,7 +232,7 @@ std::string release_table(const RunResult& result, const Words& words) {
 }
 
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
-    const Numbers n{words};
+    const ReportNumbers n(words);
     HtmlTable table({words("class"), "", words("thresholds"), words("area [m²]")});
     for (const HazardArea& area : areas) {
         table.raw("<tr><td>" + std::to_string(area.kind.value) +
@@ -265,7 +250,7 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
 }
 
 std::string inputs_table(const Prepared& p, const Words& words) {
-    const Numbers n{words};
+    const ReportNumbers n(words);
     HtmlTable table(
         {words("input"), words("file"), words("content"), words("CRS"), words("operation to the working CRS")});
     for (const UsedFile& file : p.files) {

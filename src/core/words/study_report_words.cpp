@@ -132,7 +132,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"mean", "media", "Mittel", "moyenne", "media"},
     {"source", "sorgente", "Anrissgebiet", "zone de départ", "área de inicio"},
     {"Sources", "Sorgenti", "Anrissgebiete", "Zones de départ", "Áreas de inicio"},
-    {"scenario", "scenario", "Szenario", "scénario", "escenario"},
     {"The {1} that come farthest; members.csv has all.", "Le {1} che arrivano più lontano; members.csv le ha tutte.",
      "Die {1}, die am weitesten kommen; members.csv hat alle.",
      "Les {1} qui vont le plus loin\u202F; members.csv les contient toutes.",

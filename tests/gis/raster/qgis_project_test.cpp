@@ -50,7 +50,7 @@ TEST(QgisProject, IsAnArchiveOfSoundXmlWithRelativeFilesAndTimes) {
     for (const std::string part :
          {"<datasource>./extent.gpkg|layername=release</datasource>",
           "<datasource>./frames/depth_0001.tif</datasource>", "<start>2000-01-01T00:00:02.500Z</start>",
-          "<end>2000-01-01T00:00:04.999Z</end>", "<title>Run &lt;1&gt;</title>", "<authid>EPSG:32632</authid>",
+          "<end>2000-01-01T00:00:05.000Z</end>", "<title>Run &lt;1&gt;</title>", "<authid>EPSG:32632</authid>",
           "<ProjectionsEnabled type=\"int\">1<", "timeStep=\"2500\"", "<Absolute type=\"bool\">false</Absolute>"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
