@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Sets frana up on a bare Debian 12 and builds it. Usage: ./build.sh build | demo | test | package
+# Sets frana up on a bare Debian 12 and builds it: see usage below.
 set -euo pipefail
 cd "$(dirname "$0")"
 
+# libvtk9-dev depends on VTK's Java and Python bindings (270 MB of Java that frana does not use): Debian has its headers in no
+# smaller package.
 packages=(
   g++ cmake ninja-build pkg-config ca-certificates
   libgdal-dev libproj-dev proj-data libeigen3-dev
@@ -21,6 +23,16 @@ test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-x
 
 # To make Debian packages.
 package_packages=(dpkg-dev file pybind11-dev python3-dev python3-numpy)
+
+usage() {
+  cat <<END
+usage: ./build.sh build | demo | test | package
+  build     installs what the build needs, builds build/frana
+  demo      the same, then computes the sample into results/bindo
+  test      installs what tests need, builds everything, runs every test
+  package   builds build/packages/*.deb
+END
+}
 
 say() { printf '== %s\n' "$*"; }
 
@@ -41,36 +53,38 @@ install_packages() {
   fi
   say "installing ${missing[*]}"
   "${root[@]}" apt-get update -qq
-  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+  # apt tells what it fetches: on a bare machine that takes minutes.
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
 }
 
-# configure_and_build TARGET...: Release, into build/.
+# configure_and_build TARGET...: Release, into build/. What a command needs is decided here and not by what an earlier
+# command left in build/: tests and python, ON or OFF.
 configure_and_build() {
   say "building $* into build/ (Release)"
-  cmake --preset release -DFRANA_TESTS="$tests" >build.log 2>&1 || { cat build.log; exit 1; }
+  cmake --preset release -DFRANA_TESTS="$tests" -DFRANA_PYTHON="$python" >build.log 2>&1 || { cat build.log; exit 1; }
   rm -f build.log
   cmake --build build --target "$@"
 }
 
 build() {
-  tests=OFF configure_and_build frana
+  tests=OFF python=OFF configure_and_build frana
   say "built build/frana"
 }
 
 demo() {
-  tests=OFF configure_and_build frana
+  tests=OFF python=OFF configure_and_build frana
   say "running the sample scene: a hillside after Bindo-Cortenova 2002, on synthetic terrain"
   build/frana run sample_data/bindo/scene.ini --out results/bindo --overwrite
-  say "done; look at results/bindo/maps/max_depth.png, results/bindo/animation.mp4 and, in QGIS, results/bindo/*.tif"
+  say "done; look at results/bindo/maps/max_depth.png, results/bindo/animation.mp4 and, in QGIS, results/bindo/result.qgz"
 }
 
 package() {
-  tests=OFF configure_and_build packages
+  tests=OFF python=ON configure_and_build packages
   say "built build/packages/*.deb; install them with apt-get install ./build/packages/*.deb"
 }
 
 run_tests() {
-  tests=ON configure_and_build all
+  tests=ON python=ON configure_and_build all
   say "running the tests"
   local report=build/test-report.txt status=0
   .ci/kernel_instructions build
@@ -97,5 +111,6 @@ case "${1:-}" in
   demo) install_packages "${packages[@]}"; demo ;;
   test) install_packages "${packages[@]}" "${test_packages[@]}"; run_tests ;;
   package) install_packages "${packages[@]}" "${package_packages[@]}"; package ;;
-  *) echo "usage: ./build.sh build | demo | test | package" >&2; exit 2 ;;
+  -h | --help | help) usage ;;
+  *) usage >&2; exit 2 ;;
 esac

@@ -4,7 +4,10 @@
 #include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 
+#include <fstream>
+
 #include "core/error.h"
+#include "core/utf8.h"
 #include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
@@ -15,6 +18,24 @@ namespace frana::gis {
 namespace {
 
 constexpr std::size_t k_most_rows = 10'000'000;
+
+std::string cell_of(const std::string& line) {
+    const std::size_t first = line.find_first_not_of(" \t\""), last = line.find_last_not_of(" \t\r\"");
+    return first == line.npos ? "" : line.substr(first, last - first + 1);
+}
+
+/// A table with one column, which GDAL takes for no table: it has no separator.
+Table table_of_one_column(const std::string& path) {
+    Table table;
+    std::ifstream file(path);
+    std::string line;
+    if (!std::getline(file, line) || cell_of(line).empty() || line.find_first_of(",;\t") != line.npos ||
+        valid_utf8(line) != line)
+        return table;
+    table.columns.push_back(cell_of(line));
+    while (table.rows.size() < k_most_rows && std::getline(file, line)) table.rows.push_back({cell_of(line)});
+    return table;
+}
 
 }  // namespace
 
@@ -55,9 +76,11 @@ Table read_table(const std::string& path, const std::string& where) {
     }
     if (const auto cause = pop_access_problem())
         throw Error(ErrorKind::input, Problem{cause->what, place, cause->value, "", cause->remedy});
+    if (!layer) table = table_of_one_column(path);
     if (table.rows.empty()) {
-        throw Error(ErrorKind::input, Problem{"the file is not a table with a header and rows", place, "", "",
-                                              "Give a CSV: time,discharge,velocity and one row per time"});
+        throw Error(ErrorKind::input,
+                    Problem{"the file is not a table with a header and rows", place, "", "",
+                            "Give a CSV: a line with the names of the columns, then a line for each row"});
     }
     return table;
 }

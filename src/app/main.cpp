@@ -28,6 +28,7 @@
 #include "core/system_remedy.h"
 #include "gis/access/network.h"
 #include "params/grammar/nearest_name.h"
+#include "ranks/job.h"
 
 namespace frana::app {
 namespace {
@@ -55,6 +56,11 @@ int dispatch(Arguments words) {
     std::vector<std::string> names;
     for (const Command& command : commands()) {
         if (name == command.name) {
+            if (const ranks::StartedRank own = ranks::started_rank(); !command.uses_ranks && own.size > 1) {
+                std::cerr << "frana: warning: " << name << " does not share its work between processes: rank "
+                          << own.rank << " of " << own.size << (own.rank > 0 ? " does nothing\n" : " goes on alone\n");
+                if (own.rank > 0) return static_cast<int>(ExitCode::done);
+            }
             const int code = command.run({words.begin() + 1, words.end()});
             if (const auto warning = letter_warning()) std::cerr << "frana: warning: " << warning->text() << '\n';
             return code;

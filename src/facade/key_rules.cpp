@@ -45,7 +45,7 @@ const char* remedy_for(const std::string& section, const std::string& name) {
 
 std::optional<frana::Problem> problem_of_setting(const std::string& key, const std::string& value) {
     if (auto problem = problem_of_key(key, value)) return problem;
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const Parameter& parameter = *find_parameter(parameters, present_name(key));
     const std::string name = parameter.name();
     if ((!is_in(k_sections, parameter.section) && !is_in(k_keys, name)) || is_in(k_not, name)) {

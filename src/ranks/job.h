@@ -11,6 +11,11 @@ namespace frana::ranks {
 
 /// Whether mpirun, mpiexec or srun started this process as one of some that can exchange messages.
 bool started_as_rank() noexcept;
+/// A process's number among those that were started together, as their starter tells it; needs no MPI.
+struct StartedRank {
+    int rank = 0, size = 1;
+};
+StartedRank started_rank() noexcept;
 /// Throws Error(input) if srun started several processes that cannot.
 void refuse_separate_processes();
 

@@ -53,6 +53,16 @@ void add_sections(const RunResult& result, const Scene& scene, std::vector<RunVa
     }
 }
 
+/// Returns the place in a key of a gauge or cross-section, with the value's title; nothing for other keys.
+std::optional<std::pair<const char*, std::string>> place_in(const std::string& key) {
+    for (const PlaceValue& one : {k_gauge_depth, k_gauge_speed, k_section_discharge, k_section_volume}) {
+        const std::string before = one.before(), after = one.after();
+        if (key.size() >= before.size() + after.size() && key.starts_with(before) && key.ends_with(after))
+            return std::pair(one.title, key.substr(before.size(), key.size() - before.size() - after.size()));
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<RunValue> reported_values(const RunResult& result, const Scene& scene, double threshold) {
@@ -70,13 +80,15 @@ std::vector<RunValue> reported_values(const RunResult& result, const Scene& scen
     return values;
 }
 
+bool is_value_key(const std::string& key) {
+    return std::any_of(std::begin(k_run_statistics), std::end(k_run_statistics),
+                       [&](const RunStatistic& row) { return key == row.key; }) ||
+           place_in(key).has_value();
+}
+
 std::string title_in(const RunValue& value, const Words& words) {
-    for (const PlaceValue& one : {k_gauge_depth, k_gauge_speed, k_section_discharge, k_section_volume}) {
-        const std::string before = one.before(), after = one.after();
-        if (!value.key.starts_with(before) || !value.key.ends_with(after)) continue;
-        return words(one.title, {value.key.substr(before.size(), value.key.size() - before.size() - after.size())});
-    }
-    return words(value.title);
+    const auto place = place_in(value.key);
+    return place ? words(place->first, {place->second}) : words(value.title);
 }
 
 }  // namespace frana

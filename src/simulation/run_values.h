@@ -26,6 +26,9 @@ struct RunValue {
 /// @param threshold depth from which a cell belongs to the covered area [m]
 std::vector<RunValue> reported_values(const RunResult& result, const Scene& scene, double threshold);
 
+/// Whether a key is that of a value which some run may have.
+bool is_value_key(const std::string& key);
+
 /// Returns the value's title in a language.
 std::string title_in(const RunValue& value, const Words& words);
 

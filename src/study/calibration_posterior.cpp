@@ -129,10 +129,6 @@ std::optional<std::size_t> best_member(const Misfits& misfits, std::optional<std
     return best;
 }
 
-bool KeyPosterior::determined() const noexcept {
-    return nominal || width < k_undetermined_width;
-}
-
 std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, const std::vector<double>& weights) {
     std::vector<KeyPosterior> all;
     for (const KeySample& key : keys) {
@@ -168,14 +164,12 @@ std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys,
     return pairs;
 }
 
-std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs,
-                                double effective) {
+std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs) {
     std::vector<Sentence> all;
     for (const KeyPosterior& key : keys) {
-        if (key.determined()) continue;
-        all.push_back(
-            worded("The surveys do not determine {1}: its interval of 90 %, {2} to {3}, is {4} % as wide as before.",
-                   {name_of(key), short_number(key.low), short_number(key.high), percent(key.width)}));
+        if (key.nominal) continue;
+        all.push_back(worded("With the surveys {1} is {2} to {3} (90 %): {4} % of the width that it has without them.",
+                             {name_of(key), short_number(key.low), short_number(key.high), percent(key.width)}));
     }
     for (const IndistinctPair& pair : pairs)
         all.push_back(worded(pair.correlation > 0
@@ -184,16 +178,14 @@ std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std
                                  : "The surveys cannot tell {1} from {2}: greater values of one explain them as well "
                                    "with smaller values of the other (correlation {3}).",
                              {name_of(keys[pair.first]), name_of(keys[pair.second]), short_number(pair.correlation)}));
-    if (all.empty())
-        all.emplace_back(
-            worded("The interval of every key is narrower than before, and no two keys are so correlated that the "
-                   "surveys could not tell them apart."));
-    if (effective < k_few_members)
-        all.push_back(
-            worded("The posterior rests on few members (effective number {1}): its intervals are rough. Raise "
-                   "study.refine.",
-                   {short_number(effective)}));
     return all;
+}
+
+std::optional<Sentence> few_members(double effective) {
+    if (effective >= k_few_members) return std::nullopt;
+    return worded(
+        "The posterior rests on few members (effective number {1}): its intervals are rough. Raise study.refine.",
+        {short_number(effective)});
 }
 
 }  // namespace frana::study

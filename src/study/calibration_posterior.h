@@ -54,9 +54,6 @@ struct KeyPosterior {
     /// Width of the interval in places of the distribution, over 0.9, that of the distribution itself.
     double width = 1;
     std::vector<std::pair<std::string, double>> values;  ///< of a choice: probabilities
-
-    /// Whether its interval is clearly narrower than before; choices and fields have none.
-    [[nodiscard]] bool determined() const noexcept;
 };
 
 /// Two keys that the surveys cannot tell apart.
@@ -65,8 +62,6 @@ struct IndistinctPair {
     double correlation = 0;             ///< weighted, of the places in the distributions
 };
 
-/// Width of an interval, in units of the prior's, from which a key counts as not determined.
-inline constexpr double k_undetermined_width = 0.8;
 /// Correlation from which two keys count as not told apart.
 inline constexpr double k_indistinct_correlation = 0.6;
 
@@ -83,7 +78,8 @@ std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, con
 std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys, const std::vector<double>& weights);
 
 /// Returns plain sentences on what the surveys tell and do not tell.
-std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs,
-                                double effective);
+std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs);
+/// Returns a warning if the effective number of members is too small for intervals.
+std::optional<Sentence> few_members(double effective);
 
 }  // namespace frana::study

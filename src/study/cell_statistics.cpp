@@ -125,9 +125,11 @@ Probability ProbabilityEstimate::of(std::span<const float> values, double thresh
         constexpr double k_unknown = 0.5;  // where a level has a single member
         return {std::clamp(p.value, 0.0, 1.0), std::isfinite(squares) ? std::sqrt(squares) : k_unknown};
     }
+    double hits = 0, misses = 0;
     for (std::size_t m = 0; m < values.size(); ++m)
-        if (static_cast<double>(values[m]) > threshold) p.value += members_.weights[m];
-    p.value = std::min(1.0, p.value);
+        (static_cast<double>(values[m]) > threshold ? hits : misses) += members_.weights[m];
+    // Weights add up to 1 but for rounding; where all members came, p is 1 and its error 0.
+    p.value = hits / (hits + misses);
     p.error = group_count_ > 0 ? group_error(p.value, values, threshold)
                                : std::sqrt(std::max(0.0, p.value * (1 - p.value)) / effective_size_);
     return p;

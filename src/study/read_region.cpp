@@ -175,7 +175,7 @@ class Reader {
     std::string label_;
     RegionSpec& region_;
     Problems& problems_;
-    std::vector<Parameter> parameters_;
+    const std::vector<Parameter>& parameters_;
     std::set<std::string> seen_;
 };
 

@@ -172,7 +172,7 @@ class Reader {
 
     StudyReading& reading_;
     std::string folder_;
-    std::vector<Parameter> parameters_;
+    const std::vector<Parameter>& parameters_;
     std::set<std::string> seen_;
 };
 

@@ -2,6 +2,7 @@
 #include "study/sampling.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -11,6 +12,7 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/former_names.h"
 #include "params/keys/scene_parameters.h"
+#include "simulation/run_values.h"
 #include "study/openturns/functions.h"
 #include "study/read_study.h"
 #include "study/varied_key.h"
@@ -109,7 +111,7 @@ SampleTable full_factorial(const StudySpec& study) {
 
 /// Of an unbounded distribution a value may lie outside the key's range.
 void check_values(const StudySpec& study, const SampleTable& table, const std::string& label, Problems& problems) {
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     for (std::size_t k = 0; k < table.keys.size(); ++k) {
         const Parameter* const key = find_parameter(parameters, table.keys[k]);
         SceneSpec scene;
@@ -191,17 +193,46 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
 
 namespace {
 
-/// A column whose name has the section of a key was meant as one; other columns are notes.
-void refuse_mistyped(const std::string& name, const std::string& column, const std::string& where,
-                     const std::vector<Parameter>& parameters, Problems& problems) {
-    const auto dot = name.find('.');
-    const bool meant = dot != std::string::npos && name.find(' ') == std::string::npos &&
-                       std::any_of(parameters.begin(), parameters.end(),
-                                   [&](const Parameter& key) { return key.section == name.substr(0, dot); });
-    if (!meant) return;
-    const std::string nearest = nearest_name(name, names_of(parameters));
-    problems.add({"unknown key of the scene", where + ": " + column, "", "",
-                  nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"});
+constexpr const char* k_weight_column = "weight";
+/// Columns of members.csv and posterior.csv that are no keys and no values of a run.
+constexpr const char* k_result_columns[] = {
+    "member",        "status",    "score",          "level",  "name",        "group",           "scenario",
+    "return_period", "volume_m3", "engine_seconds", "reason", "stop_reason", "moving_fraction", "left_domain_fraction",
+    "energy_error",  "warnings"};
+
+bool is_result_column(const std::string& name, const std::vector<Parameter>& parameters) {
+    if (is_value_key(name) || name.starts_with("score ") || name.starts_with("misfit ")) return true;
+    // The key of one event in the posterior of several.
+    const auto event = name.find(" of ");
+    if (event != std::string::npos && find_parameter(parameters, name.substr(0, event)) != nullptr) return true;
+    return std::find(std::begin(k_result_columns), std::end(k_result_columns), name) != std::end(k_result_columns);
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+Problem unknown_column(const std::string& name, const std::string& place, const std::vector<Parameter>& parameters) {
+    std::vector<std::string> known = names_of(parameters);
+    known.emplace_back(k_weight_column);
+    known.insert(known.end(), std::begin(k_result_columns), std::end(k_result_columns));
+    const std::string nearest = nearest_name(lower_case(name), known);
+    return {"is neither a key of the scene, nor weight, nor a column that members.csv or posterior.csv has", place, "",
+            "",
+            nearest.empty() ? "Rename or remove it; `frana params` lists all keys" : "Did you mean " + nearest + "?"};
+}
+
+/// Returns the weight in a cell; nothing if it is none.
+std::optional<double> weight_from(const std::string& text) {
+    const auto weight = number_from_text(text);
+    const bool good = weight && (*weight == 0 || (*weight >= k_least_table_weight && *weight <= k_most_table_weight));
+    return good ? weight : std::nullopt;
+}
+
+bool is_blank(const std::vector<std::string>& row) {
+    return std::all_of(row.begin(), row.end(),
+                       [](const std::string& cell) { return cell.find_first_not_of(" \t\r") == std::string::npos; });
 }
 
 }  // namespace
@@ -209,28 +240,32 @@ void refuse_mistyped(const std::string& name, const std::string& column, const s
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                              const std::string& where, Problems& problems) {
     SampleTable table;
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     std::vector<std::size_t> of_key;
     std::optional<std::size_t> weights;
     const std::size_t known = problems.list().size();
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (columns[i] == "weight") weights = i;
-        const std::string name = present_name(columns[i]);
-        const Parameter* const parameter = find_parameter(parameters, name);
-        if (parameter == nullptr) {
-            refuse_mistyped(name, columns[i], where, parameters, problems);
-            continue;
+        const std::string name = present_name(columns[i]), place = where + ": " + columns[i];
+        const bool twice =
+            std::count(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) > 0 ||
+            std::find(table.keys.begin(), table.keys.end(), name) != table.keys.end();
+        if (twice) {
+            problems.add({"is a column twice", place, "", "", "Keep one of the two"});
+        } else if (columns[i] == k_weight_column) {
+            weights = i;
+            table.columns.push_back({columns[i], TableColumn::Use::weight});
+        } else if (const Parameter* const parameter = find_parameter(parameters, name); parameter == nullptr) {
+            if (is_result_column(columns[i], parameters))
+                table.columns.push_back({columns[i], TableColumn::Use::result});
+            else
+                problems.add(unknown_column(columns[i], place, parameters));
+        } else if (const auto refusal = refusal_to_vary(*parameter)) {
+            problems.add({refusal->what, place, "", "", refusal->remedy});
+        } else {
+            table.columns.push_back({columns[i], TableColumn::Use::key});
+            table.keys.push_back(name);
+            of_key.push_back(i);
         }
-        if (const auto refusal = refusal_to_vary(*parameter)) {
-            problems.add({refusal->what, where + ": " + columns[i], "", "", refusal->remedy});
-            continue;
-        }
-        if (std::find(table.keys.begin(), table.keys.end(), name) != table.keys.end()) {
-            problems.add({"is a column twice", where + ": " + columns[i], "", "", "Keep one of the two"});
-            continue;
-        }
-        table.keys.push_back(name);
-        of_key.push_back(i);
     }
     if (problems.list().size() > known) return table;
     if (of_key.empty() || rows.empty()) {
@@ -238,28 +273,32 @@ SampleTable samples_of_table(const std::vector<std::string>& columns, const std:
                       "Write a column for each key that varies, and a row for each member"});
         return table;
     }
-    // Numbers where all of a column are; else the index of the first row with the same text.
+    // Numbers where all of a column are; else the order in which the texts appear.
     for (const std::size_t column : of_key)
-        table.nominal.push_back(!std::all_of(
-            rows.begin(), rows.end(), [&](const auto& row) { return number_from_text(row[column]).has_value(); }));
+        table.nominal.push_back(!std::all_of(rows.begin(), rows.end(), [&](const auto& row) {
+            return is_blank(row) || number_from_text(row[column]).has_value();
+        }));
+    std::vector<std::map<std::string, double>> first(of_key.size());  // row of each text
     for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (is_blank(rows[row])) continue;
         std::vector<Value> values;
         for (std::size_t k = 0; k < of_key.size(); ++k) {
             const std::string& text = rows[row][of_key[k]];
-            std::size_t first = 0;
-            if (table.nominal[k])
-                while (rows[first][of_key[k]] != text) ++first;
-            values.emplace_back(text, table.nominal[k] ? static_cast<double>(first) : *number_from_text(text));
+            values.emplace_back(text, table.nominal[k] ? first[k].emplace(text, static_cast<double>(row)).first->second
+                                                       : *number_from_text(text));
         }
-        const auto weight = weights ? number_from_text(rows[row][*weights]) : 1;
-        if (!weight || !(*weight >= 0))
-            problems.add({"is not a weight", where + ": weight", rows[row][*weights], "0 or more",
-                          "Correct row " + std::to_string(row + 1)});
+        const auto weight = weights ? weight_from(rows[row][*weights]) : 1;
+        if (!weight)
+            problems.add(
+                {"is not a weight", where + ": " + k_weight_column, rows[row][*weights],
+                 "0, or from " + shortest_text(k_least_table_weight) + " to " + shortest_text(k_most_table_weight),
+                 "Correct row " + std::to_string(row + 1)});
         else if (*weight > 0)
             add_member(values, *weight, table);
     }
     if (table.size() == 0 && problems.empty())
-        problems.add({"has no weight greater than 0", where + ": weight", "", "", "Give a member a weight"});
+        problems.add(
+            {"has no weight greater than 0", where + ": " + k_weight_column, "", "", "Give a member a weight"});
     return table;
 }
 

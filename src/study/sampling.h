@@ -12,6 +12,13 @@ namespace frana::study {
 /// The key by which runs of a multilevel study differ.
 inline constexpr const char* k_cell_size_key = "terrain.cell-size";
 
+/// A column of a user's table, and what it is taken for.
+struct TableColumn {
+    enum class Use { key, weight, result };
+    std::string name;
+    Use use = Use::key;  ///< result: a value that an earlier study wrote beside its keys, not used
+};
+
 /// The values of all members, decided once: member i depends on nothing but the study.
 struct SampleTable {
     std::vector<std::string> keys;
@@ -19,9 +26,10 @@ struct SampleTable {
     std::vector<std::vector<std::string>> values;
     /// The same as numbers for statistics: the value; of a choice or a field its index, or its place in [0, 1).
     std::vector<std::vector<double>> numbers;
-    std::vector<bool> nominal;    ///< by key: the numbers have no order
-    std::vector<double> weights;  ///< by member, greater than 0
-    Places places;                ///< of the values in their distributions; none: of a grid or a table
+    std::vector<bool> nominal;         ///< by key: the numbers have no order
+    std::vector<double> weights;       ///< by member, greater than 0
+    std::vector<TableColumn> columns;  ///< of the table that was read; empty: drawn
+    Places places;                     ///< of the values in their distributions; none: of a grid or a table
     /// Saltelli's design (Saltelli et al. 2010): members i, i + n, i + 2n, ... form group i of n groups: rows of the
     /// matrices A, B, then A with one column of B each. 0: members are independent of each other.
     std::size_t groups = 0;
@@ -51,9 +59,12 @@ SampleTable draw_samples(const StudySpec& study, const std::string& label, Probl
 Places draw_places(const StudySpec& study);
 SampleTable samples_at(const StudySpec& study, const Places& independent, const std::string& label, Problems& problems);
 
-/// The same from a table with a row for each member: columns named as keys of the scene, and, if there is one,
-/// `weight`; others are ignored. Adds a problem for a table without rows or keys, for a mistyped key (a name with a
-/// section of the scene), for a key that cannot vary, and for weights that are not positive.
+/// The same from a table with a row for each member: columns named as keys of the scene, `weight`, and those that
+/// members.csv or posterior.csv contain beside these, which are not used. Rows of blanks are no members. Adds a problem
+/// for any other column, for a key that cannot vary, for a table without rows or keys, and for weights that are not 0
+/// or between k_least_table_weight and k_most_table_weight.
+inline constexpr double k_least_table_weight = 1e-100,
+                        k_most_table_weight = 1e100;  // their squares and sums stay finite
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                              const std::string& where, Problems& problems);
 

@@ -23,7 +23,7 @@ std::string with_absolute_paths(const Parameter& parameter, const std::string& v
 
 std::string with_files(const std::string& key, const std::string& value, const KeyedFileMap& map) {
     // A folder is where something is written, no input.
-    static const std::vector<Parameter> k_keys = scene_parameters();
+    static const std::vector<Parameter>& k_keys = scene_parameters();
     const Parameter* const parameter = find_parameter(k_keys, key);
     if (parameter == nullptr || !parameter->reads_files()) return value;
     return with_mapped_paths(*parameter, value, [&](const std::string& path) { return map(key, path); });

@@ -31,6 +31,16 @@ TEST_F(Cells, ProbabilityIsTheFractionOfMembersAboveTheThreshold) {
     EXPECT_FLOAT_EQ(static_cast<float>(arrival.quantile[1].at(0, 0)), 1.2F);  // of the two that came
 }
 
+// Weights of 49 members of 1/49 add up to 1 - 2e-16 or more, by their order: an error of 1e-8 where it is 0.
+TEST_F(Cells, WhereAllMembersCameTheProbabilityIsOneAndItsErrorZero) {
+    for (int i = 0; i < 49; ++i) add(record(0, {1}));
+    for (double& weight : members_.weights) weight = 1.0 / 49;
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    EXPECT_EQ(maps.probability[0].at(0, 0), 1);
+    EXPECT_EQ(maps.error[0].at(0, 0), 0);
+    EXPECT_EQ(error_of_first(members_, 49, Quantity::depth, grid_, {0.5}).mean, 0);
+}
+
 TEST_F(Cells, WeightsCountAsCopiesOfMembers) {
     add(record(0, {1}));
     add(record(0, {2}));

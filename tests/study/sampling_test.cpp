@@ -169,20 +169,56 @@ TEST(Sampling, ATableGivesTheMembersItself) {
     EXPECT_EQ(table.overrides(1), (std::vector<std::string>{"material.turbulence=900", "release.perimeter=a.shp"}));
     EXPECT_EQ(table.weights, (std::vector<double>{0.5, 1.5}));
     EXPECT_TRUE(table.nominal[1]);
-    (void)samples_of_table({"a"}, {{"1"}}, "table", problems);
-    EXPECT_EQ(problems.list().size(), 1U);
+    std::vector<TableColumn::Use> uses;
+    for (const TableColumn& column : table.columns) uses.push_back(column.use);
+    using Use = TableColumn::Use;
+    EXPECT_EQ(uses, (std::vector<Use>{Use::result, Use::key, Use::weight, Use::key}));
+    (void)samples_of_table({"member"}, {{"1"}}, "table", problems);
+    EXPECT_EQ(problems.list().size(), 1U);  // no key
 }
 
-TEST(Sampling, ATableWithAMistypedKeyOrOneThatCannotVaryIsRefused) {
+// A column that is dropped without a word leaves all members equal, with a standard error of 0.
+TEST(Sampling, EveryColumnOfATableIsKnownOrRefusedWithTheNearest) {
     Problems problems;
     (void)samples_of_table({"material.friction-angle", "material.turbulense", "terrain.cell-size", "output.maps",
-                            "gauge a.b: max_depth_m", "release.volume of bindo"},
-                           {{"8", "5", "5", "on", "1", "2"}}, "t.csv", problems);
+                            "gauge a.b: max_depth_m", "release.volume of bindo", "score bindo"},
+                           {{"8", "5", "5", "on", "1", "2", "3"}}, "t.csv", problems);
     ASSERT_EQ(problems.list().size(), 3U);
     EXPECT_EQ(problems.list()[0].where, "t.csv: material.turbulense");
     EXPECT_NE(problems.list()[0].remedy.find("material.turbulence"), std::string::npos);
     EXPECT_EQ(problems.list()[1].where, "t.csv: terrain.cell-size");
     EXPECT_EQ(problems.list()[2].where, "t.csv: output.maps");
+    for (const auto& [column, nearest] : {std::pair("materail.friction-angle", "material.friction-angle"),
+                                          {"friction-angle", "material.friction-angle"},
+                                          {"Material.Friction-Angle", "material.friction-angle"},
+                                          {"weigth", "weight"},
+                                          {"Weight", "weight"}}) {
+        Problems of_one;
+        (void)samples_of_table({"material.turbulence", column}, {{"500", "1"}}, "t.csv", of_one);
+        ASSERT_EQ(of_one.list().size(), 1U) << column;
+        EXPECT_EQ(of_one.list()[0].where, std::string("t.csv: ") + column);
+        EXPECT_NE(of_one.list()[0].remedy.find(nearest), std::string::npos) << of_one.list()[0].remedy;
+    }
+}
+
+// 1e308 twice is infinite, and every probability was 0.
+TEST(Sampling, AWeightWhoseSumsAreNotFiniteIsRefused) {
+    for (const char* weight : {"1e308", "1e-300", "-1", "nan", "x"}) {
+        Problems problems;
+        (void)samples_of_table({"material.turbulence", "weight"}, {{"500", "1"}, {"600", weight}}, "t.csv", problems);
+        ASSERT_EQ(problems.list().size(), 1U) << weight;
+        EXPECT_EQ(problems.list()[0].where, "t.csv: weight");
+        EXPECT_EQ(problems.list()[0].value, weight);
+    }
+}
+
+TEST(Sampling, ARowOfBlanksIsNoMember) {
+    Problems problems;
+    const SampleTable table = samples_of_table({"material.turbulence", "weight"},
+                                               {{"500", "1"}, {" ", ""}, {"700", "2"}, {"", "\t"}}, "t.csv", problems);
+    EXPECT_TRUE(problems.empty());
+    EXPECT_EQ(table.weights, (std::vector<double>{1, 2}));
+    EXPECT_FALSE(table.nominal[0]);
 }
 
 TEST(Sampling, TheCentralMemberHasMediansAndLikeliestChoices) {

@@ -63,7 +63,7 @@ class KeyAxis {
 };
 
 std::string axis_label(const study::CalibrationSpec& calibration, const study::KeySample& key) {
-    static const std::vector<Parameter> k_parameters = scene_parameters();
+    static const std::vector<Parameter>& k_parameters = scene_parameters();
     const Parameter* const parameter = find_parameter(k_parameters, key.key);
     const std::string unit = parameter == nullptr ? "" : parameter->unit;
     return column_of(calibration, key) + (unit.empty() ? "" : " [" + unit + "]");

@@ -91,7 +91,7 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     result.keys = key_samples(input, stage);
     result.posteriors = study::key_posteriors(result.keys, result.weights);
     result.indistinct = study::indistinct_pairs(result.keys, result.weights);
-    result.sentences = study::sentences(result.posteriors, result.indistinct, result.effective);
+    result.sentences = study::sentences(result.posteriors, result.indistinct);
     if (result.exponent < exponent)
         result.sentences.push_back(worded(
             "Few of the members explain the surveys: the exponent of the likelihood is lowered from {1} to {2} so that "

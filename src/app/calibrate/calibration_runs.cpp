@@ -39,12 +39,13 @@ void require_a_member(const EventRuns& runs, const study::EventSpec& event) {
 }
 
 /// Runs a stage's members for every event. Returns false if a signal stopped it.
-bool run_stage(const CalibrationInput& input, const std::vector<StudyInput>& studies, const char* cells,
-               const RunSetting& setting, RunLog& log, Stage& stage, std::size_t& computed) {
+/// @param studies by event; the first of them is number `first` of studies_of()
+bool run_stage(const CalibrationInput& input, const std::vector<StudyInput>& studies, std::size_t first,
+               const char* cells, const RunSetting& setting, RunLog& log, Stage& stage, std::size_t& computed) {
     for (std::size_t e = 0; e < studies.size(); ++e) {
         const study::EventSpec& event = input.spec().events[e];
         const std::string place = record_place(setting, cells, event.name);
-        MemberRunner runner(studies[e], place, setting.threads, setting.quiet);
+        MemberRunner runner(studies[e], place, setting.threads, setting.quiet, setting.ranks, first + e);
         const bool whole = runner.run_until(studies[e].table.size());
         computed += runner.computed();
         if (!whole) return false;
@@ -58,6 +59,12 @@ bool run_stage(const CalibrationInput& input, const std::vector<StudyInput>& stu
 }
 
 }  // namespace
+
+RankStudies studies_of(CalibrationInput input) {
+    RankStudies all{std::move(input.coarse), std::move(input.identity)};
+    for (StudyInput& own : input.own) all.studies.push_back(std::move(own));
+    return all;
+}
 
 study::Misfits Stage::misfits() const {
     study::Misfits all(size());
@@ -122,7 +129,7 @@ std::optional<CalibrationRuns> run_calibration(CalibrationInput& input, const Ru
     CalibrationRuns runs;
     runs.design.places = input.design;
     runs.design.density.assign(input.design.size(), 1);
-    if (!run_stage(input, input.coarse, "coarse", setting, log, runs.design, runs.computed)) return std::nullopt;
+    if (!run_stage(input, input.coarse, 0, "coarse", setting, log, runs.design, runs.computed)) return std::nullopt;
     if (calibration.refine == 0) return runs;
     const std::vector<double> weights = weights_to_refine(runs.design.misfits(), calibration.exponent);
     if (study::effective_count(weights) == 0)
@@ -136,7 +143,8 @@ std::optional<CalibrationRuns> run_calibration(CalibrationInput& input, const Ru
     Problems of_values;  // a value outside its key's range: the member fails with the reason
     for (std::size_t e = 0; e < input.events(); ++e)
         input.own[e].table = members_at(calibration, e, runs.refined->places, of_values);
-    if (!run_stage(input, input.own, "own", setting, log, *runs.refined, runs.computed)) return std::nullopt;
+    if (!run_stage(input, input.own, input.events(), "own", setting, log, *runs.refined, runs.computed))
+        return std::nullopt;
     return runs;
 }
 

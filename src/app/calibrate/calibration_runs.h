@@ -8,6 +8,8 @@
 
 #include "app/calibrate/calibration_input.h"
 #include "app/calibrate/event_survey.h"
+#include "app/ensemble/rank_pool.h"
+#include "app/ensemble/rank_worker.h"
 #include "app/text/run_log.h"
 #include "study/calibration_posterior.h"
 
@@ -57,7 +59,11 @@ struct RunSetting {
     std::string folder;  ///< in which the result is being built
     int threads = 1;
     bool quiet = false;
+    RankPool* ranks = nullptr;  ///< the other processes under mpirun; null: none
 };
+
+/// What another rank reads of a calibration: the events on coarse cells, then on the scenes' own.
+RankStudies studies_of(CalibrationInput input);
 
 /// Compares the records of an event's members with its survey. Throws Error(environment) for one that cannot be read.
 /// @param records folder that contains the folder of records

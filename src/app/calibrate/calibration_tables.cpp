@@ -105,7 +105,6 @@ Json json_of(const study::KeyPosterior& key, const std::string& best) {
     json["prior_q05"] = key.prior_low;
     json["prior_q95"] = key.prior_high;
     json["width_of_prior"] = key.width;
-    json["determined"] = key.determined();
     return json;
 }
 

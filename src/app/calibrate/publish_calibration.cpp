@@ -111,6 +111,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const CalibrationResult result = calibration_result(input, runs);
     StudyOutcome outcome;
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
+    if (const auto warning = study::few_members(result.effective)) log.warn(*warning);
     write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));

@@ -32,20 +32,30 @@ int cmd_calibrate(const Arguments& arguments) {
     const Stopwatch since_start;
     const auto values = parse_arguments(calibrate_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const int threads = thread_count(*values);
+    const std::string file = (*values)["operand"].as<std::string>();
+    OtherRanks ranks;
+    const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
+    if (ranks.job && ranks.job->rank() > 0) {
+        const auto read = [&file] {
+            RunLog silent(true);
+            return studies_of(prepare_calibration(read_calibration_texts(file, silent), std::nullopt, silent));
+        };
+        work_for_rank_0(*ranks.job, read, file, threads);
+        return static_cast<int>(ExitCode::done);
+    }
     const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
                resume = values->count("resume") > 0;
     RunLog log(quiet);
     apply_memory_limit(*values, log);
 
-    CalibrationTexts texts = read_calibration_texts((*values)["operand"].as<std::string>(), log);
+    CalibrationTexts texts = read_calibration_texts(file, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(calibration_directory(texts.first_scene.scene)), target = result_path(place);
     const std::string interrupted = interrupted_study(target);
     const bool may_be_complete = resume && !overwrite && interrupted.empty() && has_files(target);
     std::vector<std::string> inputs{texts.reading.calibration.study.file};
     for (const StudyTexts& event : texts.events)
-        for (std::string& file : input_files(event.central.scene)) inputs.push_back(std::move(file));
+        for (std::string& one : input_files(event.central.scene)) inputs.push_back(std::move(one));
     std::optional<Problem> place_problem;
     if (!may_be_complete)
         place_problem =
@@ -61,7 +71,8 @@ int cmd_calibrate(const Arguments& arguments) {
     }
     load_calibration_drawing(input);
     for (const StudyInput& event : input.own)
-        refuse_study_beyond_memory(event, forecast_study(event, threads, false), threads);
+        refuse_study_beyond_memory(event, forecast_study(event, threads, false), threads,
+                                   ranks.job ? ranks.job->ranks_here() : 1);
     const std::string left = resume ? interrupted : "";
     if (!left.empty()) require_same_study(input.identity, left);
 
@@ -69,14 +80,17 @@ int cmd_calibrate(const Arguments& arguments) {
     ResultDirectory directory(target, overwrite, left);
     directory.make_folder(k_record_folder);
     write_text_file(directory.path(k_record_identity), input.identity);
-    const auto runs = run_calibration(input, {directory.folder(), threads, quiet}, log);
+    if (ranks.pool) ranks.pool->start(input.identity);
+    const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
+    const auto runs = run_calibration(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
+    ranks.release();
     if (!runs) {
         log.info("the calibration was stopped after " + std::to_string(records_in(directory.folder()).size()) +
                  " runs: the same command with --resume runs the others");
         return static_cast<int>(ExitCode::signal) + stop_signal();
     }
     log.note("computed " + std::to_string(runs->computed) + " runs in " + number_text(since_start.seconds(), 3) + " s");
-    const StudyOutcome outcome = publish_calibration(input, *runs, threads, since_start, directory, log);
+    const StudyOutcome outcome = publish_calibration(input, *runs, all_threads, since_start, directory, log);
     return publish_result(input.identity, outcome, directory, log);
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 /// The thickness as the scene will have it: its files relative to the scene's folder. Throws Error(input).
 std::string thickness_of(const std::string& text, const fs::path& folder) {
-    const auto parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const Parameter& key = *find_parameter(parameters, "release.thickness");
     SceneSpec spec;
     if (const auto refusal = key.read(spec, text))

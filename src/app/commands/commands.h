@@ -20,6 +20,8 @@ struct Command {
     /// Takes the arguments after the name, prints the requested output to stdout and returns the exit code. Throws
     /// Error.
     int (*run)(const Arguments&);
+    /// Whether the processes that mpirun started share its work; of other commands the first alone goes on.
+    bool uses_ranks = false;
 };
 
 /// Every command, in the order of the help.

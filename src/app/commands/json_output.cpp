@@ -25,7 +25,7 @@ void add_place(const std::string& where, Json& json) {
         if (space == std::string::npos) return;
         rest = rest.substr(space + 1);
     }
-    const auto parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const auto colon = rest.rfind(": ");
     const std::string last = colon == std::string::npos ? rest : rest.substr(colon + 2);
     const auto is_key_letter = [](char letter) {

@@ -2,7 +2,6 @@
 #include "app/commands/run_study.h"
 
 #include <algorithm>
-#include <memory>
 
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
@@ -13,7 +12,6 @@
 #include "app/ensemble/mapped_events.h"
 #include "app/ensemble/member_runs.h"
 #include "app/ensemble/publish_study.h"
-#include "app/ensemble/rank_pool.h"
 #include "app/ensemble/rank_worker.h"
 #include "app/ensemble/study_files.h"
 #include "app/ensemble/study_result.h"
@@ -29,23 +27,6 @@
 
 namespace frana::app {
 namespace {
-
-/// The other processes of a study under mpirun; none otherwise. They end when these do.
-struct OtherRanks {
-    std::optional<ranks::Job> job;
-    std::unique_ptr<RankPool> pool;  ///< in rank 0, if there are others
-
-    OtherRanks() {
-        if (!ranks::started_as_rank()) return;
-        job.emplace();
-        if (job->rank() == 0 && job->size() > 1) pool = std::make_unique<RankPool>(*job);
-    }
-    /// They are not needed any more.
-    void release() {
-        pool.reset();
-        job.reset();
-    }
-};
 
 /// With study.until, errors are looked at after so many members, whatever the number of threads.
 constexpr std::size_t k_members_between_checks = 64;
@@ -118,11 +99,17 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     if (!values) return static_cast<int>(ExitCode::done);
     const std::string file = (*values)["operand"].as<std::string>();
     check_file(file);
-    ranks::refuse_separate_processes();
     OtherRanks ranks;
     const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
     if (ranks.job && ranks.job->rank() > 0) {
-        work_for_rank_0(*ranks.job, file, threads);
+        const auto read = [&file] {
+            RunLog silent(true);
+            RankStudies own;
+            own.studies.push_back(prepare_study(read_study_texts(file, silent), std::nullopt, silent));
+            own.identity = own.studies.front().identity;
+            return own;
+        };
+        work_for_rank_0(*ranks.job, read, file, threads);
         return static_cast<int>(ExitCode::done);
     }
     const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
@@ -162,7 +149,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     ResultDirectory directory(target, overwrite, left);
     directory.make_folder(k_record_folder);
     write_text_file(directory.path(k_record_identity), input.identity);
-    if (ranks.pool) ranks.pool->start(input);
+    if (ranks.pool) ranks.pool->start(input.identity);
     const Workers workers{directory.folder(), threads, quiet, ranks.pool.get()};
     const MembersRun ran = input.level_draws.empty() ? run_members(input, workers) : run_level_members(input, workers);
     const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);

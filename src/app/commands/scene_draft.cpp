@@ -63,7 +63,7 @@ std::vector<std::string> questions(const gis::PolygonLayer& layer) {
 }
 
 const Parameter& declared(const std::string& key) {
-    static const std::vector<Parameter> k_keys = scene_parameters();
+    static const std::vector<Parameter>& k_keys = scene_parameters();
     return *find_parameter(k_keys, key);
 }
 

@@ -47,6 +47,18 @@ void print_levels(const StudyInput& input) {
     }
 }
 
+const char* use_of(study::TableColumn::Use use) {
+    switch (use) {
+        case study::TableColumn::Use::key:
+            return "varied";
+        case study::TableColumn::Use::weight:
+            return "weight of the member";
+        case study::TableColumn::Use::result:
+            break;
+    }
+    return "a value of an earlier study, not used";
+}
+
 std::string time_text(const StudyForecast& forecast, std::size_t members, int threads) {
     const double all = forecast.member_seconds() * static_cast<double>(members) / threads;
     return std::string(forecast.trial ? "about " : "at least ") + duration_text(all) + ": " +
@@ -65,6 +77,8 @@ void print_study(const StudyInput& input, const StudyForecast& forecast, int thr
     if (study.vary.empty())
         for (const std::string& key : input.table.keys)
             line(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
+    for (const study::TableColumn& column : input.table.columns)
+        if (column.use != study::TableColumn::Use::key) line(column.name, use_of(column.use));
     for (const study::Correlation& one : study.correlate)
         line(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
     std::printf("\nMembers\n");
@@ -154,6 +168,8 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     json["members"] = members;
     json["sampling"] = study::name_of(study.sampling);
     json["keys"] = input.table.keys;
+    for (const study::TableColumn& column : input.table.columns)
+        json["columns"].push_back({{"name", column.name}, {"use", use_of(column.use)}});
     json["run"] = {
         {"threads", threads},
         {"estimated_seconds", study.region ? region_seconds(plans, forecast, threads)

@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "app/commands/command_line.h"
 #include "app/ensemble/publish_study.h"
+#include "app/ensemble/rank_pool.h"
 #include "app/store/result_directory.h"
 #include "core/error.h"
 
 namespace frana::app {
 
 // What the commands that run many members have in common.
+
+/// The other processes of a study under mpirun; none otherwise. They end when these do.
+struct OtherRanks {
+    std::optional<ranks::Job> job;
+    std::unique_ptr<RankPool> pool;  ///< in rank 0, if there are others
+
+    /// Throws Error(input) if srun started several processes that cannot exchange messages.
+    OtherRanks() {
+        ranks::refuse_separate_processes();
+        if (!ranks::started_as_rank()) return;
+        job.emplace();
+        if (job->rank() == 0 && job->size() > 1) pool = std::make_unique<RankPool>(*job);
+    }
+    /// They are not needed any more.
+    void release() {
+        pool.reset();
+        job.reset();
+    }
+};
 
 /// Returns the form of such a command.
 /// @param what the study is called in its sentences

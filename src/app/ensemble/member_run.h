@@ -16,6 +16,7 @@ namespace frana::app {
 struct MemberTask {
     std::size_t member = 0;
     std::vector<std::string> overrides;  ///< "key=value"
+    std::size_t study = 0;               ///< of several whose members one command runs, as a calibration's events
 };
 
 /// Runs a member on one thread, as `frana run` computes it; several may run at once. A member that cannot be prepared

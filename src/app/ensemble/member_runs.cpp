@@ -9,14 +9,16 @@
 
 namespace frana::app {
 
-MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks)
+MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks,
+                           std::size_t study)
     : input_(input),
       folder_(std::move(folder)),
       threads_(static_cast<std::size_t>(threads)),
       ranks_(ranks),
+      study_(study),
       queue_(folder_),
       progress_(records_in(folder_).size(), input.table.size(), quiet),
-      members_(input, threads) {}
+      members_(std::vector<const StudyInput*>(study + 1, &input), threads) {}
 
 int MemberRunner::stopped_by() const {
     return stop_signal() != 0 || ranks_ == nullptr ? stop_signal() : ranks_->interrupted();
@@ -25,7 +27,7 @@ int MemberRunner::stopped_by() const {
 std::optional<MemberTask> MemberRunner::take() {
     const auto member = queue_.take();
     if (!member) return std::nullopt;
-    return MemberTask{*member, input_.table.overrides(*member)};
+    return MemberTask{*member, input_.table.overrides(*member), study_};
 }
 
 void MemberRunner::keep(std::size_t member, const std::string& record) {

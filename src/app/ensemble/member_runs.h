@@ -20,7 +20,9 @@ class MemberRunner {
   public:
     /// @param folder in which the result is being built
     /// @param ranks the other processes; null: none
-    MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks = nullptr);
+    /// @param study its number among the studies that these have read (RankStudies)
+    MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks = nullptr,
+                 std::size_t study = 0);
 
     /// Runs the members below `end` that have no record. Returns false if a signal stopped it before. Throws
     /// Error(environment).
@@ -40,6 +42,7 @@ class MemberRunner {
     std::string folder_;
     std::size_t threads_;
     RankPool* ranks_;
+    std::size_t study_;
     MemberQueue queue_;
     MemberProgress progress_;
     std::size_t computed_ = 0, out_ = 0;  ///< out: given to the threads of this process

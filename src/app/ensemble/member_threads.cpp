@@ -19,7 +19,7 @@ std::optional<T> take_first(std::deque<T>& list) {
 
 }  // namespace
 
-MemberThreads::MemberThreads(const StudyInput& input, int count) : input_(input) {
+MemberThreads::MemberThreads(std::vector<const StudyInput*> studies, int count) : studies_(std::move(studies)) {
     try {
         for (int i = 0; i < count; ++i) threads_.emplace_back([this] { work(); });
     } catch (...) {  // no thread could be created
@@ -74,7 +74,7 @@ std::optional<MemberTask> MemberThreads::next() {
 void MemberThreads::work() {
     while (const auto task = next()) {
         try {
-            auto record = run_member(input_, *task, [this] { return ending_ || stop_signal() != 0; });
+            auto record = run_member(*studies_[task->study], *task, [this] { return ending_ || stop_signal() != 0; });
             if (!record) return;
             std::string bytes = study::bytes_of(std::move(*record));
             const std::lock_guard lock(mutex_);

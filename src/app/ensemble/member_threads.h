@@ -25,7 +25,8 @@ class MemberThreads {
         std::string bytes;
     };
 
-    MemberThreads(const StudyInput& input, int count);
+    /// @param studies by MemberTask::study
+    MemberThreads(std::vector<const StudyInput*> studies, int count);
     /// Stops the members that run.
     ~MemberThreads();
     MemberThreads(const MemberThreads&) = delete;
@@ -42,7 +43,7 @@ class MemberThreads {
     void work();
     void end();
 
-    const StudyInput& input_;
+    std::vector<const StudyInput*> studies_;
     std::mutex mutex_;
     std::condition_variable added_, finished_;
     std::deque<MemberTask> waiting_;

@@ -85,7 +85,7 @@ void require_one_period(const std::vector<Slope>& slopes, const std::string& lab
 /// Adds the columns of a region to the values of its members.
 void add_columns(const study::StudySpec& study, const gis::PolygonLayer& layer, PolygonMembers& members) {
     const study::RegionSpec& region = *study.region;
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const std::string folder = std::filesystem::path(study.file).parent_path().string();
     for (const study::RegionSpec::Column& one : region.columns) {
         members.table.keys.push_back(one.key);

@@ -35,13 +35,13 @@ std::string take_text(std::string& bytes) {
 }  // namespace
 
 std::string bytes_of(const MemberTask& task) {
-    std::string bytes = with_number(task.member);
+    std::string bytes = with_number(task.member) + with_number(task.study);
     for (const std::string& text : task.overrides) bytes += with_number(text.size(), text);
     return bytes;
 }
 
 MemberTask task_from(std::string bytes) {
-    MemberTask task{take_number(bytes), {}};
+    MemberTask task{take_number(bytes), {}, take_number(bytes)};
     while (!bytes.empty()) task.overrides.push_back(take_text(bytes));
     return task;
 }

@@ -11,7 +11,7 @@ namespace frana::app {
 
 /// What the ranks of a study send each other. Rank 0 reads, gives out members and writes; the others compute.
 enum class RankMessage {
-    start,        ///< from rank 0: a hash of the study's identity
+    start,        ///< from rank 0: a hash of what decides its members
     member,       ///< from rank 0: a task
     stop,         ///< from rank 0: nothing more is to be done
     ready,        ///< to rank 0: number of members that may run at once

@@ -20,9 +20,8 @@ RankPool::~RankPool() {
     }
 }
 
-void RankPool::start(const StudyInput& input) {
-    for (int rank = 1; rank < job_.size(); ++rank)
-        job_.send(rank, kind_of(RankMessage::start), text_hash(input.identity));
+void RankPool::start(const std::string& identity) {
+    for (int rank = 1; rank < job_.size(); ++rank) job_.send(rank, kind_of(RankMessage::start), text_hash(identity));
 }
 
 void RankPool::handle(ranks::Message& message, const std::function<void(std::size_t, const std::string&)>& keep) {

@@ -24,7 +24,8 @@ class RankPool {
     RankPool& operator=(const RankPool&) = delete;
 
     /// The study is ready: they may ask for members once they have read the same.
-    void start(const StudyInput& input);
+    /// @param identity facts that decide the members, the same in every rank
+    void start(const std::string& identity);
     /// Handles the messages that have arrived and gives out members; does not wait. Throws what went wrong in a rank,
     /// and what `keep` throws.
     void exchange(const std::function<std::optional<MemberTask>()>& take,

@@ -2,7 +2,6 @@
 #include "app/ensemble/rank_worker.h"
 
 #include <exception>
-#include <optional>
 #include <utility>
 
 #include "app/ensemble/member_threads.h"
@@ -43,8 +42,10 @@ void send_problem(const ranks::Job& job, const std::exception_ptr& problem) {
     }
 }
 
-void run_members(const ranks::Job& job, const StudyInput& input, int threads) {
-    MemberThreads members(input, threads);
+void run_members(const ranks::Job& job, const std::vector<StudyInput>& studies, int threads) {
+    std::vector<const StudyInput*> inputs;
+    for (const StudyInput& one : studies) inputs.push_back(&one);
+    MemberThreads members(std::move(inputs), threads);
     job.send(0, kind_of(RankMessage::ready), with_number(static_cast<std::size_t>(threads)));
     bool told = false;
     for (;;) {
@@ -61,33 +62,29 @@ void run_members(const ranks::Job& job, const StudyInput& input, int threads) {
     }
 }
 
-std::optional<StudyInput> read_study(const std::string& study, std::exception_ptr& problem) {
-    try {
-        RunLog silent(true);
-        return prepare_study(read_study_texts(study, silent), std::nullopt, silent);
-    } catch (...) {
-        problem = std::current_exception();
-        return std::nullopt;
-    }
-}
-
 }  // namespace
 
-void work_for_rank_0(const ranks::Job& job, const std::string& study, int threads) {
+void work_for_rank_0(const ranks::Job& job, const std::function<RankStudies()>& read, const std::string& file,
+                     int threads) {
     catch_stop_signals();
     std::exception_ptr problem;
-    const std::optional<StudyInput> input = read_study(study, problem);
+    RankStudies own;
+    try {
+        own = read();
+    } catch (...) {
+        problem = std::current_exception();
+    }
     const ranks::Message first = next_message(job);
     if (is(first, RankMessage::start)) {
-        if (input && text_hash(input->identity) != first.bytes)
+        if (!problem && text_hash(own.identity) != first.bytes)
             problem = std::make_exception_ptr(
-                Error(ErrorKind::input, Problem{"reads another study, scene or other data than rank 0", study, "", "",
+                Error(ErrorKind::input, Problem{"reads another study, scene or other data than rank 0", file, "", "",
                                                 "Give all machines the same files"}));
         if (problem) {
             send_problem(job, problem);
             wait_for_stop(job);
         } else {
-            run_members(job, *input, threads);
+            run_members(job, own.studies, threads);
         }
     }
     job.send(0, kind_of(RankMessage::bye));

@@ -11,6 +11,7 @@
 #include "app/ensemble/region_input.h"
 #include "app/input/scene_language.h"
 #include "app/input/share_directory.h"
+#include "app/process/status_line.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
@@ -37,10 +38,14 @@ SceneReading read_member(const study::StudyReading& reading, const std::vector<s
 }
 
 /// Problems that only some members have: each once, with the first member that has it.
-void add_members_problems(const study::StudyReading& reading, const study::SampleTable& table, SceneReading& central) {
+void add_members_problems(const study::StudyReading& reading, const study::SampleTable& table, bool quiet,
+                          SceneReading& central) {
+    StatusLine status(quiet);
     std::set<std::string> known;
     for (const Problem& problem : central.problems.list()) known.insert(problem.where + problem.what);
     for (std::size_t member = 0; member < table.size(); ++member) {
+        if (status.is_due())
+            status.show("checked " + std::to_string(member) + " of " + std::to_string(table.size()) + " members");
         const SceneReading scene = read_member(reading, table.overrides(member));
         for (Problem problem : scene.problems.list()) {
             if (!known.insert(problem.where + problem.what).second) continue;
@@ -48,6 +53,7 @@ void add_members_problems(const study::StudyReading& reading, const study::Sampl
             central.problems.add(problem);
         }
     }
+    status.finish();
 }
 
 void refuse_accuracy(SceneReading& central) {
@@ -168,7 +174,7 @@ void put_levels_on_cells(StudyInput& input, Problems& problems) {
 }
 
 /// Reads the scenes of the central member and of all members, and adds all problems to those of the former.
-void read_scenes(const std::vector<std::string>& central, StudyTexts& texts) {
+void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts& texts) {
     try {
         texts.central = read_member(texts.reading, central);
     } catch (const Error& error) {  // the scene is no INI
@@ -176,7 +182,7 @@ void read_scenes(const std::vector<std::string>& central, StudyTexts& texts) {
         texts.reading.problems.throw_if_any();
     }
     refuse_accuracy(texts.central);
-    if (!texts.reading.study.region) add_members_problems(texts.reading, texts.table, texts.central);
+    if (!texts.reading.study.region) add_members_problems(texts.reading, texts.table, quiet, texts.central);
     for (const Problem& problem : texts.reading.problems.list()) texts.central.problems.add(problem);
 }
 
@@ -217,7 +223,7 @@ StudyTexts read_study_texts(const std::string& path, RunLog& log) {
         texts.reading.problems.add(error);
         texts.reading.problems.throw_if_any();
     }
-    read_scenes(central, texts);
+    read_scenes(central, log.is_quiet(), texts);
     warn_of_changed_inputs(texts.reading.study.file, texts.central, log);
     return texts;
 }
@@ -226,7 +232,7 @@ StudyTexts read_study_scenes(study::StudyReading reading, study::SampleTable tab
     StudyTexts texts;
     texts.reading = std::move(reading);
     texts.table = std::move(table);
-    read_scenes(central_overrides(texts.reading.study, texts.table), texts);
+    read_scenes(central_overrides(texts.reading.study, texts.table), true, texts);
     return texts;
 }
 

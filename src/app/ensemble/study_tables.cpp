@@ -120,6 +120,11 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
               {"members_per_hour",
                facts.wall_seconds > 0 ? 3600 * static_cast<double>(facts.computed) / facts.wall_seconds : 0},
               {"crs", input.base.ground.crs_label}};
+    Json& varied = json["varied"] = Json::array();
+    for (const study::Variation& one : study.vary)
+        varied.push_back({{"key", one.key}, {"distribution", one.distribution.text}});
+    if (study.vary.empty() && !study.per_polygon())
+        for (const std::string& key : input.table.keys) varied.push_back({{"key", key}, {"distribution", "table"}});
     if (facts.levels.empty()) json["effective_members"] = result.finished.effective_size();
     for (const LevelSummary& level : facts.levels)
         json["levels"].push_back({{"cell_size", level.cell_size},

@@ -44,7 +44,7 @@ std::string target_crs(const SceneReading& reading, const TerrainInput* ground) 
 
 bool within_limits(const SceneReading& reading, const std::string& key, double value, const std::string& what,
                    Problems& problems) {
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const Parameter* const parameter = find_parameter(parameters, key);
     if (parameter == nullptr || !parameter->fits || parameter->fits(value)) return true;
     problems.add({what + " is out of range", reading.where(key),

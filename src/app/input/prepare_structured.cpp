@@ -157,7 +157,7 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
     const std::string& file = (*property.source)->name;
     if (ground == nullptr || !ground->on_demand)
         return read_zone_raster(reading, ground, property.key, file, nullptr, files, log, problems);
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const auto within = [reading, key = property.key,
                          fits = find_parameter(parameters, property.key)->fits](double value) {
         if (!fits || fits(value)) return value;

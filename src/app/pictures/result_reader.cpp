@@ -137,7 +137,7 @@ std::optional<std::string> ResultReader::scene_value(const std::string& key) con
     if (!has(k_scene_file)) return std::nullopt;
     for (const IniEntry& entry : read_ini(path(k_scene_file)))
         if (present_name(entry.name) == key) {
-            static const std::vector<Parameter> k_keys = scene_parameters();
+            static const std::vector<Parameter>& k_keys = scene_parameters();
             const Parameter* const parameter = find_parameter(k_keys, key);
             if (parameter == nullptr || !parameter->reads_files()) return entry.value;
             SceneSpec scene;

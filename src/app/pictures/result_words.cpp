@@ -17,6 +17,27 @@
 
 namespace frana::app {
 
+namespace {
+
+/// "material.friction-angle uniform(10, 26); ..." of a study's summary, the first keys.
+std::string varied_keys(const Json& summary) {
+    constexpr std::size_t k_most = 4;
+    const auto list = summary.find("varied");
+    if (list == summary.end() || !list->is_array()) return "";
+    std::vector<std::string> parts;
+    for (const Json& one : *list) {
+        if (parts.size() == k_most) {
+            parts.emplace_back("\u2026");
+            break;
+        }
+        parts.push_back(value_in<std::string>(one, "/key").value_or("") + " " +
+                        value_in<std::string>(one, "/distribution").value_or(""));
+    }
+    return joined(parts, "; ");
+}
+
+}  // namespace
+
 /// What maps of a study show besides their values: how many runs they are made of, and outlines of probability.
 void ResultReader::add_study(MapSource& source) const {
     source.extent = raster_on(source.terrain.grid.columns > 0 ? source.terrain.grid : grid(), k_hit_count);
@@ -30,6 +51,10 @@ void ResultReader::add_study(MapSource& source) const {
             source.subtitle = words_(
                 per_polygon ? "{1} sources, each failing alone" : "{1} runs with values drawn from their distributions",
                 {std::to_string(*finished)});
+        // A probability of values that somebody chose, and of a failure that is taken for granted: no hazard by itself.
+        if (const std::string keys = varied_keys(*summary); finished && !keys.empty())
+            source.scenario =
+                words_("If the slope fails: fraction of {1} runs; varied: {2}", {std::to_string(*finished), keys});
         if (failed && *failed > 0) source.notes.push_back(words_("{1} more runs failed", {std::to_string(*failed)}));
         if (error)
             source.notes.push_back(words_("Standard error of the probabilities at most {1} %",
@@ -56,7 +81,7 @@ Language ResultReader::own_language() const {
 }
 
 ClassSpec ResultReader::classes() const {
-    static const std::vector<Parameter> k_keys = scene_parameters();
+    static const std::vector<Parameter>& k_keys = scene_parameters();
     SceneSpec scene;
     for (const Parameter& key : k_keys)
         if (key.name().starts_with("output.classes"))

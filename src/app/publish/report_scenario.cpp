@@ -140,7 +140,7 @@ std::vector<std::string> told_keys(const SceneSpec& spec) {
 
 std::vector<std::string> values_told(const ReportInput& input, const Words& words) {
     const SceneSpec& spec = input.prepared.spec;
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     std::vector<std::string> told;
     for (const std::string& name : told_keys(spec)) {
         const Parameter& key = *find_parameter(parameters, name);

@@ -73,7 +73,7 @@ void KeptFiles::add_result(const std::string& folder, const std::vector<std::str
     }
     const fs::path scene = fs::path(folder) / k_scene_file;
     if (!fs::exists(scene, error)) return;
-    static const std::vector<Parameter> k_keys = scene_parameters();
+    static const std::vector<Parameter>& k_keys = scene_parameters();
     const std::string here = fs::absolute(folder).string();
     for (const IniEntry& entry : read_ini(scene.string())) {
         const Parameter* const key = find_parameter(k_keys, present_name(entry.name));

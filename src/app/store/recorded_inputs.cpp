@@ -105,7 +105,7 @@ fs::path recording_folder(const fs::path& scene) {
 
 /// Maps the files of a scene.
 void map_scene_files(SceneSpec& scene, const NamingText::FileMap& map) {
-    static const std::vector<Parameter> k_keys = scene_parameters();
+    static const std::vector<Parameter>& k_keys = scene_parameters();
     for (const Parameter& key : k_keys)
         if (key.reads_files()) key.map_files(scene, [&](const std::string& path) { return map(key.name(), path); });
 }

@@ -28,6 +28,7 @@ class RunLog {
     /// Adds the lines of earlier sessions before those of this one.
     void continue_from(const std::vector<std::string>& earlier);
 
+    [[nodiscard]] bool is_quiet() const noexcept { return quiet_; }
     [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }
     [[nodiscard]] const std::vector<Sentence>& warnings() const noexcept { return warnings_; }
     [[nodiscard]] std::string text() const;

@@ -79,12 +79,11 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Los valores se ajustan a estos eventos con este modelo; otro lugar, otro tamaño u otro modelo necesita su propia "
      "calibración."},
     // What the surveys say: src/study/calibration_posterior.cpp.
-    {"The surveys do not determine {1}: its interval of 90 %, {2} to {3}, is {4} % as wide as before.",
-     "I rilievi non determinano {1}: il suo intervallo del 90 %, da {2} a {3}, è ampio il {4} % di prima.",
-     "Die Kartierungen bestimmen {1} nicht: sein 90-%-Intervall, {2} bis {3}, ist {4} % so breit wie vorher.",
-     "Les levés ne déterminent pas {1}\u202F: son intervalle à 90\u202F%, {2} à {3}, a {4}\u202F% de sa largeur "
-     "d’avant.",
-     "Los levantamientos no determinan {1}: su intervalo del 90 %, {2} a {3}, tiene el {4} % de la anchura de antes."},
+    {"With the surveys {1} is {2} to {3} (90 %): {4} % of the width that it has without them.",
+     "Con i rilievi {1} è da {2} a {3} (90 %): il {4} % dell’ampiezza che ha senza di essi.",
+     "Mit den Kartierungen ist {1} {2} bis {3} (90 %): {4} % der Breite, die es ohne sie hat.",
+     "Avec les levés {1} va de {2} à {3} (90\u202F%)\u202F: {4}\u202F% de la largeur qu’elle a sans eux.",
+     "Con los levantamientos {1} va de {2} a {3} (90 %): el {4} % de la anchura que tiene sin ellos."},
     {"The surveys cannot tell {1} from {2}: greater values of one explain them as well with greater values of the "
      "other (correlation {3}).",
      "I rilievi non distinguono {1} da {2}: valori maggiori dell’uno li spiegano altrettanto bene con valori maggiori "
@@ -105,16 +104,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "plus petites valeurs de l’autre (corrélation {3}).",
      "Los levantamientos no distinguen {1} de {2}: valores mayores de uno los explican igual de bien con valores "
      "menores del otro (correlación {3})."},
-    {"The interval of every key is narrower than before, and no two keys are so correlated that the surveys could not "
-     "tell them apart.",
-     "L’intervallo di ogni chiave è più stretto di prima, e non ci sono due chiavi così correlate che i rilievi non "
-     "possano distinguerle.",
-     "Das Intervall jedes Schlüssels ist enger als vorher, und keine zwei Schlüssel sind so korreliert, dass die "
-     "Kartierungen sie nicht unterscheiden könnten.",
-     "L’intervalle de chaque clé est plus étroit qu’avant, et il n’y a pas deux clés si corrélées que les levés ne "
-     "puissent les distinguer.",
-     "El intervalo de cada clave es más estrecho que antes, y no hay dos claves tan correlacionadas que los "
-     "levantamientos no puedan distinguirlas."},
     {"The posterior rests on few members (effective number {1}): its intervals are rough. Raise study.refine.",
      "La distribuzione a posteriori poggia su poche simulazioni (numero efficace {1}): i suoi intervalli sono "
      "approssimativi. Aumentare study.refine.",

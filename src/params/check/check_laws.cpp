@@ -25,7 +25,7 @@ bool by_place(const std::set<std::string>& given, const std::string& name) {
 
 void check_keys(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                 Problems& problems) {
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const std::vector<const Law*> selected = laws_of(scene);
     for (const std::string& name : law_keys()) {
         const Parameter& key = *find_parameter(parameters, name);

@@ -184,20 +184,24 @@ void add_scene(std::vector<Parameter>& list) {
 
 }  // namespace
 
-std::vector<Parameter> scene_parameters() {
-    std::vector<Parameter> list;
-    add_scene(list);
-    add_terrain(list);
-    add_release(list);
-    add_inflow(list);
-    add_material(list);
-    add_structured(list);
-    add_zones(list);
-    add_entrainment(list);
-    add_numerics(list);
-    add_rest(list);
-    add_input_parameters(list);
-    return list;
+const std::vector<Parameter>& scene_parameters() {
+    // Made once: a study reads a scene for each member.
+    static const std::vector<Parameter> k_list = [] {
+        std::vector<Parameter> list;
+        add_scene(list);
+        add_terrain(list);
+        add_release(list);
+        add_inflow(list);
+        add_material(list);
+        add_structured(list);
+        add_zones(list);
+        add_entrainment(list);
+        add_numerics(list);
+        add_rest(list);
+        add_input_parameters(list);
+        return list;
+    }();
+    return k_list;
 }
 
 const Parameter* find_parameter(const std::vector<Parameter>& parameters, const std::string& name) {

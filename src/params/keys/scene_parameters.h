@@ -9,7 +9,7 @@
 namespace frana {
 
 /// Returns every key of a scene file, in the order of the documentation and the echo.
-std::vector<Parameter> scene_parameters();
+const std::vector<Parameter>& scene_parameters();
 
 /// Returns the parameter "section.key"; null if there is none.
 const Parameter* find_parameter(const std::vector<Parameter>& parameters, const std::string& name);

@@ -24,7 +24,7 @@ SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::ve
 }
 
 std::optional<Problem> problem_of_key(const std::string& name, const std::string& value) {
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const Parameter* const parameter = find_parameter(parameters, present_name(name));
     if (parameter == nullptr) return unknown_key(parameters, name, name);
     SceneSpec scene;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/scene/scene_reader.h"
 
+#include <filesystem>
+
 #include "params/grammar/absolute_path.h"
 #include "params/grammar/nearest_name.h"
 #include "params/grammar/value_text.h"
@@ -23,11 +25,11 @@ std::optional<std::pair<std::string, std::string>> preset_of(const KeySource& fi
 
 std::optional<KeySource> preset_source(const std::string& name, const std::string& where, const std::string& directory,
                                        Problems& problems) {
+    const auto file = std::filesystem::path(directory) / (name + ".ini");
+    if (name.find('/') == name.npos && std::filesystem::is_regular_file(file))
+        return KeySource{Origin::preset, file.string(), read_ini(file.string())};
     std::vector<std::string> names;
-    for (const MaterialPreset& preset : material_presets(directory)) {
-        if (preset.name == name) return KeySource{Origin::preset, preset.file, preset.entries};
-        names.push_back(preset.name);
-    }
+    for (const MaterialPreset& preset : material_presets(directory)) names.push_back(preset.name);
     problems.add({"is not a material preset", where, name, joined(names, ", "), "`frana materials` prints them"});
     return std::nullopt;
 }

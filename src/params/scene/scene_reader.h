@@ -49,7 +49,7 @@ class SceneReader {
 
     SceneReading& reading_;
     std::string directory_;
-    std::vector<Parameter> parameters_;
+    const std::vector<Parameter>& parameters_;
     std::set<std::string> given_;  ///< by the preset, the file or the command line, valid or not
 };
 

@@ -118,7 +118,6 @@ TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
     EXPECT_LE(friction["q05"].get<double>(), 17);
     EXPECT_GE(friction["q95"].get<double>(), 17);
     EXPECT_LT(friction["width_of_prior"].get<double>(), 0.7);
-    EXPECT_TRUE(friction["determined"].get<bool>());
     const Outcome best = frana({"run", "out/best.ini", "--out", "best", "--quiet"});
     ASSERT_EQ(best.exit_code, 0) << best.err;
     EXPECT_NEAR(json_number(read_text(path("best/comparison.json")), "jaccard"), json["best_score"].get<double>(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <csignal>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "ensemble/tiny_study.h"
@@ -240,6 +241,27 @@ TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {
             ASSERT_EQ(a.values[i], b.values[i]);
         }
     }
+}
+
+// GDAL takes a table without separators for none; `check` lists what each column is taken for.
+TEST_F(Ensemble, ATableOfOneColumnAndWhatItsColumnsAreTakenFor) {
+    write("one.csv", "material.friction-angle\n12\n\"15\"\n   \n");
+    write_study("sampling = table:one.csv\n", "");
+    ASSERT_EQ(run().exit_code, 0);
+    ASSERT_EQ(members().size(), 2U);  // a line of blanks is no member
+    EXPECT_EQ(members()[1]["material.friction-angle"], "15");
+    write("three.csv", "member,material.friction-angle,weight\n0,12,1\n1,14,2\n");
+    write_study("sampling = table:three.csv\n", "");
+    const Outcome outcome = frana({"check", "study.ini", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::vector<std::pair<std::string, std::string>> uses;
+    const Json document = parse_json(outcome.out);
+    for (const Json& column : document["columns"])
+        uses.emplace_back(column["name"].get<std::string>(), column["use"].get<std::string>());
+    EXPECT_EQ(uses,
+              (std::vector<std::pair<std::string, std::string>>{{"member", "a value of an earlier study, not used"},
+                                                                {"material.friction-angle", "varied"},
+                                                                {"weight", "weight of the member"}}));
 }
 
 TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {

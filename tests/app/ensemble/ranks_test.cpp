@@ -99,6 +99,30 @@ TEST_F(Ranks, UntilStopsAtTheSameMember) {
     EXPECT_EQ(members().size(), 64U);
 }
 
+// N programs fought for one lock.
+TEST_F(Ranks, ACalibrationSharesItsRuns) {
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "truth", "--quiet", "--set", "time.end=12"}).exit_code, 0);
+    write("slope.ini",
+          read_text(path("scene.ini")) + "[observed]\nperimeter = truth/extent.gpkg\nperimeter-layer = trace\n");
+    write("study.ini", "[study]\nscene = slope.ini\nsamples = 16\nrefine = 8\n[set]\ntime.end = 12\n" +
+                           std::string("[objective]\njaccard = 1\n") + k_two_keys);
+    ASSERT_EQ(frana({"calibrate", "study.ini", "--out", "alone", "--threads", "1", "--quiet"}).exit_code, 0);
+    const Outcome outcome = mpirun(3, {"calibrate", "study.ini", "--out", "ranks"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json_number(read_text(path("ranks/summary.json")), "threads"), 3);
+    EXPECT_EQ(read_text(path("ranks/calibration.json")), read_text(path("alone/calibration.json")));
+    EXPECT_EQ(read_text(path("ranks/best.ini")), read_text(path("alone/best.ini")));
+}
+
+// The first alone goes on; each of the others says that it does nothing.
+TEST_F(Ranks, ARunIsComputedByOneProcess) {
+    const Outcome outcome = mpirun(3, {"run", "scene.ini", "--out", "out", "--set", "time.end=3"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(path("out/summary.json")));
+    for (const char* text : {"rank 0 of 3 goes on alone", "rank 1 of 3 does nothing", "rank 2 of 3 does nothing"})
+        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+}
+
 // The death of any rank ends the job; nothing that was finished is lost.
 TEST_F(Ranks, ResumesAfterTheDeathOfARank) {
     write_study("samples = 120\n", k_two_keys);

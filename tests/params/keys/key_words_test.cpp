@@ -31,7 +31,7 @@ TEST(KeyWords, EveryKeyIsExplainedInEveryLanguage) {
 }
 
 TEST(KeyWords, LawsAndNumbersStandInTheLanguagesSentence) {
-    const std::vector<Parameter> keys = scene_parameters();
+    const std::vector<Parameter>& keys = scene_parameters();
     const Words german(Language::german), french(Language::french);
     EXPECT_EQ(meaning_in(*find_parameter(keys, "material.manning"), german),
               "n nach Manning. Benutzt von material.bed-friction = obrien-julien oder manning.");

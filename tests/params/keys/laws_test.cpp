@@ -126,7 +126,7 @@ using Laws = SceneFixture;
 
 // Keys named in the table exist, and each law is found by the keys that select it.
 TEST_F(Laws, OfTheTableReadKeysThatExist) {
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     for (const std::string& key : law_keys()) EXPECT_NE(find_parameter(parameters, key), nullptr) << key;
     for (const ZoneKey& key : zone_keys()) EXPECT_FALSE(readers_of(key.name).empty()) << key.name;
     for (const Law& law : laws()) {

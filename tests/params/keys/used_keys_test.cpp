@@ -12,7 +12,7 @@ namespace frana {
 namespace {
 
 bool uses(const SceneSpec& scene, const std::string& name, bool is_chosen = false) {
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     const Parameter* const key = find_parameter(parameters, name);
     EXPECT_NE(key, nullptr) << name;
     return key != nullptr && is_used(scene, *key, is_chosen);
@@ -20,7 +20,7 @@ bool uses(const SceneSpec& scene, const std::string& name, bool is_chosen = fals
 
 // Each key of a law that has a value counts with the law and with no other.
 TEST(UsedKeys, FollowTheLaws) {
-    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<Parameter>& parameters = scene_parameters();
     for (const std::string& name : law_keys()) {
         const Parameter& key = *find_parameter(parameters, name);
         for (const Law& law : laws()) {
