@@ -61,13 +61,16 @@ void ResultReader::add_study(MapSource& source) const {
                                           {words_.number(number_text(100 * *error, 2))}));
     }
     const std::string& crs = source.extent.grid.crs_wkt;
+    const auto first = summary ? value_in<double>(*summary, "/depth_thresholds_m/0") : std::nullopt;
+    const std::string threshold = first ? number_text(*first) : "?";
     for (const StudyQuantile& quantile : k_study_quantiles) {
         MultiPolygon area = outline(probability_layer(quantile.name), crs);
         if (area.empty()) continue;
         const Rgb colour = quantile.fraction < 0.5   ? k_unlikely_colour
                            : quantile.fraction > 0.5 ? k_likely_colour
                                                      : k_even_chance_colour;
-        source.marks.push_back({words_("Reached by {1} %", {words_.number(number_text(100 * quantile.fraction))}),
+        source.marks.push_back({words_("Deeper than {2} m in {1} % of the runs",
+                                       {words_.number(number_text(100 * quantile.fraction)), words_.number(threshold)}),
                                 std::move(area), colour, 1.6, quantile.fraction < 0.5});
     }
 }

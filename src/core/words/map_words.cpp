@@ -111,10 +111,9 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Exposed areas", "Aree esposte", "Gefährdete Flächen", "Surfaces exposées", "Áreas expuestas"},
     {"Cross-sections", "Sezioni", "Querschnitte", "Sections", "Secciones"},
     {"Gauges", "Punti di misura", "Messpunkte", "Points de mesure", "Puntos de medida"},
-    {"Reached by {1} %", "Raggiunto dal {1} %", "Erreicht von {1} %", "Atteint par {1}\u202F%",
-     "Alcanzado por el {1} %"},
-
-    // Views.
+    {"Deeper than {2} m in {1} % of the runs", "Più di {2} m nel {1} % delle simulazioni",
+     "Tiefer als {2} m in {1} % der Läufe", "Plus de {2} m dans {1}\u202F% des calculs",
+     "Más de {2} m en el {1} % de las simulaciones"},
     {"view to the {1}", "vista verso {1}", "Blick nach {1}", "vue vers {1}", "vista hacia {1}"},
     {"heights true to scale", "altezze in scala reale", "Höhen nicht überhöht", "hauteurs à l’échelle réelle",
      "alturas a escala real"},
