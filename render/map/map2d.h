@@ -65,7 +65,7 @@ struct ClassLabel {
 struct Print {
     double dots_per_inch = 0;     ///< 0: not printed (a film), no scale is written
     std::string sheet;            ///< "A4": the page is a sheet of paper; empty: it has the size of its pixels
-    std::optional<double> scale;  ///< n of 1 : n, exactly; none: on a sheet a round one, if the map hardly shrinks
+    std::optional<double> scale;  ///< n of 1 : n, exactly; none: a round one
 };
 
 /// Who made a map, and when: in the corner above its legend.

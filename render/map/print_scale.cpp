@@ -12,7 +12,6 @@ namespace {
 
 constexpr double k_inch = 0.0254;        // m
 constexpr double k_least_margin = 0.03;  // of the content's longer side, beside it
-constexpr double k_most_shrunk = 1.5;    // by a round scale
 constexpr double k_rounding = 1 + 1e-9;  // a scale may be equal to the least
 
 Bounds with_margin(const Bounds& box, double fraction) {
@@ -38,7 +37,7 @@ double scale_of(double metres_per_pixel, double dots_per_inch) {
 double round_scale_above(double n) {
     double decade = std::pow(10, std::floor(std::log10(n)));
     for (;; decade *= 10) {
-        for (const double step : {1.0, 2.0, 2.5, 5.0}) {
+        for (const double step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.5}) {
             const double scale = std::round(step * decade);
             if (scale * k_rounding >= n) return scale;
         }
@@ -51,7 +50,7 @@ double least_scale(const Print& print, const Bounds& required, int width, int he
 }
 
 Bounds window_at_scale(const Print& print, const Bounds& required, const Bounds& free, int width, int height) {
-    if (!(print.dots_per_inch > 0) || (!print.scale && print.sheet.empty())) return free;
+    if (!(print.dots_per_inch > 0)) return free;
     const double least = least_scale(print, required, width, height);
     if (print.scale) {
         if (*print.scale * k_rounding < least) {
@@ -62,9 +61,7 @@ Bounds window_at_scale(const Print& print, const Bounds& required, const Bounds&
         }
         return centred(required, metres_per_pixel(*print.scale, print.dots_per_inch), width, height);
     }
-    const double round = round_scale_above(least);
-    if (round > k_most_shrunk * scale_of(free.width() / width, print.dots_per_inch)) return free;
-    return centred(free, metres_per_pixel(round, print.dots_per_inch), width, height);
+    return centred(free, metres_per_pixel(round_scale_above(least), print.dots_per_inch), width, height);
 }
 
 std::string scale_words(double n, const Words& words) {

@@ -11,14 +11,14 @@ namespace frana::render {
 double metres_per_pixel(double n, double dots_per_inch);
 /// The inverse: n.
 double scale_of(double metres_per_pixel, double dots_per_inch);
-/// Returns the least usual scale of maps that is at least `n`: 500, 1000, 2000, 2500, 5000, 10 000, 20 000, 25 000 and
-/// so on.
+/// Returns the least round scale that is at least `n`: 1000, 1500, 2000, 2500, 3000, 4000, 5000, 7500 and ten times
+/// these, and so on: a map shrinks by a third at most.
 double round_scale_above(double n);
 
 /// Returns the ground shown in a frame of width x height pixels. `required`: must be visible; `free`: the same with a
-/// margin, and the frame's proportions. With print.scale: that scale, centred; without, on a sheet: the least round
-/// scale at which the content fits, if the map shrinks to no less than 2/3 of `free` (a longer side of 90 mm becomes
-/// at least 60 mm); else `free`. Throws Error(input) if the content does not fit at print.scale.
+/// margin, and the frame's proportions. With print.scale: that scale, centred; without, the least round scale at
+/// which the content fits; of what is not printed `free`. Throws Error(input) if the content does not fit at
+/// print.scale.
 Bounds window_at_scale(const Print& print, const Bounds& required, const Bounds& free, int width, int height);
 
 /// The least n at which `required` fits.

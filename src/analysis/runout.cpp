@@ -63,7 +63,7 @@ std::vector<Runout> runouts_by_flow(const SeparateFlows& flows, const Raster& be
     for (std::size_t flow = 0; flow < flows.count(); ++flow) {
         Runout& one = all[flow];
         one.covered_area_m2 = static_cast<double>(cells[flow]) * grid.cell_area();
-        one.reach_angle_deg = std::atan2(one.drop_m, one.horizontal_m) * 180 / std::numbers::pi;
+        one.reach_angle_deg = one.reach_angle(one.horizontal_m);
     }
     return all;
 }

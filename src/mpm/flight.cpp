@@ -165,12 +165,20 @@ double Flights::volume() const noexcept {
     return sum;
 }
 
+double Flights::Flight::squared_speed(double time, double gravity) const noexcept {
+    const double upwards = climb - gravity * std::max(0.0, time - begins);
+    return speed * speed + upwards * upwards;
+}
+
 double Flights::kinetic(double time, double gravity) const noexcept {
     double sum = 0;
-    for (const Flight& f : flights_) {
-        const double climb = f.climb - gravity * std::max(0.0, time - f.begins);
-        sum += 0.5 * get(f.particle, Field::volume) * (f.speed * f.speed + climb * climb);
-    }
+    for (const Flight& f : flights_) sum += 0.5 * get(f.particle, Field::volume) * f.squared_speed(time, gravity);
+    return sum;
+}
+
+double Flights::momentum(double time, double gravity) const noexcept {
+    double sum = 0;
+    for (const Flight& f : flights_) sum += get(f.particle, Field::volume) * std::sqrt(f.squared_speed(time, gravity));
     return sum;
 }
 

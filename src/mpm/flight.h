@@ -93,6 +93,8 @@ class Flights {
     [[nodiscard]] double volume() const noexcept;
     /// Returns the sum of V v^2 / 2 including the vertical part [m5/s2].
     [[nodiscard]] double kinetic(double time, double gravity) const noexcept;
+    /// Returns the sum of V |v| including the vertical part [m4/s].
+    [[nodiscard]] double momentum(double time, double gravity) const noexcept;
     [[nodiscard]] const JumpStatistics& statistics() const noexcept { return statistics_; }
     /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
     [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
@@ -124,6 +126,7 @@ class Flights {
         double speed = 0;  // in map view [m/s]
         bool left = false;
 
+        [[nodiscard]] double squared_speed(double time, double gravity) const noexcept;  // the vertical part included
         template <class Archive>
         void serialise(Archive& archive) {
             archive(particle, begins, ends, climb, speed, left);

@@ -195,6 +195,14 @@ std::size_t Flow::bytes_per_node() const noexcept {
     return sizeof(double) + sizeof(NodeRecord) + level + solid + Maxima::k_bytes + laws;
 }
 
+double Flow::momentum() const noexcept {
+    const ParticleSet& p = state_.particles;
+    const double *const u = p[Field::u], *const v = p[Field::v], *const volume = p[Field::volume];
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) sum += volume[i] * std::sqrt(u[i] * u[i] + v[i] * v[i]);
+    return sum + state_.flights.momentum(state_.time, laws_.gravity);
+}
+
 double Flow::volume() const {
     double sum = 0;
     const double* v = state_.particles[Field::volume];

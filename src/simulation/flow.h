@@ -88,6 +88,8 @@ class Flow {
     }
     [[nodiscard]] const voellmy_bingham::Laws& laws() const noexcept { return laws_; }
     [[nodiscard]] double volume_left() const noexcept { return state_.volume_left; }
+    /// Sum over the particles of volume times speed [m4/s], those in flight included, in their order.
+    [[nodiscard]] double momentum() const noexcept;
     /// Amounts exchanged between bed and flow so far.
     [[nodiscard]] const ExchangeReport& exchanged() const noexcept { return state_.exchanged; }
     /// Depth eroded from and deposited on each cell so far [m]; NaN where none. Only for scenes with exchange.

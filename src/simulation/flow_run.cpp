@@ -294,6 +294,7 @@ std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepStatistics&
             return StopReason::settled;
         if (fade_.energy(statistics.kinetic)) return StopReason::energy;
         if (fade_.moving(statistics.moving)) return StopReason::moving_volume;
+        if (scene_.time.stop_momentum > 0 && fade_.momentum(flow_.momentum())) return StopReason::momentum;
     }
     if (options_.stop_requested && options_.stop_requested()) return StopReason::requested;
     return std::nullopt;

@@ -109,9 +109,11 @@ void serialise(Archive& archive, HardEvents& events) {
 
 /// Changes of the main results over a last window of time.
 struct Settling {
-    double window = 0;   ///< [s]
-    double runout = 0;   ///< increase of the distance to the farthest cell of the trace [m]
-    double area = 0;     ///< relative growth of the trace
+    double window = 0;  ///< [s]
+    double runout = 0;  ///< increase of the distance to the farthest cell of the trace [m]
+    double area = 0;    ///< relative growth of the trace
+    /// Whether run-out and area changed by no more than time.stop-change allows: only the deposit may still creep.
+    bool front_is_final = false;
     double deposit = 0;  ///< fraction of all volume that moved to other cells; above 1 if it did so several times
 };
 
@@ -121,6 +123,7 @@ enum class StopReason {
     settled,
     energy,
     moving_volume,
+    momentum,
     all_left,
     requested,
     reached_no_data,
@@ -132,7 +135,7 @@ enum class StopReason {
 /// Returns whether a run that stopped for this reason before its end time has nothing more to compute.
 [[nodiscard]] constexpr bool ends_finally(StopReason reason) noexcept {
     return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy ||
-           reason == StopReason::moving_volume || reason == StopReason::all_left;
+           reason == StopReason::moving_volume || reason == StopReason::momentum || reason == StopReason::all_left;
 }
 
 /// The actual release of one area.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/flow_path.h"
 #include "analysis/trace.h"
 #include "simulation/run_check.h"
 #include "simulation/run_statistics.h"
@@ -48,7 +49,9 @@ Json volume_json(const RunResult& result) {
 }
 
 Json runout_json(const Runout& one) {
-    return {{"horizontal_m", one.horizontal_m}, {"drop_m", one.drop_m}, {"reach_angle_deg", one.reach_angle_deg}};
+    Json json{{"horizontal_m", one.horizontal_m}, {"drop_m", one.drop_m}, {"reach_angle_deg", one.reach_angle_deg}};
+    if (one.path_m > 0) json.update({{"path_m", one.path_m}, {"path_angle_deg", one.path_angle_deg()}});
+    return json;
 }
 
 void add_ground(Json& json, const char* where, const std::optional<GroundStatistics>& ground) {
@@ -67,6 +70,8 @@ TraceFigures trace_figures(const RunResult& result, const Raster& terrain, doubl
     figures.threshold = threshold;
     figures.covered_area_m2 = masked_area(trace);
     figures.run_outs = runouts(separate_flows(result), result.bed, result.release, trace);
+    if (Runout& first = figures.run_outs.front(); first.horizontal_m > 0)
+        first.path_m = length(flow_path(result.max_depth, first.top, first.tip));
     figures.high = peak_statistics(result, trace);
     figures.path_ground = ground_where(terrain, trace, 0);
     return figures;
@@ -82,6 +87,8 @@ std::string stop_word(StopReason reason) {
             return "energy";
         case StopReason::moving_volume:
             return "moving-volume";
+        case StopReason::momentum:
+            return "momentum";
         case StopReason::all_left:
             return "all-left";
         case StopReason::requested:
@@ -111,6 +118,7 @@ void add_end(Json& json, const RunResult& result, const SceneSpec& spec) {
         json["settling"] = {{"window_s", s.window},
                             {"runout_growth_m", s.runout},
                             {"area_growth", s.area},
+                            {"front_is_final", s.front_is_final},
                             {"deposit_change", s.deposit},
                             {"stop_change", spec.time.stop_change},
                             {"stop_window", spec.time.stop_window}};

@@ -95,13 +95,14 @@ bool SettlingWatch::settled(const AnyFlow& flow, double kinetic, double all) {
     samples_.erase(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(first));
     if (samples_.front().time > now.time - length) return false;
     Settling change{now.time - samples_.front().time, now.runout - samples_.front().runout,
-                    now.area > 0 ? (now.area - samples_.front().area) / now.area : 0, 0};
+                    now.area > 0 ? (now.area - samples_.front().area) / now.area : 0, false, 0};
     for (std::size_t i = 1; i < samples_.size(); ++i) change.deposit += samples_[i].moved;
     if (all > 0) change.deposit /= all;
-    last_ = change;
     const double most = time_.stop_change;
-    return now.area > 0 && kinetic < k_calm * peak_ && change.runout <= std::max(grid_.cell_size, most * now.runout) &&
-           change.area <= most && change.deposit <= k_of_deposit * most;
+    change.front_is_final = now.area > 0 && kinetic < k_calm * peak_ &&
+                            change.runout <= std::max(grid_.cell_size, most * now.runout) && change.area <= most;
+    last_ = change;
+    return change.front_is_final && change.deposit <= k_of_deposit * most;
 }
 
 template bool SettlingWatch::settled(const Flow&, double, double);

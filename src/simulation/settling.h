@@ -37,7 +37,7 @@ class SettlingWatch {
         bool there = last.has_value();
         archive(there);
         if (there && !last) last.emplace();
-        if (there) archive(last->window, last->runout, last->area, last->deposit);
+        if (there) archive(last->window, last->runout, last->area, last->front_is_final, last->deposit);
         if constexpr (Archive::k_reads) {
             if (!there) last.reset();
         }

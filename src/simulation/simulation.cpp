@@ -84,6 +84,8 @@ const char* describe(StopReason reason) {
             return worded("kinetic energy below the given fraction of its peak");
         case StopReason::moving_volume:
             return worded("moving volume below the given fraction of its peak");
+        case StopReason::momentum:
+            return worded("momentum below the given fraction of its peak");
         case StopReason::all_left:
             return worded("all material has left the domain");
         case StopReason::requested:

@@ -36,17 +36,18 @@ class StillWatch {
     double crawling_ = 0;
 };
 
-// Determines when a flow's motion has decreased below a scene's limit: kinetic energy or moving volume below a fraction
-// of its peak. Both grow from zero, so neither ends a flow that has not begun.
+// Determines when a flow's motion has decreased below a scene's limit: kinetic energy, moving volume or momentum below
+// a fraction of its peak. All grow from zero, so none ends a flow that has not begun.
 class FadeWatch {
   public:
     explicit FadeWatch(const TimeControl& time) : time_(time) {}
 
     bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_fraction); }
     bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_fraction); }
+    bool momentum(double now) { return under(now, momentum_peak_, time_.stop_momentum); }
     template <class Archive>
     void serialise(Archive& archive) {
-        archive(energy_peak_, moving_peak_);
+        archive(energy_peak_, moving_peak_, momentum_peak_);
     }
 
   private:
@@ -55,7 +56,7 @@ class FadeWatch {
         return now < fraction * peak;
     }
     const TimeControl& time_;
-    double energy_peak_ = 0, moving_peak_ = 0;
+    double energy_peak_ = 0, moving_peak_ = 0, momentum_peak_ = 0;
 };
 
 }  // namespace frana

@@ -98,6 +98,8 @@ class StructuredFlow {
         double depth = 0, qx = 0, qy = 0;
     };
     [[nodiscard]] Column column(std::size_t cell) const noexcept;
+    /// Sum over the cells of depth times speed of the column's two phases together, times their area [m4/s].
+    [[nodiscard]] double momentum() const;
     /// Speed along the bed of the faster phase in a cell [m/s].
     [[nodiscard]] double speed(std::size_t cell) const;
 

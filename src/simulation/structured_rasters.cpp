@@ -86,6 +86,15 @@ Raster StructuredFlow::max_pressure_where(const Raster& max_velocity) const {
     return pressure;
 }
 
+double StructuredFlow::momentum() const {
+    double sum = 0;
+    for_each_active_node([&](std::size_t cell) {
+        const Column c = column(cell);
+        sum += std::sqrt(c.qx * c.qx + c.qy * c.qy);
+    });
+    return sum * grid_.cell_area();
+}
+
 double StructuredFlow::speed(std::size_t cell) const {
     return std::max(fluid_speed(cell), solid_speed(cell));
 }

@@ -122,6 +122,20 @@ TEST(Run, EndsAtAFractionOfThePeakOfMovingVolume) {
     EXPECT_LT(result.simulated_seconds, whole.simulated_seconds);
 }
 
+// The momentum of a block is its volume times its speed, which the series has: 5 % of the greatest ends it.
+TEST(Run, EndsAtAFractionOfThePeakOfMomentum) {
+    Scene scene = slide();
+    scene.time.stop_momentum = 0.05;
+    const RunResult result = run(scene, {});
+    ASSERT_EQ(result.stop_reason, StopReason::momentum);
+    // |p| lies between the kinetic energy over half the greatest speed and the root of 2 E M (Cauchy-Schwarz).
+    double peak = 0;
+    for (const SeriesRow& row : result.series) peak = std::max(peak, std::sqrt(row.kinetic_energy));
+    EXPECT_LT(std::sqrt(result.series.back().kinetic_energy), 0.2 * peak);
+    scene.time.stop_momentum = 0.5;
+    EXPECT_LT(run(scene, {}).simulated_seconds, result.simulated_seconds);
+}
+
 TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
     Scene scene = slide();
     scene.entrainment.erosion = "growth";

@@ -36,6 +36,7 @@ TEST_P(Settles, WithTheValuesOfAMuchLongerRun) {
     EXPECT_LE(settled.settling->deposit, 0.004);
     EXPECT_LE(settled.settling->runout, scene.grid.cell_size);
     EXPECT_GE(settled.settling->window, 10);
+    EXPECT_TRUE(settled.settling->front_is_final);
     scene.time.end = 3 * settled.simulated_seconds;
     scene.time.stop_change = 0;
     const RunResult longer = run(scene, {});
@@ -59,7 +60,10 @@ TEST(Settling, NeverWhileItRunsOn) {
     scene.material.turbulence = 2;  // about half a metre a second
     scene.time.end = 200;
     scene.time.stop_change = 0.001;
-    EXPECT_EQ(run(scene, {}).stop_reason, StopReason::end_time);
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::end_time);
+    ASSERT_TRUE(result.settling);
+    EXPECT_FALSE(result.settling->front_is_final);
 }
 
 // A mass that begins to move slowly changes nothing for a while: its kinetic energy is then at its peak.

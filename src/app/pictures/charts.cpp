@@ -152,7 +152,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
         {words("Front"),
          seconds,
          words("distance [m]"),
-         {curve("front_distance_m", words("farthest particle"), k_purple)},
+         {curve("front_distance_m", words("farthest particle from the release's centroid"), k_purple)},
          {0}},
         {words("Covered area"),
          seconds,

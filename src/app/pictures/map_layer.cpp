@@ -34,6 +34,9 @@ bool set_from_table(const std::string& name, const ClassSpec& classes, const Wor
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
     layer.title = raster_title(*row, name, words);
+    // On steep ground vertical and normal depths differ by half; those used to other programs think of normal ones.
+    if (row->unit == "m" && row->description.find("vertical") != std::string::npos)
+        layer.legend_title = layer.title + ", " + words("vertical");
     layer.palette = row->palette;
     layer.classes = class_bounds(*row, classes, maximum(layer.values));
     if (row->zero_is_blank) hide_zeros(layer.values);

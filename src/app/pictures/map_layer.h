@@ -14,8 +14,9 @@ namespace frana::app {
 
 /// A raster of a file, ready to be drawn: nothing is computed from it.
 struct MapLayer {
-    std::string name;   ///< of the picture's file: "max_depth", "depth_t12.5"
-    std::string title;  ///< "Maximum depth"
+    std::string name;            ///< of the picture's file: "max_depth", "depth_t12.5"
+    std::string title;           ///< "Maximum depth"
+    std::string legend_title{};  ///< "Maximum depth, vertical"; empty: the title
     std::string unit;
     std::string palette = "depth";
     std::vector<double> classes;                 ///< bounds, the last may be infinite; empty: from the values

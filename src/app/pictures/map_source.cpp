@@ -98,7 +98,7 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     const std::string scenario = scenario_line(source);
     spec.subtitle = layer.time ? time_words(*layer.time, spec.words) : scenario;
     if (layer.time && !scenario.empty()) spec.subtitle += ", " + scenario;
-    spec.legend_title = layer.title;
+    spec.legend_title = layer.legend_title.empty() ? layer.title : layer.legend_title;
     spec.unit = layer.unit;
     spec.attribution = attribution(source);
     spec.source = layer.source;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t k_all_picture_bytes = 2'400'000;
 constexpr int k_picture_columns = 1600;
 constexpr std::size_t k_foot_letters = 60;
-constexpr std::size_t k_warnings = 4, k_warning_letters = 240;  // of an answer
+constexpr std::size_t k_warning_letters = 1000;  // of all in an answer
 
 /// Charts of studies and calibrations, by the names of their files.
 struct ChartTitle {
@@ -141,10 +141,16 @@ std::string figure_html(const std::string& path, const std::string& caption, con
 std::string first_warnings(const std::vector<Sentence>& warnings, const Words& words) {
     if (warnings.empty()) return "<p>" + escaped_markup(words("The run gave no warnings.")) + "</p>\n";
     std::string html;
-    for (std::size_t i = 0; i < std::min(k_warnings, warnings.size()); ++i)
-        html += "<p class=\"warning\"><b>" + escaped_markup(words("Warning:")) + "</b> " +
-                escaped_markup(elided(valid_utf8(warnings[i].in(words)), k_warning_letters)) + "</p>\n";
-    if (warnings.size() > k_warnings)
+    // Whole sentences, as many as leave room for the answer: half a warning may say the opposite.
+    std::size_t told = 0, letters = 0;
+    for (; told < warnings.size(); ++told) {
+        const std::string text = valid_utf8(warnings[told].in(words));
+        letters += text.size();
+        if (told > 0 && letters > k_warning_letters) break;
+        html +=
+            "<p class=\"warning\"><b>" + escaped_markup(words("Warning:")) + "</b> " + escaped_markup(text) + "</p>\n";
+    }
+    if (warnings.size() > told)
         html += "<p>" + escaped_markup(words("{1} warnings in all, see below.", {std::to_string(warnings.size())})) +
                 "</p>\n";
     return html;

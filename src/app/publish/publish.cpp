@@ -87,7 +87,9 @@ Sentence volume_that_moved(double fraction) {
 /// At the end time: the moving volume, and how fast the main results still grow.
 void warn_of_motion(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
-    if (!run_end(result).is_cut_short) return;
+    const RunEnd end = run_end(result);
+    if (end.creeps) log.info(creeping_sentence(end).text());
+    if (!end.is_cut_short) return;
     Sentence motion =
         worded("the flow still moves when time.end is reached: {1} % of its volume faster than {2} m/s",
                {percent(result.moving_fraction_limit), numeral(number_text(run.prepared.scene.time.moving_speed))});

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "analysis/ground_statistics.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
 #include "app/publish/report_comparison.h"
@@ -44,17 +46,63 @@ std::string arrivals(const ReportInput& input) {
     return " " + words("First arrival at gauges: {1}.", {joined(told, ", ") + more});
 }
 
+/// The cell of the greatest depth: one cell of a cliff is no depth of the flow.
+struct DeepestCell {
+    Point place;
+    double slope_deg = 0;
+};
+
+std::optional<DeepestCell> deepest_cell(const Raster& depth, const Raster& bed) {
+    std::optional<std::size_t> deepest;
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        if (!std::isnan(value) && (!deepest || value > depth.values[*deepest])) deepest = cell;
+    });
+    if (!deepest) return std::nullopt;
+    const GridSpec& grid = depth.grid;
+    const auto row = static_cast<std::int64_t>(*deepest) / grid.columns,
+               column = static_cast<std::int64_t>(*deepest) % grid.columns;
+    const double slope = slope_deg(bed, row, column);
+    return DeepestCell{grid.cell_centre(row, column), std::isnan(slope) ? 0 : slope};
+}
+
+/// What all but a thousandth of the area stays below; the greatest of a single cell in brackets.
+std::string strength_sentence(const ReportInput& input) {
+    const Words& words = input.words;
+    const ReportNumbers number(words);
+    const auto& [depth, speed] = std::pair(input.facts.high[0], input.facts.high[1]);
+    const auto cell = deepest_cell(input.result.max_depth, input.result.bed);
+    if (!cell || std::isnan(depth.p999) || std::isnan(speed.p999))
+        return words("The greatest depth is {1} m, the greatest speed {2} m/s.",
+                     {number(greatest(depth), 3), number(greatest(speed), 3)});
+    const auto when =
+        std::max_element(input.result.series.begin(), input.result.series.end(),
+                         [](const SeriesRow& a, const SeriesRow& b) { return a.max_depth < b.max_depth; });
+    const double normal = greatest(depth) * std::cos(cell->slope_deg * std::numbers::pi / 180);
+    return words(
+        "But for a thousandth of that area the flow is at most {1} m deep, vertically, and {2} m/s fast (one cell: {3} "
+        "m "
+        "vertical, {4} m normal to a bed of {5}°, after {6} s at E {7}, N {8}; one cell: {9} m/s).",
+        {number(depth.p999, 3), number(speed.p999, 3), number(greatest(depth), 3), number(normal, 3),
+         number(cell->slope_deg, 2), number(when->time, 3), number.grouped(cell->place.x),
+         number.grouped(cell->place.y), number(greatest(speed), 3)});
+}
+
 std::string where_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
     const SummaryFacts& f = input.facts;
     const Runout& run_out = f.statistics.run_out();
     std::string text = words(
-        "The material comes {1} m far in map view and falls {2} m: an angle of reach of {3}°. {4} m² are deeper than "
-        "{5} m at some time; the greatest depth is {6} m, the greatest speed {7} m/s.",
-        {number.grouped(run_out.horizontal_m), number.grouped(run_out.drop_m), number(run_out.reach_angle_deg, 3),
-         number.grouped(f.statistics.covered_area_m2), number(f.statistics.threshold), number(greatest(f.high[0]), 3),
-         number(greatest(f.high[1]), 3)});
+        "Run-out {1} m: straight in map view, from the top of the release to the farthest place reached, {2} m "
+        "lower: angle of reach {3}°.",
+        {number.grouped(run_out.horizontal_m), number.grouped(run_out.drop_m), number(run_out.reach_angle_deg, 3)});
+    if (run_out.path_m > 0)
+        text += " " + words("Along the flow path it is {1} m, at {2}°.",
+                            {number.grouped(run_out.path_m), number(run_out.path_angle_deg(), 3)});
+    text += " " +
+            words("{1} m² are deeper than {2} m at some time.",
+                  {number.grouped(f.statistics.covered_area_m2), number(f.statistics.threshold)}) +
+            " " + strength_sentence(input);
     if (const std::size_t flows = f.statistics.run_outs.size(); flows > 1)
         text += " " + words("{1} flows never met; the run-out is that of the longest.", {std::to_string(flows)});
     return paragraph(words("Where it goes."), text + arrivals(input));
@@ -87,6 +135,7 @@ std::string end_sentences(const ReportInput& input) {
     const RunResult& r = input.result;
     const RunEnd end = run_end(r);
     std::string text = end_sentence(end, words);
+    if (end.creeps) text += " " + creeping_sentence(end).in(words);
     if (end.is_cut_short)
         text += " " + words("Material was still moving: final depth and run-out are not those of the deposit.");
     if (r.volume_left > 0 && r.volume_entered > 0)
@@ -157,6 +206,8 @@ std::string answer_tables(const ReportInput& input) {
         {words("Run-out, in map view"), number.grouped(run_out.horizontal_m), "m", k_run_out_key},
         {words("Drop"), number.grouped(run_out.drop_m), "m", ""},
         {words("Angle of reach"), number(run_out.reach_angle_deg, 3), "°", ""},
+        {words("Run-out along the flow path"), number.grouped(run_out.path_m), "m", ""},
+        {words("Angle along the flow path"), number(run_out.path_m > 0 ? run_out.path_angle_deg() : 0, 3), "°", ""},
         {words("Area deeper than {1} m", {number(f.statistics.threshold)}),
          number.grouped(f.statistics.covered_area_m2), "m²", "covered_area_m2"},
     };

@@ -69,7 +69,7 @@ std::string series_charts(const ReportInput& input) {
         render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
         charts += chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words);
     };
-    add(words("front from the release [m]"), &SeriesRow::front_distance);
+    add(words("front from the release's centroid [m]"), &SeriesRow::front_distance);
     add(words("greatest speed [m/s]"), &SeriesRow::max_speed);
     add(words("greatest depth [m]"), &SeriesRow::max_depth);
     add(words("covered area [m²]"), &SeriesRow::covered_area);

@@ -47,7 +47,8 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
     if (reason && std::filesystem::exists(series)) {
         const SeriesEnds ends = read_series_ends(series);
         statistics.end = run_end(*reason, ends.simulated_seconds, ends.last_speed,
-                                 value_in<double>(*summary, "/moving_fraction").value_or(0));
+                                 value_in<double>(*summary, "/moving_fraction").value_or(0),
+                                 value_in<bool>(*summary, "/settling/front_is_final").value_or(false));
     }
     return statistics;
 }

@@ -16,12 +16,19 @@ constexpr double k_moving_volume = 0.01;
 
 RunEnd run_end(const RunResult& result) {
     const double fastest = result.series.empty() ? 0 : result.series.back().max_speed;
-    return run_end(describe(result.stop_reason), result.simulated_seconds, fastest, result.moving_fraction_limit);
+    return run_end(describe(result.stop_reason), result.simulated_seconds, fastest, result.moving_fraction_limit,
+                   result.settling && result.settling->front_is_final);
 }
 
-RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction) {
-    const bool at_end_time = reason == describe(StopReason::end_time);
-    return {reason, seconds, fastest, at_end_time && (fastest > k_moving_speed || moving_fraction > k_moving_volume)};
+RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final) {
+    const bool moves =
+        reason == describe(StopReason::end_time) && (fastest > k_moving_speed || moving_fraction > k_moving_volume);
+    return {reason, seconds, fastest, moves && !front_is_final, moves && front_is_final};
+}
+
+Sentence creeping_sentence(const RunEnd& end) {
+    return worded("Run-out and area have stopped changing; the deposit still creeps at up to {1} m/s.",
+                  {numeral(number_text(end.fastest, 2))});
 }
 
 std::string end_sentence(const RunEnd& end, const Words& words) {

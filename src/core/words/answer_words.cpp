@@ -38,18 +38,46 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Source of the preset {1}:", "Fonte del preset {1}:", "Quelle der Voreinstellung {1}:",
      "Source du préréglage {1}\u202F:", "Fuente del ajuste predefinido {1}:"},
     {"Where it goes.", "Dove va.", "Wohin es geht.", "Où cela va.", "Adónde va."},
-    {"The material comes {1} m far in map view and falls {2} m: an angle of reach of {3}°. {4} m² are deeper than {5} "
-     "m at some time; the greatest depth is {6} m, the greatest speed {7} m/s.",
-     "Il materiale percorre {1} m in pianta e scende di {2} m: angolo di propagazione {3}°. {4} m² sono coperti per "
-     "più di "
-     "{5} m in qualche momento; la profondità massima è {6} m, la velocità massima {7} m/s.",
-     "Das Material kommt im Grundriss {1} m weit und fällt {2} m: Pauschalgefälle {3}°. {4} m² sind irgendwann tiefer "
-     "als {5} m bedeckt; die größte Fließtiefe ist {6} m, die größte Geschwindigkeit {7} m/s.",
-     "Le matériau parcourt {1} m en plan et descend de {2} m\u202F: angle de propagation de {3}°. {4} m² sont couverts "
-     "de "
-     "plus de {5} m à un moment\u202F; la hauteur maximale est de {6} m, la vitesse maximale de {7} m/s.",
-     "El material recorre {1} m en planta y desciende {2} m: ángulo de alcance de {3}°. {4} m² quedan cubiertos por "
-     "más de {5} m en algún momento; la profundidad máxima es de {6} m y la velocidad máxima de {7} m/s."},
+    {"Run-out {1} m: straight in map view, from the top of the release to the farthest place reached, {2} m lower: "
+     "angle of reach {3}°.",
+     "Distanza di propagazione {1} m: in linea retta in pianta, dalla sommità del distacco al punto più lontano "
+     "raggiunto, {2} m più in basso: angolo di propagazione {3}°.",
+     "Reichweite {1} m: gerade im Grundriss, vom höchsten Punkt des Anrisses zum fernsten erreichten Ort, {2} m "
+     "tiefer: "
+     "Pauschalgefälle {3}°.",
+     "Distance de propagation {1} m\u202F: en ligne droite en plan, du sommet du départ au lieu atteint le plus "
+     "éloigné, {2} m plus bas\u202F: angle de propagation {3}°.",
+     "Alcance {1} m: en línea recta en planta, desde lo alto de la zona de inicio hasta el lugar alcanzado más lejano, "
+     "{2} m más abajo: ángulo de alcance {3}°."},
+    {"Along the flow path it is {1} m, at {2}°.", "Lungo il percorso della colata è {1} m, a {2}°.",
+     "Entlang des Fließwegs sind es {1} m bei {2}°.", "Le long du trajet de l’écoulement elle est de {1} m, à {2}°.",
+     "A lo largo de la trayectoria del flujo es de {1} m, a {2}°."},
+    {"Run-out along the flow path", "Distanza lungo il percorso", "Reichweite entlang des Fließwegs",
+     "Distance le long du trajet", "Alcance a lo largo de la trayectoria"},
+    {"Angle along the flow path", "Angolo lungo il percorso", "Winkel entlang des Fließwegs", "Angle le long du trajet",
+     "Ángulo a lo largo de la trayectoria"},
+    {"{1} m² are deeper than {2} m at some time.", "{1} m² sono coperti per più di {2} m in qualche momento.",
+     "{1} m² sind irgendwann tiefer als {2} m bedeckt.", "{1} m² sont couverts de plus de {2} m à un moment.",
+     "{1} m² quedan cubiertos por más de {2} m en algún momento."},
+    {"The greatest depth is {1} m, the greatest speed {2} m/s.",
+     "La profondità massima è {1} m, la velocità massima {2} m/s.",
+     "Die größte Fließtiefe ist {1} m, die größte Geschwindigkeit {2} m/s.",
+     "La hauteur maximale est de {1} m, la vitesse maximale de {2} m/s.",
+     "La profundidad máxima es de {1} m y la velocidad máxima de {2} m/s."},
+    {"But for a thousandth of that area the flow is at most {1} m deep, vertically, and {2} m/s fast (one cell: {3} m "
+     "vertical, {4} m normal to a bed of {5}°, after {6} s at E {7}, N {8}; one cell: {9} m/s).",
+     "Salvo su un millesimo di quell’area il flusso è profondo al massimo {1} m, in verticale, e veloce {2} m/s (una "
+     "cella: {3} m in verticale, {4} m normali a un letto di {5}°, dopo {6} s a E {7}, N {8}; una cella: {9} m/s).",
+     "Außer auf einem Tausendstel dieser Fläche ist der Strom höchstens {1} m tief, lotrecht, und {2} m/s schnell "
+     "(eine "
+     "Zelle: {3} m lotrecht, {4} m senkrecht zu einem Bett von {5}°, nach {6} s bei E {7}, N {8}; eine Zelle: {9} "
+     "m/s).",
+     "Sauf sur un millième de cette surface l’écoulement a au plus {1} m de hauteur verticale et {2} m/s de vitesse "
+     "(une maille\u202F: {3} m verticaux, {4} m normaux à un lit de {5}°, après {6} s à E {7}, N {8}\u202F; une "
+     "maille\u202F: {9} m/s).",
+     "Salvo en una milésima de esa superficie el flujo tiene como máximo {1} m de profundidad vertical y {2} m/s de "
+     "velocidad (una celda: {3} m en vertical, {4} m normales a un lecho de {5}°, a los {6} s en E {7}, N {8}; una "
+     "celda: {9} m/s)."},
     {"{1} flows never met; the run-out is that of the longest.",
      "{1} colate non si sono mai unite; la distanza di propagazione è quella della più lunga.",
      "{1} Ströme trafen sich nie; die Auslauflänge ist die des längsten.",
@@ -89,6 +117,11 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Die Rechnung endete nach {1} s: {2}; größte Geschwindigkeit dann {3} m/s.",
      "Le calcul s’est terminé après {1} s\u202F: {2}\u202F; vitesse maximale alors {3} m/s.",
      "El cálculo terminó a los {1} s: {2}; velocidad máxima entonces {3} m/s."},
+    {"Run-out and area have stopped changing; the deposit still creeps at up to {1} m/s.",
+     "Distanza di propagazione e area non cambiano più; il deposito scorre ancora, al massimo a {1} m/s.",
+     "Reichweite und Fläche ändern sich nicht mehr; die Ablagerung kriecht noch mit höchstens {1} m/s.",
+     "Distance de propagation et surface ne changent plus\u202F; le dépôt flue encore, au plus à {1} m/s.",
+     "Alcance y superficie ya no cambian; el depósito aún repta, como máximo a {1} m/s."},
     {"Material was still moving: final depth and run-out are not those of the deposit.",
      "Il materiale era ancora in moto: profondità finale e distanza di propagazione non sono quelle del deposito.",
      "Material bewegte sich noch: Endtiefe und Auslauflänge sind nicht die der Ablagerung.",
@@ -193,8 +226,9 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Curves over time: {1}", "Curve nel tempo: {1}", "Kurven über der Zeit: {1}", "Courbes dans le temps\u202F: {1}",
      "Curvas en el tiempo: {1}"},
     {"time [s]", "tempo [s]", "Zeit [s]", "temps [s]", "tiempo [s]"},
-    {"front from the release [m]", "fronte dal distacco [m]", "Front ab Anriss [m]", "front depuis le départ [m]",
-     "frente desde el inicio [m]"},
+    {"front from the release's centroid [m]", "fronte dal baricentro del distacco [m]",
+     "Front ab Schwerpunkt des Anrisses [m]", "front depuis le centre du départ [m]",
+     "frente desde el centro del inicio [m]"},
     {"greatest speed [m/s]", "velocità massima [m/s]", "größte Geschwindigkeit [m/s]", "vitesse maximale [m/s]",
      "velocidad máxima [m/s]"},
     {"greatest depth [m]", "profondità massima [m]", "größte Fließtiefe [m]", "hauteur maximale [m]",

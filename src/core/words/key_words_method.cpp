@@ -125,6 +125,18 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Enden, wenn das bewegte Volumen unter diesem Anteil seines Höchstwerts liegt; 0: aus.",
      "Terminer quand le volume en mouvement est sous cette fraction de son maximum\u202F; 0\u202F: désactivé.",
      "Terminar cuando el volumen en movimiento esté por debajo de esta fracción de su máximo; 0: desactivado."},
+    {"End once the momentum, the sum of mass times speed, is below this fraction of its peak; 0: off. 0.05 is "
+     "customary "
+     "for avalanches.",
+     "Terminare quando la quantità di moto, somma di massa per velocità, è sotto questa frazione del suo massimo; 0: "
+     "disattivato. 0,05 è usuale per le valanghe.",
+     "Enden, wenn der Impuls, die Summe von Masse mal Geschwindigkeit, unter diesem Anteil seines Höchstwerts liegt; "
+     "0: "
+     "aus. 0,05 ist bei Lawinen üblich.",
+     "Terminer quand la quantité de mouvement, somme des masses par la vitesse, est sous cette fraction de son "
+     "maximum\u202F; 0\u202F: désactivé. 0,05 est usuel pour les avalanches.",
+     "Terminar cuando la cantidad de movimiento, suma de masa por velocidad, esté por debajo de esta fracción de su "
+     "máximo; 0: desactivado. 0,05 es habitual en aludes."},
     {"Speed above which volume counts as moving.", "Velocità oltre la quale il volume conta come in moto.",
      "Geschwindigkeit, ab der Volumen als bewegt gilt.",
      "Vitesse au-delà de laquelle le volume compte comme en mouvement.",

@@ -59,7 +59,7 @@ void add_pictures(std::vector<Parameter>& list) {
                         "the name of its file"));
     list.push_back(number("output.map-scale", FRANA_MEMBER(output.map_scale), "", k_map_scales,
                           "Scale of maps on paper sizes (A4, A3): 5000 for 1 : 5000.",
-                          "a round one, if the flow still fills the page well; on pages in pixels what fits"));
+                          "the least round one at which the flow fits the page"));
     list.push_back(text("output.map-author", FRANA_MEMBER(output.map_author), "text",
                         "Author, in the title block of maps.", "none"));
     list.push_back(text("output.map-organisation", FRANA_MEMBER(output.map_organisation), "text",

@@ -122,6 +122,9 @@ void add_rest(std::vector<Parameter>& list) {
                           "End once the kinetic energy is below this fraction of its peak; 0: off."));
     list.push_back(number("time.stop-moving-fraction", FRANA_MEMBER(time.stop_moving_fraction), "", Range{0, 0.5},
                           "End once the moving volume is below this fraction of its peak; 0: off."));
+    list.push_back(number("time.stop-momentum", FRANA_MEMBER(time.stop_momentum), "", Range{0, 0.5},
+                          "End once the momentum, the sum of mass times speed, is below this fraction of its peak; 0: "
+                          "off. 0.05 is customary for avalanches."));
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
                           "Speed above which volume counts as moving."));
     list.push_back(number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},

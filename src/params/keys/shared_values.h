@@ -75,6 +75,7 @@ struct TimeValues {
     bool stop_when_still = true;      ///< end early once nothing moves
     double stop_energy_fraction = 0;  ///< end once the kinetic energy is below this fraction of its peak; 0: never
     double stop_moving_fraction = 0;  ///< end once the moving volume is below this fraction of its peak; 0: never
+    double stop_momentum = 0;         ///< end once the momentum is below this fraction of its peak; 0: never
     double moving_speed = 0.1;        ///< speed that counts as moving [m/s]
     double stop_window = 0.25;        ///< fraction of the time since material last entered
 };

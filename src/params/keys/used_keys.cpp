@@ -30,6 +30,7 @@ constexpr Condition k_conditions[] = {
     {"time.stop-window", [](const SceneSpec& s) { return s.time.stop_change > 0; }},
     {"time.stop-energy-fraction", [](const SceneSpec& s) { return s.time.stop_energy_fraction > 0; }},
     {"time.stop-moving-fraction", [](const SceneSpec& s) { return s.time.stop_moving_fraction > 0; }},
+    {"time.stop-momentum", [](const SceneSpec& s) { return s.time.stop_momentum > 0; }},
     {"time.frame-interval", [](const SceneSpec&) { return false; }},
     {"observed.threshold",
      [](const SceneSpec& s) { return s.observed.perimeter || s.observed.front || s.observed.deposit; }},

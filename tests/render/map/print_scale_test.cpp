@@ -19,13 +19,13 @@ TEST(PrintScale, MetresPerMillimetreOfPaper) {
 }
 
 TEST(PrintScale, RoundOnesAreThoseOfMaps) {
-    const std::pair<double, double> expected[] = {{410, 500},     {500, 500},     {501, 1000},
-                                                  {1001, 2000},   {2001, 2500},   {2501, 5000},
-                                                  {19000, 20000}, {20001, 25000}, {5e4 + 1, 1e5}};
+    const std::pair<double, double> expected[] = {{410, 500},     {500, 500},     {501, 750},
+                                                  {1001, 1500},   {2001, 2500},   {2501, 3000},
+                                                  {19000, 20000}, {20001, 25000}, {5e4 + 1, 75000}};
     for (const auto& [n, round] : expected) EXPECT_EQ(round_scale_above(n), round) << n;
 }
 
-TEST(PrintScale, IsRoundOnASheetIfTheMapHardlyShrinks) {
+TEST(PrintScale, IsRoundOnEveryPage) {
     const Print sheet{k_dots, "A4", std::nullopt};
     const Bounds content{1000, 2000, 1400, 2300};
     // 2000 x 1500 pixels are 200 x 150 mm; the content with a margin of 0.03 fits at 1 : 2120 and more.
@@ -34,12 +34,11 @@ TEST(PrintScale, IsRoundOnASheetIfTheMapHardlyShrinks) {
     const Bounds shown = window_at_scale(sheet, content, free, 2000, 1500);
     EXPECT_NEAR(shown.width(), 500, 1e-9);  // 200 mm at 1 : 2500
     EXPECT_NEAR((shown.west + shown.east) / 2, 1200, 1e-9);
-    // Content for which the next round scale would halve the map is drawn as large as it fits.
     const Bounds wide{1000, 2000, 1000 + 400 * 1.2, 2000 + 300 * 1.2};
     const Bounds wide_free{970, 1977, 1510, 2382};
-    EXPECT_EQ(window_at_scale(sheet, wide, wide_free, 2000, 1500).width(), 540);
-    // Pixels have no sheet, and a film no print.
-    EXPECT_EQ(window_at_scale({k_dots, "", std::nullopt}, content, free, 2000, 1500).width(), free.width());
+    EXPECT_NEAR(window_at_scale(sheet, wide, wide_free, 2000, 1500).width(), 600, 1e-9);  // 1 : 3000, 2544 would fit
+    EXPECT_NEAR(window_at_scale({k_dots, "", std::nullopt}, content, free, 2000, 1500).width(), 500, 1e-9);
+    // A film is not printed.
     EXPECT_EQ(window_at_scale({}, content, free, 2000, 1500).width(), free.width());
 }
 

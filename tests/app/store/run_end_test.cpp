@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/run_end.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+// "Raise time.end" where run-out and area have long been final cries wolf: eleven of fourteen real scenes crept on.
+TEST(RunEnd, TellsAFrontThatMovesFromADepositThatCreeps) {
+    const std::string at_end = describe(StopReason::end_time);
+    const RunEnd moves = run_end(at_end, 60, 3, 0.7, false), creeps = run_end(at_end, 600, 0.3, 0.02, true),
+                 rests = run_end(at_end, 600, 0.01, 0.001, false),
+                 settled = run_end(describe(StopReason::settled), 300, 0.5, 0.05, true);
+    EXPECT_TRUE(moves.is_cut_short && !moves.creeps);
+    EXPECT_TRUE(!creeps.is_cut_short && creeps.creeps);
+    EXPECT_FALSE(rests.is_cut_short || rests.creeps);
+    EXPECT_FALSE(settled.is_cut_short || settled.creeps);
+    EXPECT_NE(creeping_sentence(creeps).text().find("0.3 m/s"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frana::app
