@@ -107,6 +107,23 @@ std::string stop_word(StopReason reason) {
     return "end-time";
 }
 
+MotionAtEnd motion_at_end(bool at_end_time, double fastest, double moving_fraction, bool front_is_final) noexcept {
+    constexpr double k_moving_speed = 0.1;    // [m/s]
+    constexpr double k_moving_volume = 0.01;  // however thin it moves
+    const bool moves = at_end_time && (fastest > k_moving_speed || moving_fraction > k_moving_volume);
+    return {moves && !front_is_final, moves && front_is_final};
+}
+
+MotionAtEnd motion_at_end(const RunResult& result) noexcept {
+    return motion_at_end(result.stop_reason == StopReason::end_time,
+                         result.series.empty() ? 0 : result.series.back().max_speed, result.moving_fraction_limit,
+                         result.settling && result.settling->front_is_final);
+}
+
+double left_fraction(const RunResult& result) noexcept {
+    return result.volume_entered > 0 ? result.volume_left / result.volume_entered : 0;
+}
+
 void add_end(Json& json, const RunResult& result, const SceneSpec& spec) {
     json["steps"] = result.steps;
     json["simulated_seconds"] = result.simulated_seconds;

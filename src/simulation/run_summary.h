@@ -31,6 +31,24 @@ TraceFigures trace_figures(const RunResult& result, const Raster& terrain, doubl
 /// Returns one word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
 std::string stop_word(StopReason reason);
 
+/// How material moved when the end time was reached.
+struct MotionAtEnd {
+    bool front = false;    ///< the front still moved: run-out and final depth are not those of the deposit
+    bool deposit = false;  ///< run-out and area had stopped changing, the deposit still crept
+};
+/// @param fastest greatest speed of the last step [m/s]
+/// @param moving_fraction fraction of the volume that still moved
+MotionAtEnd motion_at_end(bool at_end_time, double fastest, double moving_fraction, bool front_is_final) noexcept;
+MotionAtEnd motion_at_end(const RunResult& result) noexcept;
+
+/// Fraction of the volume through the edges of the computed ground from which a run-out is not the full one.
+inline constexpr double k_left_ground = 1e-3;
+/// Fraction of the volume that left.
+double left_fraction(const RunResult& result) noexcept;
+inline bool left_ground(const RunResult& result) noexcept {
+    return left_fraction(result) > k_left_ground;
+}
+
 // Each adds some keys, in the order of summary.json.
 void add_end(Json& json, const RunResult& result, const SceneSpec& spec);
 void add_particles(Json& json, const RunResult& result);

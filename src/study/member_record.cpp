@@ -16,6 +16,7 @@
 #include "core/words/words.h"
 #include "simulation/run_check.h"
 #include "simulation/run_intensity.h"
+#include "simulation/run_summary.h"
 #include "simulation/simulation.h"
 
 namespace frana::study {
@@ -23,7 +24,7 @@ namespace {
 
 constexpr char k_magic[8] = {'f', 'r', 'a', 'n', 'a', ' ', 'm', 'b'};
 /// Increases with every change of what a record contains.
-constexpr std::uint32_t k_format = 2;
+constexpr std::uint32_t k_format = 3;
 constexpr std::size_t k_head_bytes = sizeof k_magic + sizeof k_format + sizeof(std::uint64_t);
 
 void add_bytes(std::string& bytes, const void* from, std::size_t count) {
@@ -138,6 +139,12 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     for (const RunValue& value : reported_values(result, scene, threshold))
         record.figures.push_back({value.key, value.title, value.unit, value.value});
     record.figures.push_back({"volume_m3", worded("volume"), "m3", result.volume_entered});
+    record.end = {stop_word(result.stop_reason),
+                  motion_at_end(result).front,
+                  result.moving_fraction_limit,
+                  left_fraction(result),
+                  result.energy_error.value_or(k_no_data),
+                  {}};
     record.engine_seconds = result.engine_seconds;
     record.particle_steps = result.particle_steps;
     add_cells(result, record);
@@ -200,6 +207,11 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
         return std::nullopt;
     }
     return record;
+}
+
+std::optional<MemberRecord> read_record(const std::string& path, std::uint64_t member) {
+    auto record = read_record(path);
+    return record && record->member == member ? std::move(record) : std::nullopt;
 }
 
 std::optional<MemberRecord> read_record(const std::string& path) {

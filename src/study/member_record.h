@@ -9,7 +9,9 @@
 #include "analysis/hazard.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
+#include "core/words/sentence.h"
 #include "simulation/result.h"
+#include "simulation/run_summary.h"
 #include "simulation/run_values.h"
 #include "simulation/scene.h"
 
@@ -43,9 +45,29 @@ void serialise(Archive& archive, CellRun& run) {
 /// and the depth at the end.
 enum class Quantity { depth, velocity, arrival, pressure, intensity, final_depth };
 
+/// How a member's run ended, and what it warned of: what one run tells must reach the study's maps.
+struct MemberEnd {
+    std::string stop_reason;     ///< as in summary.json; empty: it could not start
+    bool is_cut = false;         ///< the front still moved at time.end (motion_at_end)
+    double moving_fraction = 0;  ///< of the volume
+    double left_fraction = 0;    ///< of the volume, through the edges of the computed ground
+    double energy_error = 0;     ///< NaN: not known
+    std::vector<Sentence> warnings;
+
+    /// Whether the full run-out is not known.
+    [[nodiscard]] bool left() const noexcept { return left_fraction > k_left_ground; }
+};
+
+template <class Archive>
+void serialise(Archive& archive, MemberEnd& end) {
+    archive(end.stop_reason, end.is_cut, end.moving_fraction, end.left_fraction, end.energy_error, end.warnings);
+}
+
 /// All that is kept of a member.
 struct MemberRecord {
     std::uint64_t member = 0;
+    std::string values;  ///< "key=value" line by line, files without their folders
+    MemberEnd end;
     std::string failure;                        ///< why its figures and maps are not used; empty: it is finished
     std::vector<Figure> figures;                ///< empty where it failed before its first step
     double engine_seconds = 0;                  ///< wall time: the only value that differs between two runs of a member
@@ -90,9 +112,10 @@ struct MemberRecord {
 
 template <class Archive>
 void serialise(Archive& archive, MemberRecord& record) {
-    archive(record.member, record.failure, record.figures, record.engine_seconds, record.particle_steps, record.west,
-            record.north, record.cell_size, record.columns, record.rows, record.runs, record.depth, record.velocity,
-            record.arrival, record.pressure, record.intensity, record.final_depth);
+    archive(record.member, record.values, record.end, record.failure, record.figures, record.engine_seconds,
+            record.particle_steps, record.west, record.north, record.cell_size, record.columns, record.rows,
+            record.runs, record.depth, record.velocity, record.arrival, record.pressure, record.intensity,
+            record.final_depth);
 }
 
 /// Returns a record without figures and cells, of a member on a grid.
@@ -119,7 +142,9 @@ std::optional<MemberRecord> record_from(const std::string& bytes);
 /// Writes a record aside, syncs it to the disk and renames it. Throws Error(environment).
 void write_record(const std::string& path, MemberRecord record);
 
-/// Returns record_from() a file; none if it does not exist.
+/// Returns record_from() a file; none if it does not exist or is the record of another member.
+std::optional<MemberRecord> read_record(const std::string& path, std::uint64_t member);
+/// The same of whatever member.
 std::optional<MemberRecord> read_record(const std::string& path);
 
 }  // namespace frana::study

@@ -148,6 +148,21 @@ std::string values_text(const SampleTable& table) {
     return text;
 }
 
+std::string values_text(const std::vector<std::string>& overrides) {
+    std::string text;
+    for (const std::string& one : overrides) {
+        const std::size_t equals = one.find('=');
+        const std::string key = one.substr(0, equals);
+        text += key + "=" +
+                with_files(key, one.substr(equals + 1),
+                           [](const std::string&, const std::string& path) {
+                               return std::filesystem::path(path).filename().string();
+                           }) +
+                "\n";
+    }
+    return text;
+}
+
 std::vector<std::string> SampleTable::overrides(std::size_t member) const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < keys.size(); ++k) list.push_back(keys[k] + "=" + values[member][k]);

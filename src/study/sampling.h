@@ -49,6 +49,8 @@ struct SampleTable {
 /// Returns one line for each value: two tables with the same text have the same members, if their files have the same
 /// content. Files are named without their folders, and numbered in the order of the members: a study can be moved.
 std::string values_text(const SampleTable& table);
+/// The values of one member, "key=value" line by line, files without their folders.
+std::string values_text(const std::vector<std::string>& overrides);
 
 /// Draws the members of a study that is not sampled by a table; its problems were thrown before. Adds a problem for a
 /// correlation that no distribution has.

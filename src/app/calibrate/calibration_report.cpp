@@ -141,7 +141,11 @@ std::string not_done(const Words& words) {
 
 std::string answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                    const CalibrationFacts& facts, const Words& words) {
-    return "<h2 id=\"answer\">" + escaped_markup(words("Values and answer")) + "</h2>\n" +
+    const std::string first =
+        facts.troubles.are_first()
+            ? "<p class=\"warning\"><b>" + escaped_markup(headline(facts.troubles).in(words)) + "</b></p>\n"
+            : "";
+    return first + "<h2 id=\"answer\">" + escaped_markup(words("Values and answer")) + "</h2>\n" +
            keys_table(input, result, words) + surveys_say(result, words) + scores_told(input, result, words) +
            runs_told(runs, result, words) + first_warnings(facts.warnings, words) + not_done(words);
 }

@@ -76,6 +76,14 @@ study::Misfits Stage::misfits() const {
     return all;
 }
 
+std::vector<RunOfStudy> Stage::runs() const {
+    std::vector<RunOfStudy> all;
+    for (const EventRuns& event : events)
+        for (std::size_t i = 0; i < event.members.size(); ++i)
+            all.push_back({i, event.members[i].end, event.members[i].failure});
+    return all;
+}
+
 std::size_t Stage::failed() const {
     std::size_t count = 0;
     for (const EventRuns& event : events)
@@ -92,11 +100,11 @@ EventRuns compare_members(const CalibrationInput& input, std::size_t event, cons
     study::FinishedMembers finished;
     for (std::size_t i = 0; i < members.table.size(); ++i) {
         const std::string file = record_file(records, i);
-        const auto record = study::read_record(file);
+        const auto record = own_record(members, records, i);
         if (!record)
             throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
                                                         "--resume computes that member again"});
-        runs.members.push_back({record->failure, {}, record->engine_seconds});
+        runs.members.push_back({record->failure, {}, record->engine_seconds, record->end});
         if (record->finished()) finished.records.push_back(file);
     }
     const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
@@ -105,7 +113,7 @@ EventRuns compare_members(const CalibrationInput& input, std::size_t event, cons
     runs.observed_runout = survey.observed_runout();
     for (std::size_t i = 0; i < runs.members.size(); ++i)
         if (runs.members[i].failure.empty())
-            runs.members[i].agreement = survey.compare(*study::read_record(record_file(records, i)));
+            runs.members[i].agreement = survey.compare(*own_record(members, records, i));
     return runs;
 }
 

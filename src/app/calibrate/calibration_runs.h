@@ -8,6 +8,7 @@
 
 #include "app/calibrate/calibration_input.h"
 #include "app/calibrate/event_survey.h"
+#include "app/ensemble/member_troubles.h"
 #include "app/ensemble/rank_pool.h"
 #include "app/ensemble/rank_worker.h"
 #include "app/text/run_log.h"
@@ -20,6 +21,7 @@ struct MemberOutcome {
     std::string failure;        ///< empty: finished
     MemberAgreement agreement;  ///< of a finished one
     double engine_seconds = 0;
+    study::MemberEnd end;
 };
 
 /// Runs of one event on one size of cells, and how far they are from its survey.
@@ -40,6 +42,8 @@ struct Stage {
     [[nodiscard]] std::size_t size() const noexcept { return places.size(); }
     /// NaN where a member failed.
     [[nodiscard]] study::Misfits misfits() const;
+    /// All runs of all events.
+    [[nodiscard]] std::vector<RunOfStudy> runs() const;
     /// Number of runs that failed.
     [[nodiscard]] std::size_t failed() const;
 };

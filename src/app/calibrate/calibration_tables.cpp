@@ -43,10 +43,12 @@ void add_misfits(const study::CalibrationSpec& calibration, const Stage& stage, 
             to.names.push_back(std::string("misfit ") + row_of(one.measure).name + " " + event);
     }
     to.names.emplace_back("engine_seconds");
+    to.names.insert(to.names.end(), std::begin(k_end_columns), std::end(k_end_columns));
     to.names.emplace_back("reason");
     for (std::size_t i = 0; i < stage.size(); ++i) {
         std::string reason;
         double seconds = 0;
+        study::MemberEnd worst;  // of the events
         for (std::size_t e = 0; e < stage.events.size(); ++e) {
             const MemberOutcome& one = stage.events[e].members[i];
             const bool finished = one.failure.empty();
@@ -55,8 +57,14 @@ void add_misfits(const study::CalibrationSpec& calibration, const Stage& stage, 
                 to.rows[i].push_back(finished ? shortest_text(one.agreement.parts[m]) : "");
             if (!finished) reason += (reason.empty() ? "" : "; ") + calibration.events[e].name + ": " + one.failure;
             seconds += one.engine_seconds;
+            worst.stop_reason += (e == 0 ? "" : "; ") + one.end.stop_reason;
+            worst.moving_fraction = std::max(worst.moving_fraction, one.end.moving_fraction);
+            worst.left_fraction = std::max(worst.left_fraction, one.end.left_fraction);
+            worst.energy_error = std::fmax(worst.energy_error, one.end.energy_error);
+            worst.warnings.insert(worst.warnings.end(), one.end.warnings.begin(), one.end.warnings.end());
         }
         to.rows[i].push_back(shortest_text(seconds));
+        for (std::string& cell : end_values(worst)) to.rows[i].push_back(std::move(cell));
         to.rows[i].push_back(reason);
     }
 }
@@ -204,6 +212,7 @@ std::string calibration_summary_json(const CalibrationInput& input, const Calibr
         {"refine", runs.refined ? runs.refined->size() : 0},
         {"runs", members * input.events()},
         {"failed_runs", failed},
+        {"run_troubles", json_of(facts.troubles)},
         {"wall_seconds", facts.wall_seconds},
         {"threads", facts.threads},
         {"runs_per_hour", facts.wall_seconds > 0 ? 3600 * static_cast<double>(runs.computed) / facts.wall_seconds : 0},

@@ -23,6 +23,7 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
 
 /// What a calibration cost.
 struct CalibrationFacts {
+    Troubles troubles;
     double wall_seconds = 0;
     int threads = 1;
     std::vector<Sentence> warnings;

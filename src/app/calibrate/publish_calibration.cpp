@@ -110,7 +110,17 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     const CalibrationResult result = calibration_result(input, runs);
     StudyOutcome outcome;
+    const std::vector<RunOfStudy> all = runs.last().runs();
+    const Troubles troubles = troubles_of(all, false);
+    outcome.has_troubles = troubles.any();
+    if (troubles.cut + troubles.left > 0) {
+        log.warn(headline(troubles));
+        log.warn(
+            worded("The scores of runs that were cut or left the ground are those of unfinished flows, and so is the "
+                   "posterior: raise time.end, or use a larger DTM"));
+    }
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
+    for (const Sentence& kind : kinds_of_warnings(all)) log.warn(kind);
     if (const auto warning = study::few_members(result.effective)) log.warn(*warning);
     write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
@@ -124,7 +134,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const bool mapped = publish_calibration_maps(input, runs, result, directory, log);
     outcome.pictures_failed = !draw(input, runs, result, directory, log) || !mapped;
     tell(input, result, log);
-    const CalibrationFacts facts{since_start.seconds(), threads, log.warnings(), today()};
+    const CalibrationFacts facts{troubles, since_start.seconds(), threads, log.warnings(), today()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);
     write_text_file(directory.path(k_summary_file), calibration_summary_json(input, runs, facts));
     write_text_file(directory.path(k_log_file), log.text());

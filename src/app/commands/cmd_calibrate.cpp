@@ -91,7 +91,7 @@ int cmd_calibrate(const Arguments& arguments) {
     }
     log.note("computed " + std::to_string(runs->computed) + " runs in " + number_text(since_start.seconds(), 3) + " s");
     const StudyOutcome outcome = publish_calibration(input, *runs, all_threads, since_start, directory, log);
-    return publish_result(input.identity, outcome, directory, log);
+    return publish_result(input.identity, outcome, values->count("strict") > 0, directory, log);
 }
 
 }  // namespace frana::app

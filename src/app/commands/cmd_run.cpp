@@ -31,6 +31,7 @@
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "simulation/run_check.h"
+#include "simulation/run_summary.h"
 #include "simulation/scene_origin.h"
 #include "simulation/simulation.h"
 #include "study/read_calibration.h"
@@ -50,7 +51,8 @@ CommandForm run_form() {
         "set", many("KEY=VALUE"),
         "section.key=value, overrides the scene; repeatable; paths are relative to the scene file")(
         "threads", one("N"), "number of threads (default: all processors)")("overwrite", "replace an existing result")(
-        "resume", "resume a run that was stopped or killed; without one, start at the beginning")(
+        "strict", k_strict_meaning)("resume",
+                                    "resume a run that was stopped or killed; without one, start at the beginning")(
         "accuracy", one("PERCENT"),
         "allowed error by estimate (5%): coarser cells as far as it allows (overrides numerics.accuracy)")(
         "memory-limit", one("SIZE"), "refuse a run that would need more (4GB, 500MB)")(
@@ -149,7 +151,7 @@ void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& 
 struct Session {
     const Prepared& prepared;
     int threads;
-    bool quiet, json_progress;
+    bool quiet, json_progress, strict;
     double input_seconds, earlier_seconds;
     const Stopwatch& since_start;
     std::optional<AccuracyRecord> accuracy;  ///< as decided before the run
@@ -262,7 +264,9 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     log.info("result in " + directory.target());
     if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
-    return code;
+    const bool refused = finished && session.strict && (motion_at_end(result).front || left_ground(result));
+    if (refused) log.print_deferred_warnings();
+    return refused ? static_cast<int>(ExitCode::numerical) : code;
 }
 
 bool wants_json_progress(const boost::program_options::variables_map& values) {

@@ -23,6 +23,10 @@ struct CommandForm {
     bool operand_optional = false;
 };
 
+/// Meaning of --strict, which run, ensemble, batch and calibrate have.
+inline constexpr const char* k_strict_meaning =
+    "exit code 3, after everything is written, if a run was cut, left the ground or failed";
+
 // The value of an option. Its name in the help also says what the shell completes: FILE, FOLDER, KEY=VALUE, MAP,
 // lower-case words ("2d|3d"); of another name nothing.
 inline auto* one(const char* name) {

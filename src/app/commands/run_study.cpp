@@ -163,7 +163,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
              " s");
     const StudyOutcome outcome =
         publish_study({input, ran.members, ran.computed, all_threads, since_start}, directory, log);
-    return publish_result(input.identity, outcome, directory, log);
+    return publish_result(input.identity, outcome, values->count("strict") > 0, directory, log);
 }
 
 }  // namespace frana::app

@@ -22,7 +22,7 @@ CommandForm study_form(const std::string& command, const std::string& meaning, c
                       limit = "refuse a " + what + " that would need more (4GB, 500MB)";
     form.options.add_options()("out", one("FOLDER"), out.c_str())(
         "threads", one("N"), "members that run side by side (default: all processors)")(
-        "overwrite", "replace an existing result")("resume", resume.c_str())(
+        "overwrite", "replace an existing result")("strict", k_strict_meaning)("resume", resume.c_str())(
         "memory-limit", one("SIZE"), limit.c_str())("quiet,q",
                                                     "no progress, no warnings on the terminal (they are in log.txt)");
     return form;
@@ -54,13 +54,15 @@ bool is_complete(const std::string& identity, const std::string& target) {
                                           "Choose another folder with --out, or add --overwrite"});
 }
 
-int publish_result(const std::string& identity, const StudyOutcome& outcome, ResultDirectory& directory, RunLog& log) {
+int publish_result(const std::string& identity, const StudyOutcome& outcome, bool strict, ResultDirectory& directory,
+                   RunLog& log) {
+    const bool refused = strict && outcome.has_troubles;
     const std::vector<Problem> of_the_older = directory.publish({text_hash(identity), 0, true}, log);
     remove_working_files(directory.target(), false, log);
     log.info("result in " + directory.target());
-    if (outcome.too_many_failed || outcome.pictures_failed) log.print_deferred_warnings();
+    if (refused || outcome.too_many_failed || outcome.pictures_failed) log.print_deferred_warnings();
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
-    if (outcome.too_many_failed) return static_cast<int>(ExitCode::numerical);
+    if (refused || outcome.too_many_failed) return static_cast<int>(ExitCode::numerical);
     return static_cast<int>(outcome.pictures_failed ? ExitCode::environment : ExitCode::done);
 }
 

@@ -51,6 +51,8 @@ void require_same_study(const std::string& identity, const std::string& folder);
 bool is_complete(const std::string& identity, const std::string& target);
 
 /// Gives a written result its name, and returns the exit code. Throws Error(environment).
-int publish_result(const std::string& identity, const StudyOutcome& outcome, ResultDirectory& directory, RunLog& log);
+/// @param strict whether a run that was cut, left the ground or failed makes the exit code 3
+int publish_result(const std::string& identity, const StudyOutcome& outcome, bool strict, ResultDirectory& directory,
+                   RunLog& log);
 
 }  // namespace frana::app

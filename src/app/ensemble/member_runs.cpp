@@ -16,7 +16,6 @@ MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int thre
       threads_(static_cast<std::size_t>(threads)),
       ranks_(ranks),
       study_(study),
-      queue_(folder_),
       progress_(records_in(folder_).size(), input.table.size(), quiet),
       members_(std::vector<const StudyInput*>(study + 1, &input), threads) {}
 
@@ -25,9 +24,11 @@ int MemberRunner::stopped_by() const {
 }
 
 std::optional<MemberTask> MemberRunner::take() {
-    const auto member = queue_.take();
-    if (!member) return std::nullopt;
-    return MemberTask{*member, input_.table.overrides(*member), study_};
+    while (next_ < end_) {
+        const std::size_t member = next_++;
+        if (!own_record(input_, folder_, member)) return MemberTask{member, input_.table.overrides(member), study_};
+    }
+    return std::nullopt;
 }
 
 void MemberRunner::keep(std::size_t member, const std::string& record) {
@@ -60,7 +61,7 @@ void MemberRunner::run_until_all_are_back() {
 }
 
 bool MemberRunner::run_until(std::size_t end) {
-    queue_.extend_to(end);
+    end_ = end;
     run_until_all_are_back();
     progress_.finish();
     return stopped_by() == 0;

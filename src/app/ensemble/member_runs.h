@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/ensemble/member_progress.h"
-#include "app/ensemble/member_queue.h"
 #include "app/ensemble/member_threads.h"
 #include "app/ensemble/rank_pool.h"
 #include "app/ensemble/study_input.h"
@@ -43,7 +42,7 @@ class MemberRunner {
     std::size_t threads_;
     RankPool* ranks_;
     std::size_t study_;
-    MemberQueue queue_;
+    std::size_t next_ = 0, end_ = 0;  ///< members below `next_` were given out or have a record
     MemberProgress progress_;
     std::size_t computed_ = 0, out_ = 0;  ///< out: given to the threads of this process
     MemberThreads members_;

@@ -72,7 +72,7 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         alone.records.push_back(record_file(folder, member.member));
         const CellWindow window = study::reached_window(alone, result.grid);
         if (window.rows == 0) continue;
-        const auto record = study::read_record(alone.records.front());
+        const auto record = own_record(input, folder, member.member);
         const Raster depth = record->raster(study::Quantity::depth, part_of(result.grid, window));
         PolygonFeature feature;
         feature.parts = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
@@ -83,6 +83,7 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
             feature.numbers["weight"] = result.finished.weights[i];
             feature.numbers["cell_size_m"] = input.table.level_runs[member.member].cell_size;
         }
+        add_end(member.end, feature.numbers, feature.texts);
         for (const study::Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
         for (std::size_t k = 0; k < input.table.keys.size(); ++k)
             feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
@@ -108,7 +109,7 @@ void write_kept_members(const StudyInput& input, const StudyResult& result, cons
         char name[40];
         std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
         directory.make_folder(name);
-        const auto record = study::read_record(record_file(directory.folder(), member.member));
+        const auto record = own_record(input, directory.folder(), member.member);
         write_member(input, member.member, *record, result.grid, directory, name);
     }
 }
@@ -165,8 +166,13 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     StudyOutcome outcome;
     StudyFacts facts;
     facts.levels = level_summaries(input, result);
-    outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
     const bool is_region = input.reading.study.region.has_value();
+    const std::vector<RunOfStudy> runs = result.runs();
+    facts.troubles = troubles_of(runs, is_region);
+    outcome.has_troubles = facts.troubles.any();
+    if (facts.troubles.cut + facts.troubles.left > 0) log.warn(headline(facts.troubles));
+    outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
+    for (const Sentence& kind : kinds_of_warnings(runs)) log.warn(kind);
     const study::StudySpec echoed = seen_from(input.reading.study, directory.target());
     write_text_file(directory.path(is_region ? k_region_file : k_study_file),
                     is_region ? study::region_text(echoed) : study::study_text(echoed));

@@ -21,6 +21,7 @@ struct FinishedStudy {
 struct StudyOutcome {
     bool too_many_failed = false;
     bool pictures_failed = false;
+    bool has_troubles = false;  ///< Troubles::any
 };
 
 /// Writes everything that follows from the members' records in the directory: rasters, tables, outlines, maps, charts,

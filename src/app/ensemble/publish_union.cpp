@@ -151,6 +151,7 @@ void write_slopes(const StudyInput& input, const StudyResult& result, const gis:
                          {"scenario", slope.scenario},
                          {"status", member.failure.empty() ? "finished" : "failed"},
                          {"reason", member.failure}};
+        add_end(member.end, feature.numbers, feature.texts);
         for (const study::Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
         for (std::size_t k = 0; k < input.table.keys.size(); ++k)
             feature.texts[input.table.keys[k]] = input.table.values[member.member][k];

@@ -92,6 +92,9 @@ std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, 
                           "with at least 50 %, {4} m² with at least 5 %.",
                           {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
                            number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
+    if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
+        text += " " + words("{1} runs were cut or failed and may have come farther: these values are lower bounds.",
+                            {std::to_string(unfinished)});
     return paragraph(words("Where it goes."), text);
 }
 
@@ -214,7 +217,10 @@ std::string study_answer(const StudyInput& input, const StudyResult& result, con
                     : words(
                           "Only what is named here is varied: errors of the model, of the terrain and of other "
                           "values are in no probability.");
-    std::string html = "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n";
+    std::string html;
+    if (facts.troubles.are_first())
+        html = "<p class=\"warning\"><b>" + escaped_markup(headline(facts.troubles).in(words)) + "</b></p>\n";
+    html += "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n";
     if (!per_polygon) html += released(input, result, words) + varied(input, words);
     html += per_polygon ? reached_by_sources(input, result, facts, words) : reached_by_runs(result, facts, words);
     html += sure(input, result, facts, words);

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/ensemble/member_run.h"
 #include "app/store/saved_work.h"
 
 namespace frana::app {
@@ -87,6 +88,12 @@ bool StudyResult::equal_weights() const {
                        [&](double weight) { return weight == design.weights.front(); });
 }
 
+std::vector<RunOfStudy> StudyResult::runs() const {
+    std::vector<RunOfStudy> all;
+    for (const MemberResult& one : members) all.push_back({one.member, one.end, one.failure});
+    return all;
+}
+
 std::size_t StudyResult::failed() const noexcept {
     return static_cast<std::size_t>(std::count_if(members.begin(), members.end(),
                                                   [](const MemberResult& member) { return !member.failure.empty(); }));
@@ -107,12 +114,12 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     StudyResult result;
     for (std::size_t member = 0; member < count; ++member) {
         const std::string file = record_file(folder, member);
-        auto record = study::read_record(file);
+        auto record = own_record(input, folder, member);
         if (!record)
             throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
                                                         "--resume computes that member again"});
-        result.members.push_back({member, record->failure, std::move(record->figures), record->engine_seconds,
-                                  record->particle_steps, record->grid().bounds()});
+        result.members.push_back({member, record->failure, std::move(record->end), std::move(record->figures),
+                                  record->engine_seconds, record->particle_steps, record->grid().bounds()});
         if (record->finished() && input.level_draws.empty())
             add_finished(input, folder, member, result.members.size() - 1, result.finished, result.finished_at);
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ensemble/member_troubles.h"
 #include "app/ensemble/study_input.h"
 #include "study/cell_statistics.h"
 #include "study/member_record.h"
@@ -19,6 +20,7 @@ namespace frana::app {
 struct MemberResult {
     std::size_t member = 0;
     std::string failure;  ///< empty: finished
+    study::MemberEnd end;
     std::vector<study::Figure> figures;
     double engine_seconds = 0;
     std::int64_t particle_steps = 0;
@@ -44,6 +46,8 @@ struct StudyResult {
     std::size_t groups = 0;
     GridSpec grid;  ///< of all maps
 
+    /// All members, as far as they may mislead.
+    [[nodiscard]] std::vector<RunOfStudy> runs() const;
     /// Members without a result.
     [[nodiscard]] std::size_t failed() const noexcept;
     /// Whether the members that sensitivities use count alike: only then are there any.

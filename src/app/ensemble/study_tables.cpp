@@ -65,7 +65,9 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
     text += slope_columns(input);
     for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
     for (const std::string& figure : figures) text += "," + csv_cell(figure);
-    text += ",engine_seconds,reason\n";
+    text += ",engine_seconds";
+    for (const char* column : k_end_columns) text += std::string(",") + column;
+    text += ",reason\n";
     std::vector<double> weights(result.members.size());  // 0: not used
     for (std::size_t i = 0; i < result.finished.size(); ++i)
         weights[result.finished_at[i]] = result.finished.weights[i];
@@ -79,7 +81,9 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
         text += slope_cells(input, member);
         for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
         for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
-        text += "," + shortest_text(member.engine_seconds) + "," + csv_cell(member.failure) + "\n";
+        text += "," + shortest_text(member.engine_seconds);
+        for (const std::string& cell : end_values(member.end)) text += "," + csv_cell(cell);
+        text += "," + csv_cell(member.failure) + "\n";
     }
     return text;
 }
@@ -115,6 +119,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
               {"samples", result.members.size()},
               {"finished", result.finished_at.size()},
               {"failed", result.failed()},
+              {"run_troubles", json_of(facts.troubles)},
               {"wall_seconds", facts.wall_seconds},
               {"threads", facts.threads},
               {"members_per_hour",

@@ -20,6 +20,7 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
 
 /// What a study's summary.json contains besides its members.
 struct StudyFacts {
+    Troubles troubles;
     study::MapError error;  ///< of all maps of probability
     std::optional<MedianMember> median;
     std::vector<LevelSummary> levels;  ///< of a multilevel study

@@ -7,6 +7,7 @@
 #include "app/pictures/result_reader.h"
 #include "app/store/json_file.h"
 #include "app/store/result_files.h"
+#include "app/store/run_troubles.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "gis/access/table_in.h"
@@ -55,6 +56,14 @@ void ResultReader::add_study(MapSource& source) const {
         if (const std::string keys = varied_keys(*summary); finished && !keys.empty())
             source.scenario =
                 words_("If the slope fails: fraction of {1} runs; varied: {2}", {std::to_string(*finished), keys});
+        const auto troubles = troubles_in(*summary);
+        if (troubles && troubles->cut + troubles->left > 0) {
+            const std::string told = headline(*troubles).in(words_);
+            if (troubles->are_first())
+                source.scenario = told + ". " + scenario_line(source);
+            else
+                source.notes.push_back(told);
+        }
         if (failed && *failed > 0) source.notes.push_back(words_("{1} more runs failed", {std::to_string(*failed)}));
         if (error)
             source.notes.push_back(words_("Standard error of the probabilities at most {1} %",

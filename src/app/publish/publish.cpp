@@ -85,14 +85,13 @@ Sentence volume_that_moved(double fraction) {
 }
 
 /// At the end time: the moving volume, and how fast the main results still grow.
-void warn_of_motion(const Finished& run, RunLog& log) {
-    const RunResult& result = run.result;
+void warn_of_motion(const Prepared& prepared, const RunResult& result, RunLog& log) {
     const RunEnd end = run_end(result);
     if (end.creeps) log.info(creeping_sentence(end).text());
     if (!end.is_cut_short) return;
     Sentence motion =
         worded("the flow still moves when time.end is reached: {1} % of its volume faster than {2} m/s",
-               {percent(result.moving_fraction_limit), numeral(number_text(run.prepared.scene.time.moving_speed))});
+               {percent(result.moving_fraction_limit), numeral(number_text(prepared.scene.time.moving_speed))});
     // The series contains the speed shown on maps.
     if (const double fastest = result.series.back().max_speed; fastest > 0)
         motion = worded("{1}, the fastest at {2} m/s", {motion, numeral(number_text(fastest, 3))});
@@ -106,10 +105,9 @@ void warn_of_motion(const Finished& run, RunLog& log) {
 }
 
 /// Warns of flow not shown on maps.
-void warn_of_thin_flow(const Finished& run, RunLog& log) {
-    const RunResult& result = run.result;
+void warn_of_thin_flow(const Prepared& prepared, const RunResult& result, RunLog& log) {
     if (result.thin_fraction < k_thin_fraction) return;
-    const double minimum = run.prepared.scene.numerics.minimum_depth;
+    const double minimum = prepared.scene.numerics.minimum_depth;
     const bool was_visible = maximum(result.max_depth) > 0;
     log.warn(worded(
         was_visible ? "at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
@@ -122,8 +120,8 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
 }
 
 /// Warns of flow on maps that is not in outlines and run-out.
-void warn_of_empty_trace(const Finished& run, RunLog& log) {
-    const double threshold = run.prepared.spec.output.trace_threshold, deepest = maximum(run.result.max_depth);
+void warn_of_empty_trace(const Prepared& prepared, const RunResult& result, RunLog& log) {
+    const double threshold = prepared.spec.output.trace_threshold, deepest = maximum(result.max_depth);
     if (!(deepest > 0) || deepest > threshold) return;
     log.warn(worded(
         "the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, deposit and covered area "
@@ -138,38 +136,6 @@ void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
     log.note(std::to_string(run_outs.size()) + " separate flows with run-outs from " +
              grouped(run_outs.back().horizontal_m) + " to " + grouped(run_outs.front().horizontal_m) +
              " m; maps and tables show the longest, summary.json lists all");
-}
-
-void warn_of_problem(const Finished& run, RunLog& log) {
-    const RunResult& result = run.result;
-    compare_volumes(run.prepared.release.file_volume, released_volume(result), log);
-    note_volumes(result, log);
-    for (const std::string& note : result.notes) log.note("engine: " + note);
-    if (result.stop_reason == StopReason::reached_no_data) {
-        log.warn(worded(
-            "the run ended because the flow reached ground without elevation: the map is incomplete; use a larger DTM, "
-            "or set terrain.nodata-policy to wall or fill"));
-    }
-    if (!result.hard_events.none())
-        log.warn(worded(
-            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json"));
-    warn_of_motion(run, log);
-    warn_of_thin_flow(run, log);
-    warn_of_empty_trace(run, log);
-    const double shown = shown_volume(result);
-    if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
-        log.warn(worded(
-            "the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are crowded, in "
-            "gullies narrower than a few cells, the depths shown are too small. Choose smaller cells, or take deposit "
-            "volumes from summary.json",
-            {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
-    }
-    if (result.volume_left > 0) {
-        log.warn(
-            worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
-                   "run-out; use a larger DTM or terrain.bounds",
-                   {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}));
-    }
 }
 
 /// What was asked of the values and what is claimed of them.
@@ -220,7 +186,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     const Stopwatch output_watch;
     const Prepared& prepared = run.prepared;
     const RunResult& result = run.result;
-    warn_of_problem(run, log);
+    warn_of_result(prepared, result, log);
     if (run.accuracy != nullptr) log_accuracy(*run.accuracy, log);
 
     const double threshold = prepared.spec.output.trace_threshold;
@@ -279,6 +245,37 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 }
 
 }  // namespace
+
+void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& log) {
+    compare_volumes(prepared.release.file_volume, released_volume(result), log);
+    note_volumes(result, log);
+    for (const std::string& note : result.notes) log.note("engine: " + note);
+    if (result.stop_reason == StopReason::reached_no_data) {
+        log.warn(worded(
+            "the run ended because the flow reached ground without elevation: the map is incomplete; use a larger DTM, "
+            "or set terrain.nodata-policy to wall or fill"));
+    }
+    if (!result.hard_events.none())
+        log.warn(worded(
+            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json"));
+    warn_of_motion(prepared, result, log);
+    warn_of_thin_flow(prepared, result, log);
+    warn_of_empty_trace(prepared, result, log);
+    const double shown = shown_volume(result);
+    if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
+        log.warn(worded(
+            "the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are crowded, in "
+            "gullies narrower than a few cells, the depths shown are too small. Choose smaller cells, or take deposit "
+            "volumes from summary.json",
+            {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
+    }
+    if (result.volume_left > 0) {
+        log.warn(
+            worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
+                   "run-out; use a larger DTM or terrain.bounds",
+                   {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}));
+    }
+}
 
 PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     if (frames.count() > 0) frames.finish();

@@ -2,18 +2,10 @@
 #include "app/store/run_end.h"
 
 #include "app/text/number_text.h"
+#include "simulation/run_summary.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
-namespace {
-
-/// Speed from which a flow counts as moving when the end time is reached [m/s].
-constexpr double k_moving_speed = 0.1;
-/// Fraction of the volume from which it does, however thin it moves.
-constexpr double k_moving_volume = 0.01;
-
-}  // namespace
-
 RunEnd run_end(const RunResult& result) {
     const double fastest = result.series.empty() ? 0 : result.series.back().max_speed;
     return run_end(describe(result.stop_reason), result.simulated_seconds, fastest, result.moving_fraction_limit,
@@ -21,9 +13,9 @@ RunEnd run_end(const RunResult& result) {
 }
 
 RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final) {
-    const bool moves =
-        reason == describe(StopReason::end_time) && (fastest > k_moving_speed || moving_fraction > k_moving_volume);
-    return {reason, seconds, fastest, moves && !front_is_final, moves && front_is_final};
+    const MotionAtEnd motion =
+        motion_at_end(reason == describe(StopReason::end_time), fastest, moving_fraction, front_is_final);
+    return {reason, seconds, fastest, motion.front, motion.deposit};
 }
 
 Sentence creeping_sentence(const RunEnd& end) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/words/sentence.h"
 #include "core/words/words.h"
 #include "simulation/result.h"
 

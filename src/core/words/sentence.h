@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,18 @@ class Sentence {
     [[nodiscard]] std::string in(const Words& words) const;
     [[nodiscard]] std::string text() const { return in(Words()); }
 
+    /// Two warnings with the same pattern are of one kind: only their values differ.
+    [[nodiscard]] const std::string& pattern() const noexcept { return text_; }
+
     bool operator==(const Sentence& other) const = default;
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [kind, text, values] = *this;
+        auto number = static_cast<std::uint8_t>(kind);
+        archive(number, text, values);
+        kind = static_cast<Kind>(std::min(number, static_cast<std::uint8_t>(Kind::pattern)));
+    }
 
   private:
     enum class Kind { verbatim, number, pattern };

@@ -16,6 +16,49 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Outline of all ground reached", "Perimetro di tutto il terreno raggiunto",
      "Umriss des gesamten erreichten Geländes", "Contour de tout le terrain atteint",
      "Contorno de todo el terreno alcanzado"},
+    // What the runs of a study warn of: src/app/store/run_troubles.cpp.
+    {"Extent, run-out and probabilities are lower bounds: {1}",
+     "Estensione, distanza di propagazione e probabilità sono limiti inferiori: {1}",
+     "Ausdehnung, Reichweite und Wahrscheinlichkeiten sind untere Grenzen: {1}",
+     "Étendue, distance de propagation et probabilités sont des bornes inférieures\u202F: {1}",
+     "Extensión, alcance y probabilidades son cotas inferiores: {1}"},
+    {"{1} of {2} runs were cut while their front still moved (up to {3} % of the volume)",
+     "{1} di {2} simulazioni sono state interrotte mentre il fronte era ancora in moto (fino al {3} % del volume)",
+     "{1} von {2} Läufen wurden abgebrochen, während ihre Front sich noch bewegte (bis {3} % des Volumens)",
+     "{1} calculs sur {2} ont été coupés alors que leur front avançait encore (jusqu’à {3}\u202F% du volume)",
+     "{1} de {2} simulaciones se cortaron mientras su frente aún se movía (hasta el {3} % del volumen)"},
+    {"{1} of {2} runs left the computed ground (up to {3} % of the volume)",
+     "{1} di {2} simulazioni hanno lasciato il terreno calcolato (fino al {3} % del volume)",
+     "{1} von {2} Läufen verließen das berechnete Gelände (bis {3} % des Volumens)",
+     "{1} calculs sur {2} ont quitté le terrain calculé (jusqu’à {3}\u202F% du volume)",
+     "{1} de {2} simulaciones salieron del terreno calculado (hasta el {3} % del volumen)"},
+    {"{1} of {2} runs failed", "{1} di {2} simulazioni sono fallite", "{1} von {2} Läufen scheiterten",
+     "{1} calculs sur {2} ont échoué", "{1} de {2} simulaciones fallaron"},
+    {"{1} of {2} runs warn, the first of them member {3}: {4}",
+     "{1} di {2} simulazioni avvertono, la prima è il membro {3}: {4}",
+     "{1} von {2} Läufen warnen, der erste ist Mitglied {3}: {4}",
+     "{1} calculs sur {2} avertissent, le premier est le membre {3}\u202F: {4}",
+     "{1} de {2} simulaciones avisan, la primera es el miembro {3}: {4}"},
+    {"{1} runs were cut or failed and may have come farther: these values are lower bounds.",
+     "{1} simulazioni sono state interrotte o sono fallite e potevano arrivare più lontano: questi valori sono limiti "
+     "inferiori.",
+     "{1} Läufe wurden abgebrochen oder scheiterten und wären vielleicht weiter gekommen: diese Werte sind untere "
+     "Grenzen.",
+     "{1} calculs ont été coupés ou ont échoué et auraient pu aller plus loin\u202F: ces valeurs sont des bornes "
+     "inférieures.",
+     "{1} simulaciones se cortaron o fallaron y pudieron llegar más lejos: estos valores son cotas inferiores."},
+    {"The scores of runs that were cut or left the ground are those of unfinished flows, and so is the posterior: "
+     "raise "
+     "time.end, or use a larger DTM",
+     "I punteggi delle simulazioni interrotte o uscite dal terreno sono quelli di colate non finite, e così la "
+     "distribuzione a posteriori: aumentare time.end o usare un DTM più grande",
+     "Die Bewertungen von Läufen, die abgebrochen wurden oder das Gelände verließen, sind die unfertiger Ströme, "
+     "ebenso "
+     "die A-posteriori-Verteilung: time.end erhöhen oder ein größeres DTM verwenden",
+     "Les scores des calculs coupés ou sortis du terrain sont ceux d’écoulements inachevés, de même la distribution a "
+     "posteriori\u202F: augmenter time.end ou prendre un MNT plus grand",
+     "Las puntuaciones de simulaciones cortadas o salidas del terreno son las de flujos inacabados, y así la "
+     "distribución a posteriori: aumentar time.end o usar un MDT mayor"},
     {"If the slope fails: fraction of {1} runs; varied: {2}",
      "Se il versante cede: frazione di {1} simulazioni; variati: {2}",
      "Falls der Hang versagt: Anteil von {1} Läufen; variiert: {2}",

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ensemble/member_troubles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/shortest_text.h"
+
+namespace frana::app {
+namespace {
+
+Sentence count(std::size_t number) {
+    return numeral(std::to_string(number));
+}
+
+/// A warning of the runs, told with the first that gave it.
+struct KindOfWarning {
+    Sentence first;
+    std::size_t member = 0, runs = 0;
+};
+
+}  // namespace
+
+Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
+    Troubles all;
+    all.each_counts = each_counts;
+    all.runs = runs.size();
+    for (const RunOfStudy& run : runs) {
+        all.failed += run.failure.empty() ? 0 : 1;
+        all.warned += run.end.warnings.empty() ? 0 : 1;
+        if (run.end.is_cut) {
+            ++all.cut;
+            all.most_moving = std::max(all.most_moving, run.end.moving_fraction);
+        }
+        if (run.end.left()) {
+            ++all.left;
+            all.most_left = std::max(all.most_left, run.end.left_fraction);
+        }
+    }
+    return all;
+}
+
+std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs) {
+    std::vector<std::string> order;
+    std::map<std::string, KindOfWarning> kinds;
+    for (const RunOfStudy& run : runs)
+        for (const Sentence& warning : run.end.warnings) {
+            const auto [kind, is_new] = kinds.try_emplace(warning.pattern(), KindOfWarning{warning, run.member, 0});
+            if (is_new) order.push_back(warning.pattern());
+            ++kind->second.runs;
+        }
+    std::vector<Sentence> sentences;
+    for (const std::string& pattern : order) {
+        const KindOfWarning& kind = kinds.at(pattern);
+        sentences.push_back(worded("{1} of {2} runs warn, the first of them member {3}: {4}",
+                                   {count(kind.runs), count(runs.size()), count(kind.member), kind.first}));
+    }
+    return sentences;
+}
+
+std::vector<std::string> end_values(const study::MemberEnd& end) {
+    const bool ran = !end.stop_reason.empty();
+    const auto cell = [&](double value) { return ran && !std::isnan(value) ? shortest_text(value) : std::string(); };
+    return {end.stop_reason, cell(end.moving_fraction), cell(end.left_fraction), cell(end.energy_error),
+            std::to_string(end.warnings.size())};
+}
+
+void add_end(const study::MemberEnd& end, std::map<std::string, double>& numbers,
+             std::map<std::string, std::string>& texts) {
+    texts["stop_reason"] = end.stop_reason;
+    numbers["warnings"] = static_cast<double>(end.warnings.size());
+    if (end.stop_reason.empty()) return;
+    numbers["moving_fraction"] = end.moving_fraction;
+    numbers["left_domain_fraction"] = end.left_fraction;
+    if (!std::isnan(end.energy_error)) numbers["energy_error"] = end.energy_error;
+}
+
+}  // namespace frana::app
