@@ -71,8 +71,10 @@ if(TARGET frana_library)
   debian_package(library "run-out of landslides: library"
     "The engine of frana for other programs: a scene in, a result out." NAME ${library} SECTION libs CODE
     SUGGESTS frana)
-  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
+  # Written here: CPack would look for such a line in every package, and warn of the modules, which have no soname.
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/shlibs "libfrana ${PROJECT_VERSION_MAJOR} ${library} (= ${PROJECT_VERSION})\n")
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers
+    ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
   debian_package(dev "run-out of landslides: header of the library"
     "The header of the engine of frana, and what CMake needs to find it." NAME libfrana-dev SECTION libdevel
     DEPENDS "${library} (= ${PROJECT_VERSION})")

@@ -56,6 +56,8 @@ struct MemberEnd {
 
     /// Whether the full run-out is not known.
     [[nodiscard]] bool left() const noexcept { return left_fraction > k_left_ground; }
+    /// Whether what it reached is a lower bound of what it would have.
+    [[nodiscard]] bool is_open() const noexcept { return is_cut || left(); }
 };
 
 template <class Archive>
@@ -66,7 +68,7 @@ void serialise(Archive& archive, MemberEnd& end) {
 /// All that is kept of a member.
 struct MemberRecord {
     std::uint64_t member = 0;
-    std::string values;  ///< "key=value" line by line, files without their folders
+    std::string key_values;  ///< "key=value" line by line, files without their folders
     MemberEnd end;
     std::string failure;                        ///< why its figures and maps are not used; empty: it is finished
     std::vector<Figure> figures;                ///< empty where it failed before its first step
@@ -112,7 +114,7 @@ struct MemberRecord {
 
 template <class Archive>
 void serialise(Archive& archive, MemberRecord& record) {
-    archive(record.member, record.values, record.end, record.failure, record.figures, record.engine_seconds,
+    archive(record.member, record.key_values, record.end, record.failure, record.figures, record.engine_seconds,
             record.particle_steps, record.west, record.north, record.cell_size, record.columns, record.rows,
             record.runs, record.depth, record.velocity, record.arrival, record.pressure, record.intensity,
             record.final_depth);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/error.h"
 #include "params/keys/result_rasters.h"
+#include "study/member_record.h"
 
 namespace frana::study {
 namespace {
@@ -102,6 +104,36 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
         add_moments(values, members.weights, cell, maps);
     });
     return maps;
+}
+
+std::vector<Raster> upper_bounds(const std::vector<Raster>& probability, const std::vector<OpenRun>& open,
+                                 Quantity quantity, const std::vector<double>& thresholds, const GridSpec& grid) {
+    double counted = 1, could = 0;
+    for (const OpenRun& run : open) {
+        counted -= run.is_counted ? 0 : run.weight;
+        could += run.weight;
+    }
+    std::vector<Raster> bounds(thresholds.size(), Raster(grid, could));
+    for (std::size_t t = 0; t < thresholds.size(); ++t)
+        probability[t].values.for_each_stored(
+            [&](std::size_t cell, double p) { bounds[t].values[cell] = could + counted * p; });
+    for (const OpenRun& run : open) {  // a hit that is in the probability is no second one
+        if (!run.is_counted) continue;
+        const auto record = read_record(run.record);
+        if (!record)
+            throw Error(ErrorKind::environment,
+                        Problem{"the record of a member cannot be read", run.record, "", "", ""});
+        const std::vector<float>& values = record->of(quantity);
+        record->for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+            if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
+            for (std::size_t t = 0; t < thresholds.size(); ++t)
+                if (static_cast<double>(values[index]) > thresholds[t]) bounds[t].at(row, column) -= run.weight;
+        });
+    }
+    for (std::size_t t = 0; t < thresholds.size(); ++t)
+        probability[t].values.for_each_stored(
+            [&](std::size_t cell, double p) { bounds[t].values[cell] = std::clamp(bounds[t].values[cell], p, 1.0); });
+    return bounds;
 }
 
 MapError map_error(const std::vector<Raster>& errors) {

@@ -25,6 +25,19 @@ struct QuantityMaps {
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds);
 
+/// A run of which nobody knows where it would have come: cut at time.end, or failed.
+struct OpenRun {
+    std::string record;       ///< its file
+    double weight = 0;        ///< the weights of all runs, open or not, have a sum of 1
+    bool is_counted = false;  ///< in the probabilities, as far as it came; those that failed are not
+};
+
+/// Returns an upper bound of each probability: every open run counts as a hit everywhere, for material behind may push
+/// its front farther and higher than it had energy when it was cut. Never less than the probability itself.
+/// @param probability of each threshold, of the runs that count
+std::vector<Raster> upper_bounds(const std::vector<Raster>& probability, const std::vector<OpenRun>& open,
+                                 Quantity quantity, const std::vector<double>& thresholds, const GridSpec& grid);
+
 /// Greatest and mean of the standard errors of probabilities over the cells where they are not 0.
 struct MapError {
     double largest = 0, mean = 0;

@@ -41,6 +41,24 @@ TEST_F(Cells, WhereAllMembersCameTheProbabilityIsOneAndItsErrorZero) {
     EXPECT_EQ(error_of_first(members_, 49, Quantity::depth, grid_, {0.5}).mean, 0);
 }
 
+// Two runs finished, one was cut on its way, one failed: 1 of 3 at the first cell may be 3 of 4.
+TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
+    add(record(0, {1, 1}));  // finished
+    add(record(0, {0.1F}));  // finished
+    add(record(4, {1}));     // cut: it counts as far as it came
+    const std::string failed = (folder_ / "failed").string();
+    write_record(failed, record(8, {2}));
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    const std::vector<OpenRun> open{{members_.records[2], 0.25, true}, {failed, 0.25, false}};
+    const Raster upper = upper_bounds(maps.probability, open, Quantity::depth, {0.5}, grid_).front();
+    EXPECT_DOUBLE_EQ(maps.probability[0].at(0, 0), 1.0 / 3);
+    EXPECT_DOUBLE_EQ(upper.at(0, 0), 0.75);
+    EXPECT_DOUBLE_EQ(maps.probability[0].at(1, 0), 1.0 / 3);
+    EXPECT_DOUBLE_EQ(upper.at(1, 0), 0.5);  // the cut one came, and is not counted twice
+    EXPECT_DOUBLE_EQ(upper.at(2, 3), 0.5);  // where nobody came
+    for (std::size_t i = 0; i < upper.values.size(); ++i) EXPECT_GE(upper.values[i], maps.probability[0].values[i]);
+}
+
 TEST_F(Cells, WeightsCountAsCopiesOfMembers) {
     add(record(0, {1}));
     add(record(0, {2}));

@@ -110,7 +110,9 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     const CalibrationResult result = calibration_result(input, runs);
     StudyOutcome outcome;
-    const std::vector<RunOfStudy> all = runs.last().runs();
+    std::vector<RunOfStudy> all = runs.design.runs();
+    if (runs.refined)
+        for (RunOfStudy& run : runs.refined->runs()) all.push_back(std::move(run));
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
     if (troubles.cut + troubles.left > 0) {
@@ -120,7 +122,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
                    "posterior: raise time.end, or use a larger DTM"));
     }
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
-    for (const Sentence& kind : kinds_of_warnings(all)) log.warn(kind);
+    for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);
     if (const auto warning = study::few_members(result.effective)) log.warn(*warning);
     write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));

@@ -23,11 +23,19 @@ void MapWriter::write(const std::string& name, const Raster& raster) const {
     write(name, {band_of(name, raster)});
 }
 
-void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& error) const {
+void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& error,
+                                  const Raster* upper) const {
     gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
     gis::RasterBand band = band_of(name, probability);
     band.zero_elsewhere = true;
-    write(name, {band, {error, text, true}});
+    std::vector<gis::RasterBand> bands{band, {error, text, true}};
+    if (upper != nullptr)
+        bands.push_back(
+            {*upper,
+             {name + "_upper", "Upper bound of the probability: runs that were cut or failed could have come", "-",
+              metadata_},
+             true});
+    write(name, bands);
 }
 
 gis::RasterBand MapWriter::band_of(const std::string& name, const Raster& raster) const {

@@ -19,7 +19,8 @@ class MapWriter {
 
     void write(const std::string& name, const Raster& raster) const;
     /// With its standard error as second band; 0, not nodata, where nothing came.
-    void write_probability(const std::string& name, const Raster& probability, const Raster& error) const;
+    void write_probability(const std::string& name, const Raster& probability, const Raster& error,
+                           const Raster* upper = nullptr) const;
 
   private:
     [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;

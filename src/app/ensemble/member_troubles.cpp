@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/shortest_text.h"
 
@@ -14,10 +15,11 @@ Sentence count(std::size_t number) {
     return numeral(std::to_string(number));
 }
 
-/// A warning of the runs, told with the first that gave it.
+/// A warning of the runs, told with the one that has the greatest fractions.
 struct KindOfWarning {
-    Sentence first;
+    Sentence worst;
     std::size_t member = 0, runs = 0;
+    double fraction = -1;
 };
 
 }  // namespace
@@ -29,6 +31,7 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
     for (const RunOfStudy& run : runs) {
         all.failed += run.failure.empty() ? 0 : 1;
         all.warned += run.end.warnings.empty() ? 0 : 1;
+        all.open += run.failure.empty() && run.end.is_open() ? 1 : 0;
         if (run.end.is_cut) {
             ++all.cut;
             all.most_moving = std::max(all.most_moving, run.end.moving_fraction);
@@ -41,20 +44,29 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
     return all;
 }
 
-std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs) {
+std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known) {
     std::vector<std::string> order;
     std::map<std::string, KindOfWarning> kinds;
-    for (const RunOfStudy& run : runs)
+    for (const RunOfStudy& run : runs) {
+        const double fraction = std::max(run.end.moving_fraction, run.end.left_fraction);
+        std::set<std::string> told;
         for (const Sentence& warning : run.end.warnings) {
-            const auto [kind, is_new] = kinds.try_emplace(warning.pattern(), KindOfWarning{warning, run.member, 0});
+            if (std::find(known.begin(), known.end(), warning) != known.end()) continue;
+            const auto [at, is_new] = kinds.try_emplace(warning.pattern());
             if (is_new) order.push_back(warning.pattern());
-            ++kind->second.runs;
+            KindOfWarning& kind = at->second;
+            kind.runs += told.insert(warning.pattern()).second ? 1 : 0;
+            if (!(fraction > kind.fraction)) continue;
+            kind.worst = warning;
+            kind.member = run.member;
+            kind.fraction = fraction;
         }
+    }
     std::vector<Sentence> sentences;
     for (const std::string& pattern : order) {
         const KindOfWarning& kind = kinds.at(pattern);
-        sentences.push_back(worded("{1} of {2} runs warn, the first of them member {3}: {4}",
-                                   {count(kind.runs), count(runs.size()), count(kind.member), kind.first}));
+        sentences.push_back(worded("{1} of {2} runs warn, most of all member {3}: {4}",
+                                   {count(kind.runs), count(runs.size()), count(kind.member), kind.worst}));
     }
     return sentences;
 }

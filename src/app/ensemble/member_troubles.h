@@ -21,8 +21,10 @@ struct RunOfStudy {
 /// @param each_counts as Troubles::each_counts
 Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts);
 
-/// One sentence for each kind of warning that the runs gave: of how many, and the first of them.
-std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs);
+/// One sentence for each kind of warning that the runs gave: of how many, and that of the run with the greatest
+/// fractions.
+/// @param known warnings of the study itself, which need not be told again
+std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known);
 
 /// The columns of these values in tables of members, and the cells of a run.
 inline constexpr const char* k_end_columns[] = {"stop_reason", "moving_fraction", "left_domain_fraction",

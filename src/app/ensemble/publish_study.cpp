@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "analysis/trace.h"
+#include "app/ensemble/member_run.h"
 #include "app/ensemble/publish_union.h"
 #include "app/ensemble/study_charts.h"
 #include "app/ensemble/study_exposure.h"
@@ -172,7 +173,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     outcome.has_troubles = facts.troubles.any();
     if (facts.troubles.cut + facts.troubles.left > 0) log.warn(headline(facts.troubles));
     outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
-    for (const Sentence& kind : kinds_of_warnings(runs)) log.warn(kind);
+    for (const Sentence& kind : kinds_of_warnings(runs, log.warnings())) log.warn(kind);
     const study::StudySpec echoed = seen_from(input.reading.study, directory.target());
     write_text_file(directory.path(is_region ? k_region_file : k_study_file),
                     is_region ? study::region_text(echoed) : study::study_text(echoed));

@@ -18,6 +18,7 @@
 #include "app/publish/publish_rasters.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
+#include "app/store/saved_work.h"
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "core/shortest_text.h"
@@ -85,6 +86,19 @@ bool is_drawn_at_once(const std::string& name) {
            name == "hazard_degree";
 }
 
+/// The runs that were cut, left the ground or failed. None of a multilevel study: its weights have either sign.
+std::vector<study::OpenRun> open_runs(const StudyInput& input, const StudyResult& result, const std::string& folder) {
+    std::vector<study::OpenRun> open;
+    if (!input.levels.empty()) return open;
+    double sum = 0;
+    for (const MemberResult& one : result.members) sum += input.table.weights[one.member];
+    for (const MemberResult& one : result.members)
+        if (one.end.is_open() || !one.failure.empty())
+            open.push_back(
+                {record_file(folder, one.member), input.table.weights[one.member] / sum, one.failure.empty()});
+    return open;
+}
+
 }  // namespace
 
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
@@ -111,12 +125,17 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                         StudyFacts& facts) {
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input.base, directory);
+    const std::vector<study::OpenRun> open = open_runs(input, result, directory.folder());
     std::vector<Raster> errors;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
         study::QuantityMaps maps =
             study::quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
+        const std::vector<Raster> upper =
+            open.empty() ? std::vector<Raster>{}
+                         : study::upper_bounds(maps.probability, open, events.quantity, events.thresholds, result.grid);
         for (std::size_t t = 0; t < events.rasters.size(); ++t)
-            writer.write_probability(events.rasters[t], maps.probability[t], maps.error[t]);
+            writer.write_probability(events.rasters[t], maps.probability[t], maps.error[t],
+                                     open.empty() ? nullptr : &upper[t]);
         if (events.quantity == study::Quantity::depth) {
             write_distribution(maps, "depth", writer);
             writer.write("hit_count", maps.hits);

@@ -64,6 +64,9 @@ void ResultReader::add_study(MapSource& source) const {
             else
                 source.notes.push_back(told);
         }
+        if (troubles && troubles->warned > 0)
+            source.notes.push_back(words_("{1} of {2} runs gave warnings",
+                                          {std::to_string(troubles->warned), std::to_string(troubles->runs)}));
         if (failed && *failed > 0) source.notes.push_back(words_("{1} more runs failed", {std::to_string(*failed)}));
         if (error)
             source.notes.push_back(words_("Standard error of the probabilities at most {1} %",

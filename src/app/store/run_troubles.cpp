@@ -24,8 +24,7 @@ Sentence percent(double fraction) {
 }  // namespace
 
 bool Troubles::are_first() const noexcept {
-    const std::size_t bad = cut + left;
-    return bad > 0 && (each_counts || static_cast<double>(bad) > k_many * static_cast<double>(runs));
+    return open > 0 && (each_counts || static_cast<double>(open) > k_many * static_cast<double>(runs));
 }
 
 Sentence headline(const Troubles& t) {
@@ -46,6 +45,7 @@ Json json_of(const Troubles& t) {
             {"left_ground", t.left},
             {"failed", t.failed},
             {"warned", t.warned},
+            {"lower_bounds", t.open},
             {"each_counts", t.each_counts},
             {"greatest_moving_fraction", t.most_moving},
             {"greatest_left_domain_fraction", t.most_left}};
@@ -62,6 +62,7 @@ std::optional<Troubles> troubles_in(const Json& summary) {
                     whole("left_ground"),
                     whole("failed"),
                     whole("warned"),
+                    whole("lower_bounds"),
                     value_in<double>(summary, "/run_troubles/greatest_moving_fraction").value_or(0),
                     value_in<double>(summary, "/run_troubles/greatest_left_domain_fraction").value_or(0),
                     value_in<bool>(summary, "/run_troubles/each_counts").value_or(false)};

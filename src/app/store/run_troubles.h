@@ -13,6 +13,7 @@ namespace frana::app {
 /// summary.json.
 struct Troubles {
     std::size_t runs = 0, cut = 0, left = 0, failed = 0, warned = 0;
+    std::size_t open = 0;                   ///< that were cut or left the ground, each once
     double most_moving = 0, most_left = 0;  ///< fractions of the volume, of the runs that were cut, that left
     bool each_counts = false;               ///< of a region: every slope is somebody's
 
@@ -20,8 +21,8 @@ struct Troubles {
     [[nodiscard]] bool any() const noexcept { return cut + left + failed > 0; }
     /// Whether so many runs were cut or left the ground that the study's first line says so: over 5 %, of a region any.
     [[nodiscard]] bool are_first() const noexcept;
-    /// Runs whose reach is not known: cut, or failed.
-    [[nodiscard]] std::size_t unfinished() const noexcept { return cut + failed; }
+    /// Runs whose reach is not known: cut, gone or failed.
+    [[nodiscard]] std::size_t unfinished() const noexcept { return open + failed; }
 };
 
 /// "Extent, run-out and probabilities are lower bounds: 12 of 12 runs were cut while their front still moved (up to 70

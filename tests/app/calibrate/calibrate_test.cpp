@@ -107,6 +107,18 @@ class Calibrate : public TinyScene {
 };
 
 // The scar is a run of frana's: its friction is found, and `frana run` with the best scene has the score.
+// Runs that were cut have the scores of unfinished flows; it was said that the survey does not determine the friction.
+TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
+    write_study("samples = 8\nrefine = 8\n", k_jaccard + k_two_keys, "[set]\ntime.end = 3\n");
+    ASSERT_EQ(run().exit_code, 0);
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["cut"], 16);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("16 of 16 runs were cut"), std::string::npos);
+    EXPECT_NE(summary["warnings"][1].get<std::string>().find("posterior"), std::string::npos);
+    for (const auto& row : table("out/posterior.csv")) EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
+    EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
+}
+
 TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
     write_study("samples = 256\nrefine = 192\n", k_jaccard + k_two_keys);
     const Outcome outcome = run();

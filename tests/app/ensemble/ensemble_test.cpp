@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Studies of many runs, as a user sees them.
+#include <gdal_priv.h>
+
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -262,6 +264,70 @@ TEST_F(Ensemble, ATableOfOneColumnAndWhatItsColumnsAreTakenFor) {
               (std::vector<std::pair<std::string, std::string>>{{"member", "a value of an earlier study, not used"},
                                                                 {"material.friction-angle", "varied"},
                                                                 {"weight", "weight of the member"}}));
+}
+
+// A single run warns that its front still moved; twelve of them said nothing.
+TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
+    write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
+    write_study("samples = 8\n", "[set]\ntime.end = 3\n" + k_two_keys);
+    const Outcome outcome = run({"--strict"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["cut"], 8);
+    EXPECT_GT(summary["run_troubles"]["greatest_moving_fraction"].get<double>(), 0.5);
+    ASSERT_FALSE(summary["warnings"].empty());
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("8 of 8 runs were cut"), std::string::npos);
+    for (const auto& row : members()) {
+        EXPECT_EQ(row.at("stop_reason"), "end-time");
+        EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
+        EXPECT_GE(std::stoi(row.at("warnings")), 1);
+    }
+    const std::string report = read_text(path("out/report.html"));
+    EXPECT_LT(report.find("8 of 8 runs were cut"), report.find("id=\"answer\""));
+    // Where they came not yet, they might have come.
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/probability_depth_0.1.tif").c_str()));
+    ASSERT_EQ(file->GetRasterCount(), 3);
+    std::vector<double> p(static_cast<std::size_t>(k_columns * k_rows)), upper = p;
+    for (const auto& [band, values] : {std::pair(1, &p), {3, &upper}})
+        ASSERT_EQ(file->GetRasterBand(band)->RasterIO(GF_Read, 0, 0, k_columns, k_rows, values->data(), k_columns,
+                                                      k_rows, GDT_Float64, 0, 0),
+                  CE_None);
+    std::size_t unknown = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        EXPECT_LE(p[i], upper[i]);
+        unknown += p[i] == 0 && upper[i] == 1 ? 1 : 0;
+    }
+    EXPECT_GT(unknown, p.size() / 4);
+    EXPECT_EQ(run({"--overwrite"}).exit_code, 0);
+    for (const auto& [strict, code] : {std::pair("--strict", 3), {"--quiet", 0}})
+        EXPECT_EQ(frana({"run", "scene.ini", "--out", "one", "--overwrite", strict, "--set", "time.end=3"}).exit_code,
+                  code);
+}
+
+TEST_F(Ensemble, RunsThatLeaveTheGroundAreTold) {
+    write_study("samples = 4\n", "[set]\nterrain.bounds = 527000 5094000 527100 5094150\n" + k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["left_ground"], 4);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("4 of 4 runs left the computed ground"),
+              std::string::npos);
+    for (const auto& row : members()) EXPECT_GT(std::stod(row.at("left_domain_fraction")), 0.5);
+}
+
+// Records were believed by their files' names: two that were exchanged exchanged their figures.
+TEST_F(Ensemble, ARecordUnderAnotherNameIsComputedAgain) {
+    write_study("samples = 24\n", k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    fs::rename(path("out"), path("whole"));
+    (void)stop_after(6, SIGTERM);
+    const std::vector<std::string> kept = records();
+    ASSERT_GE(kept.size(), 2U);
+    fs::rename(path(kept[0]), path("aside"));
+    fs::rename(path(kept[1]), path(kept[0]));
+    fs::rename(path("aside"), path(kept[1]));
+    ASSERT_EQ(run({"--resume"}).exit_code, 0);
+    expect_same("whole", "out");
 }
 
 TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Regions: many slopes, each in a window of its own.
+#include <ogrsf_frmts.h>
+
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -267,6 +269,29 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
     const gis::PolygonLayer layer = gis::read_polygons(path("out/members.gpkg") + "|layer=slopes", "", "test");
     EXPECT_EQ(layer.features.size(), 6U);
     EXPECT_EQ(layer.features[4].texts.at("status"), "failed");
+}
+
+// Twelve creeks were cut after 60 s of 900, exit 0 and no warning. Of a region any slope is in the first line.
+TEST_F(Region, SlopesThatWereCutAreTold) {
+    write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
+    write_slopes(three());
+    write_region("[set]\ntime.end = 3\n");
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["cut"], 3);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("3 of 3 runs were cut"), std::string::npos);
+    for (const auto& row : members()) {
+        EXPECT_EQ(row.at("stop_reason"), "end-time");
+        EXPECT_GE(std::stoi(row.at("warnings")), 1);
+    }
+    const std::string report = read_text(path("out/report.html"));
+    EXPECT_LT(report.find("3 of 3 runs were cut"), report.find("id=\"answer\""));
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/members.gpkg").c_str(), GDAL_OF_VECTOR));
+    OGRLayer* const slopes = file->GetLayerByName("slopes");
+    ASSERT_NE(slopes, nullptr);
+    for (const auto& slope : *slopes) EXPECT_GT(slope->GetFieldAsDouble("moving_fraction"), 0.5);
+    EXPECT_EQ(batch({"--overwrite", "--strict"}).exit_code, 3);
 }
 
 TEST_F(Region, MistakesAreRefusedBeforeAnythingRuns) {
