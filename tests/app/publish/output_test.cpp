@@ -9,8 +9,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 
+#include "analysis/trace.h"
 #include "app/text/number_text.h"
 #include "app/text/text_hash.h"
 #include "gis/access/gdal_session.h"
@@ -25,10 +27,12 @@ namespace fs = std::filesystem;
 
 class Output : public TinyScene {
   protected:
-    /// Runs the scene with these lines appended, into result/.
-    void run(const std::string& more) {
+    /// Runs the scene with these lines appended and these keys set, into result/.
+    void run(const std::string& more, const std::vector<std::string>& keys = {}) {
         write_scene(more);
-        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+        std::vector<std::string> words{"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"};
+        for (const std::string& key : keys) words.insert(words.end(), {"--set", key});
+        const Outcome outcome = frana(words);
         if (outcome.exit_code != 0) throw std::runtime_error(outcome.err);
     }
     [[nodiscard]] Raster raster(const std::string& name) const {
@@ -286,15 +290,18 @@ TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
 TEST_F(Output, HazardClassesFollowFromTheRasters) {
     run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
     const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"), speed = raster("max_velocity.tif");
-    double high = 0;
+    double high = 0, thin = 0;
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
-        ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(depth.values[i]));
-        if (std::isnan(depth.values[i])) continue;
+        const bool has_class = depth.values[i] > 0.1;  // the default of output.trace-threshold
+        ASSERT_EQ(!std::isnan(classes.values[i]), has_class) << depth.values[i];
+        thin += depth.values[i] <= 0.1 ? 1 : 0;
+        if (!has_class) continue;
         const bool is_high = depth.values[i] > 1 && speed.values[i] > 1;
         ASSERT_EQ(classes.values[i], is_high ? 3 : 2) << depth.values[i] << ' ' << speed.values[i];
         high += is_high ? 25 : 0;
     }
     EXPECT_GT(high, 0);
+    EXPECT_GT(thin, 0) << "cells without a class";
     const gis::GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(file);
@@ -309,6 +316,70 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     EXPECT_TRUE(std::any_of(named.begin(), named.end(), [](const Json& one) {
         return one["label"] == "High intensity";
     })) << named;
+}
+
+TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
+    const std::string deeper = "[output]\nreport = off\ntrace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
+    for (const std::string& more : {k_quiet + "[hazard]\nscheme = swiss-debris-flow\n", deeper}) {
+        run(more);
+        double classes = 0;
+        for (const Json& one : json_value(text("summary.json"), "hazard")) classes += one["area_m2"].get<double>();
+        // Both are sums of whole cells of 25 m2, of which polygons are added in another order.
+        EXPECT_NEAR(classes, json_value(text("summary.json"), "covered_area_m2").get<double>(), 1e-6) << more;
+    }
+    run(deeper + "minimum-depth = 1\n");
+    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif");
+    for (std::size_t i = 0; i < classes.values.size(); ++i)
+        ASSERT_EQ(!std::isnan(classes.values[i]), depth.values[i] > 1) << depth.values[i];
+}
+
+TEST_F(Output, GreatestValuesHavePlaceAndTime) {
+    run(k_quiet);
+    for (const auto& [name, column] : {std::pair{"max_depth", "max_depth"}, {"max_velocity", "max_speed"}}) {
+        const Raster values = raster(std::string(name) + ".tif");
+        const Json at = json_value(text("summary.json"), std::string(name) + "_at");
+        const GridSpec& grid = values.grid;
+        const auto row = static_cast<std::int64_t>((grid.north - at["y"].get<double>()) / grid.cell_size),
+                   cell = static_cast<std::int64_t>((at["x"].get<double>() - grid.west) / grid.cell_size);
+        EXPECT_EQ(values.at(row, cell), maximum(values)) << name;
+        const std::vector<std::string> series = rows_of(text("timeseries.csv"));
+        const auto column_of = [&](const std::string& line, const std::string& wanted) {
+            std::istringstream names(series.front()), numbers(line);
+            std::string key, number;
+            while (std::getline(names, key, ',') && std::getline(numbers, number, ','))
+                if (key.starts_with(wanted)) return std::stod(number);
+            throw std::runtime_error(wanted);
+        };
+        double greatest = 0, when = 0;
+        for (std::size_t i = 1; i < series.size(); ++i) {
+            if (const double value = column_of(series[i], column); value > greatest) {
+                greatest = value;
+                when = column_of(series[i], "time");
+            }
+        }
+        // The series is written with fewer digits.
+        EXPECT_NEAR(at["time_s"].get<double>(), when, 1e-3) << name;
+    }
+}
+
+TEST_F(Output, DoubtfulReleasesAreWarnings) {
+    const auto warns = [&](const std::string& words) { return json_lists(text("summary.json"), "warnings", words); };
+    const std::string step = "m above the cell beside it", stout = "m thick on average", few = "particles only",
+                      energy = "the energy rises without cause";
+    const auto energy_is_told = [&] {
+        return warns(energy) == (json_number(text("summary.json"), "energy_error") > 0.005);
+    };
+    run(k_quiet);
+    for (const std::string& words : {step, stout, few}) EXPECT_FALSE(warns(words)) << words;
+    EXPECT_TRUE(energy_is_told());
+    // Thicker than half of its width of sqrt(2000) m, with a wall of 45 m.
+    run(k_quiet, {"release.thickness=45"});
+    for (const std::string& words : {step, stout}) EXPECT_TRUE(warns(words)) << words;
+    EXPECT_FALSE(warns(few));
+    EXPECT_TRUE(energy_is_told());
+    write_polygon("small", {{20, 55}, {35, 55}, {35, 70}, {20, 70}});
+    run(k_quiet, {"release.perimeter=small.geojson"});
+    EXPECT_TRUE(warns(few)) << text("summary.json");
 }
 
 TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
