@@ -68,7 +68,7 @@ class CompareAlgorithm(FranaAlgorithm):
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:
         values = self.values(parameters, context)
         result = values.text("RESULT")
-        own = values.text("OUTPUT") if values.has("OUTPUT") else ""
+        own = values.path("OUTPUT")
         folder = own or result or QgsProcessingUtils.generateTempFilename("comparison")
         inputs = inputs_folder(folder)
         words = [self.program.path, "compare", result or os.path.join(inputs, self.raster.write(inputs, "raster")),
