@@ -134,7 +134,7 @@ class InflowAndRecords(unittest.TestCase):
         with_velocity["material.friction-coefficient"] = 0.1
         with_velocity["time.end"] = 1
         self.assertGreater(frana.run(with_velocity).summary["max_velocity_ms"], 8)
-        with self.assertRaisesRegex(frana.Error, "row of 1 numbers"):
+        with self.assertRaisesRegex(frana.Error, "is not a row of two or three numbers"):
             scene.add_inflow([(20, 40), (20, 80)], [[1.0]])
         scene.add_gauge(1e6, 0, name="far")
         with self.assertRaisesRegex(frana.Error, "gauge far: lies outside the terrain|lies outside the terrain .*gauge far"):
