@@ -22,6 +22,7 @@
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
 #include "app/publish/report_probability.h"
+#include "app/store/json_file.h"
 #include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
@@ -55,7 +56,8 @@ CommandForm compare_form() {
         "threshold", one("METRES"),
         "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
         "out", one("FOLDER"),
-        "folder for the files (default: RESULT_DIR, or the current folder for a RASTER or a ranking)")(
+        "folder for the files (default: RESULT_DIR; the current folder for a RASTER; for a ranking that of the first "
+        "result)")("overwrite", "replace a comparison with another survey")(
         "size", one("SIZE"), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)")(
         "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
@@ -147,6 +149,34 @@ struct Pair {
     std::string name, folder;
 };
 
+bool names_same_file(const std::string& recorded, const std::string& given) {
+    std::error_code error;
+    return recorded == given || fs::weakly_canonical(recorded, error) == fs::weakly_canonical(given, error);
+}
+
+/// The same survey may be compared again; what another one gave is not replaced unasked.
+void refuse_other_survey(const std::vector<Pair>& pairs, const std::string& deposit, Problems& problems) {
+    for (const Pair& pair : pairs) {
+        const std::optional<Json> older = read_json_file((fs::path(pair.folder) / k_comparison_file).string());
+        if (!older) continue;
+        const std::string observed = value_in<std::string>(*older, "/observed").value_or(""),
+                          of_deposit = value_in<std::string>(*older, "/deposit/observed").value_or("");
+        if (names_same_file(observed, pair.scar.value_or("")) && names_same_file(of_deposit, deposit)) continue;
+        problems.add({"contains the comparison with another survey", "--out", pair.folder,
+                      observed.empty() ? of_deposit : observed,
+                      "Choose another folder with --out, or add --overwrite"});
+    }
+}
+
+/// Beside the first of the results, whatever folder one is in.
+std::string ranking_folder(const std::string& operand) {
+    const fs::path first = fs::is_directory(operand) ? fs::path(ResultReader(operand).directory()) : fs::path(operand);
+    const fs::path folder = fs::absolute(first).lexically_normal();
+    const fs::path beside = (folder.has_filename() ? folder : folder.parent_path()).parent_path();
+    const fs::path near = beside.lexically_relative(fs::current_path());
+    return near.empty() || *near.begin() == ".." ? beside.string() : near.string();
+}
+
 std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::vector<std::string>& scars,
                            const std::optional<std::string>& out, Ranking& ranking) {
     std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
@@ -157,11 +187,12 @@ std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::
         return {{only, surveyed.front(), "", out.value_or(usual)}};
     }
     std::vector<Pair> pairs;
+    const std::string folder = out.value_or(ranking_folder(operands.front()));
     for (const std::string& operand : operands) {
         for (const auto& scar : surveyed) {
             const std::string name =
                 ranking.folder_for(name_of(operand), scar ? fs::path(*scar).stem().string() : "deposit");
-            pairs.push_back({operand, scar, name, (fs::path(out.value_or(".")) / name).string()});
+            pairs.push_back({operand, scar, name, (fs::path(folder) / name).lexically_normal().string()});
         }
     }
     return pairs;
@@ -347,8 +378,12 @@ int cmd_compare(const Arguments& arguments) {
     const bool json = values->count("json") > 0;
     Ranking ranking;
     const std::vector<Pair> pairs = pairs_of(operands, scars, out, ranking);
-    const std::string ranking_file = (fs::path(out.value_or(".")) / "ranking.csv").string();
+    const std::string ranking_file =
+        (fs::path(out.value_or(ranking_folder(operands.front()))) / "ranking.csv").lexically_normal().string();
     refuse_in_ranking(pairs, deposit);
+    Problems problems;
+    if (values->count("overwrite") == 0) refuse_other_survey(pairs, deposit.value_or(""), problems);
+    problems.throw_if_any();
     check_outputs(pairs, deposit, ranking_file);
     if (is_probability(pairs.front().operand)) return compare_probability(pairs.front(), threshold, size, json);
     RunLog log(false);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "analysis/hazard.h"
 #include "analysis/trace.h"
 #include "app/pictures/class_words.h"
 #include "app/store/layers.h"
@@ -67,7 +68,11 @@ void add_scheme(const std::string& kind, const std::map<std::string, std::string
             notes.push_back(class_label(limit->second, words));
         }
     } else {
-        notes.push_back(words("Intensity of one scenario, not a hazard level"));
+        const auto title = metadata.find("HAZARD_TITLE");
+        const bool is_zones = title != metadata.end() && title->second != k_intensities;
+        if (is_zones && kind == "hazard") layer.title = words(title->second);
+        notes.push_back(is_zones ? words("Zones of one scenario, not a hazard zone plan")
+                                 : words("Intensity of one scenario, not a hazard level"));
     }
     if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
         layer.title = words("{1}, scheme {2}", {layer.title, scheme_title(scheme->second, words)});

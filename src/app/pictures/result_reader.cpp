@@ -48,7 +48,11 @@ void add_statistics(const std::string& path, const Words& words, std::vector<std
             notes.push_back(words(text, {words.number(number_text(*value, 3))}));
     };
     add("threshold_m", worded("Threshold {1} m"));
-    add("area_difference_percent", worded("Area difference {1} %"));
+    const auto simulated = value_in<double>(*json, "/simulated_area_m2"),
+               observed = value_in<double>(*json, "/observed_area_m2");
+    if (simulated && observed && *observed > 0)
+        notes.push_back(words("Area difference {1} %",
+                              {words.number(signed_number_text(100 * (*simulated - *observed) / *observed))}));
     add("jaccard", worded("Jaccard {1}"));
     add("dice", worded("Dice {1}"));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <regex>
 
 #include "ensemble/tiny_study.h"
 #include "gis/raster/raster_in.h"
@@ -267,6 +268,24 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
     const gis::PolygonLayer layer = gis::read_polygons(path("out/members.gpkg") + "|layer=slopes", "", "test");
     EXPECT_EQ(layer.features.size(), 6U);
     EXPECT_EQ(layer.features[4].texts.at("status"), "failed");
+}
+
+// One text makes the whole column one of texts.
+TEST_F(Region, OneTextInAColumnFailsThatSlopeAloneByItsNumberInTheFile) {
+    std::vector<TestSlope> slopes = three();
+    slopes[1].thickness = "\"unknown\"";
+    slopes.push_back({"d", "rare", "300", "-2", "0.2", 40, 60, 20});
+    write_slopes(slopes);
+    write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nwindow = 90\n");
+    write("scene.ini",
+          std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1"), "thickness = attribute:THICK"));
+    const Outcome outcome = batch();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rows[i].at("status"), i % 2 == 0 ? "finished" : "failed") << i;
+    EXPECT_NE(rows[1].at("reason").find("THICK"), std::string::npos) << rows[1].at("reason");
+    EXPECT_NE(rows[3].at("reason").find("feature 3 of slopes"), std::string::npos) << rows[3].at("reason");
 }
 
 TEST_F(Region, MistakesAreRefusedBeforeAnythingRuns) {
