@@ -306,15 +306,6 @@ bool has_layer(const std::string& file, const std::string& layer, const std::str
     return keeps_rest;
 }
 
-std::string feature_number(const PolygonLayer& layer, std::size_t feature) {
-    const std::string& condition = layer.conditions[feature];
-    return condition.substr(condition.rfind(' ') + 1);
-}
-
-std::string feature_name(const PolygonLayer& layer, std::size_t feature) {
-    return "feature " + feature_number(layer, feature) + " of " + layer.layer_name;
-}
-
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
                            const LayerChoice& choice) {
     return remembered(

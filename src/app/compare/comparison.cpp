@@ -8,6 +8,7 @@
 #include "analysis/runout.h"
 #include "analysis/trace.h"
 #include "app/text/number_text.h"
+#include "app/text/unit_sign.h"
 #include "core/error.h"
 #include "core/inside_test.h"
 #include "gis/raster/rasterize.h"

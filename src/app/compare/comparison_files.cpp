@@ -8,6 +8,7 @@
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/unit_sign.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/json.h"

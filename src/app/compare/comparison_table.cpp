@@ -3,6 +3,7 @@
 
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
+#include "app/text/unit_sign.h"
 #include "core/shortest_text.h"
 
 namespace frana::app {

@@ -45,6 +45,15 @@ Problem missing_column(const gis::PolygonLayer& layer, const std::string& column
 
 }  // namespace
 
+std::string feature_number(const gis::PolygonLayer& layer, std::size_t feature) {
+    const std::string& condition = layer.conditions[feature];
+    return condition.substr(condition.rfind(' ') + 1);
+}
+
+std::string feature_name(const gis::PolygonLayer& layer, std::size_t feature) {
+    return "feature " + feature_number(layer, feature) + " of " + layer.layer_name;
+}
+
 std::string target_crs(const SceneReading& reading, const TerrainInput* ground) {
     if (ground != nullptr) return ground->terrain.grid.crs_wkt;
     return reading.scene.terrain.crs == "local" ? "" : gis::crs_from_user("EPSG:4326", "");
@@ -80,11 +89,11 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
         problems.add({(is_text ? "is no number in the attribute " : "is empty (NULL) in the attribute ") + source.name +
                           " of " + std::to_string(lacking) + " of " + std::to_string(layer.features.size()) +
                           " features of " + layer.layer_name + ", the first of them feature " +
-                          gis::feature_number(layer, feature),
+                          feature_number(layer, feature),
                       reading.where(key), "", "a number in each", "Fill the column, or leave these features out"});
         return std::nullopt;
     }
-    if (!within_limits(reading, key, *found, gis::feature_name(layer, feature) + ", attribute " + source.name + ",",
+    if (!within_limits(reading, key, *found, feature_name(layer, feature) + ", attribute " + source.name + ",",
                        problems))
         return std::nullopt;
     return found;

@@ -41,7 +41,7 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
     });
     const double footprint = static_cast<double>(cells) * raster.grid.cell_area(), drawn = area(parts);
     if (cells == 0) {
-        problems.add({gis::feature_name(layer, feature) + " covers no cell", where, grouped(drawn) + " m2", "",
+        problems.add({feature_name(layer, feature) + " covers no cell", where, grouped(drawn) + " m2", "",
                       "Choose smaller cells"});
     } else if (footprint > k_widened * drawn) {
         warnings.add("narrow", worded("{1}: feature {2} of {3} is narrower than the cells: it covers {4} m2 of the "

@@ -144,7 +144,7 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
             if (!thickness) continue;
             area.thickness = *thickness;
             if (!(area.thickness > 0) || !std::isfinite(area.thickness)) {
-                problems.add({gis::feature_name(layer, i) + " has a thickness that is not positive", where,
+                problems.add({feature_name(layer, i) + " has a thickness that is not positive", where,
                               shortest_text(area.thickness) + " m", "greater than 0",
                               "Correct the attribute " + spec.attribute});
                 continue;
@@ -194,7 +194,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
             surfaces.emplace_back(ground, layer.features[i].parts, shape_of(spec));
         } catch (const Error& error) {
             Problem problem = error.problems().front();
-            problem.what = gis::feature_name(layer, i) + ": " + problem.what;
+            problem.what = feature_name(layer, i) + ": " + problem.what;
             problem.where = reading.where(problem.where);
             problems.add(problem);
         }
@@ -212,7 +212,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
         if (shared) depth = factor * std::sqrt(frana::area(area.outline));
         if (!depth) continue;
         area.thickness_raster = surfaces[i].thickness(*depth);
-        log.note("slip surface under " + gis::feature_name(layer, i) + ": " +
+        log.note("slip surface under " + feature_name(layer, i) + ": " +
                  (surfaces[i].surface().shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") +
                  ", " + number_text(*depth, 4) + " m deep");
         areas.push_back(std::move(area));

@@ -69,7 +69,7 @@ void add_scheme(const std::string& kind, const std::map<std::string, std::string
         }
     } else {
         const auto title = metadata.find("HAZARD_TITLE");
-        const bool is_zones = title != metadata.end() && title->second != k_intensities;
+        const bool is_zones = title != metadata.end() && title->second != k_intensity_title;
         if (is_zones && kind == "hazard") layer.title = words(title->second);
         notes.push_back(is_zones ? words("Zones of one scenario, not a hazard zone plan")
                                  : words("Intensity of one scenario, not a hazard level"));

@@ -18,6 +18,7 @@
 #include "app/store/unfinished_results.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
+#include "app/text/unit_sign.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/folder_entries.h"

@@ -8,8 +8,7 @@ namespace frana::app {
 void ignore_file_signals();
 
 /// Opens those of stdin, stdout and stderr that were closed before the program began on /dev/null: otherwise the next
-/// opened file would get one of their numbers, and messages would be written into it. Writing to a closed stdout stays
-/// an error.
+/// opened file would get one of their numbers, and messages would be written into it.
 void fill_standard_streams();
 
 /// From now on SIGINT, SIGTERM and SIGHUP are only recorded, so that a run can stop in order; a second one ends the

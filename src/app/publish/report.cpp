@@ -33,7 +33,7 @@ std::string headed(const std::string& heading, const std::string& html) {
 
 std::string hazard_heading(const SceneSpec& spec, const Words& words) {
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec.hazard);
-    return scheme && scheme->title != k_intensities ? words(scheme->title) : words("Intensity classes");
+    return scheme && scheme->title != k_intensity_title ? words(scheme->title) : words("Intensity classes");
 }
 
 void add_maps(HtmlPage& page, const ReportInput& input, const std::vector<ReportMap>& maps) {

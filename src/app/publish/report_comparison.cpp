@@ -12,6 +12,7 @@
 #include "app/publish/report_charts.h"
 #include "app/publish/report_scenario.h"
 #include "app/text/number_text.h"
+#include "app/text/unit_sign.h"
 #include "core/markup.h"
 
 namespace frana::app {

@@ -18,10 +18,6 @@ std::string number_text(double value, int digits) {
     return text;
 }
 
-std::string signed_number_text(double value) {
-    return (value > 0 ? "+" : "") + number_text(value, 3);
-}
-
 std::string grouped(std::int64_t value) {
     const std::string digits = std::to_string(value);
     std::string text;

@@ -10,8 +10,6 @@ namespace frana::app {
 
 /// Formats for messages: `digits` significant digits, no exponent between 1e-4 and 1e15.
 std::string number_text(double value, int digits = 4);
-/// To three digits, with a plus before a positive number.
-std::string signed_number_text(double value);
 /// Formats in groups of three, "1 200 000"; below 10 with two significant digits, "0.015".
 std::string grouped(double value);
 std::string grouped(std::int64_t value);

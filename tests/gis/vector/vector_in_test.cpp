@@ -154,17 +154,6 @@ TEST(ReadPolygons, RefusesAHoleOutsideItsOutline) {
     EXPECT_NE(layer.unusable[0].find("hole"), std::string::npos) << layer.unusable[0];
 }
 
-TEST(ReadPolygons, NumbersFeaturesAsTheFileDoesWhateverIsRead) {
-    const Folder folder;
-    make_vector(folder.file("three.gpkg"), "GPKG", "EPSG:32632",
-                {"POLYGON((0 0,9 0,9 9,0 0))", "POLYGON((20 0,29 0,29 9,20 0))", "POLYGON((40 0,49 0,49 9,40 0))"});
-    const PolygonLayer all = read_polygons(folder.file("three.gpkg"), utm(), k_where);
-    LayerChoice third;
-    third.filter = all.conditions[2];
-    EXPECT_EQ(feature_name(all, 2), "feature 3 of three");
-    EXPECT_EQ(feature_name(read_polygons(folder.file("three.gpkg"), utm(), k_where, third), 0), "feature 3 of three");
-}
-
 TEST(ReadPolygons, OverlappingPartsCountOnce) {
     const Folder folder;
     make_vector(folder.file("overlap.gpkg"), "GPKG", "EPSG:32632",
