@@ -111,17 +111,6 @@ std::vector<Point> points_of(const py::handle& points) {
     return list;
 }
 
-/// A method that takes no arguments. Called of an object that was never initialised it is a TypeError, as pybind11
-/// makes it for references only.
-template <class Object, class Value>
-auto method(Value (Object::*call)() const) {
-    return [call](const Object& object) { return (object.*call)(); };
-}
-template <class Object, class Value>
-auto method(Value (Object::*call)()) {
-    return [call](Object& object) { return (object.*call)(); };
-}
-
 Ring ring_of(const py::handle& points) {
     Ring ring = points_of(points);
     if (ring.size() > 1 && ring.front().x == ring.back().x && ring.front().y == ring.back().y) ring.pop_back();
@@ -292,7 +281,7 @@ void add_scene(py::module_& module) {
             "line"_a, "name"_a = "",
             "Adds a line of points (x, y) [m] through which the discharge is recorded, positive to the right of its "
             "direction.")
-        .def("check", method(&Scene::check),
+        .def("check", &Scene::check,
              "Raises Error with every problem of the scene; returns what is worth a second look.")
         .def_property_readonly(
             "shape", [](const Scene& scene) { return std::pair(scene.grid().rows, scene.grid().columns); },
@@ -315,8 +304,8 @@ void add_results(py::module_& module) {
         "A raster by its name: read-only array of float64, rows x columns; NaN where nothing ever flowed. It is the "
         "memory of the result, which it keeps.";
     py::class_<Frame>(module, "Frame", "The flow at one instant.")
-        .def_property_readonly("index", method(&Frame::index))
-        .def_property_readonly("time", method(&Frame::time), "simulated time [s]")
+        .def_property_readonly("index", &Frame::index)
+        .def_property_readonly("time", &Frame::time, "simulated time [s]")
         .def_property_readonly(
             "rasters", [](const Frame& frame) { return rasters_of(frame.rasters()); },
             "the rasters there are: depth [m], velocity [m/s], ...")
@@ -345,8 +334,8 @@ void add_results(py::module_& module) {
             "sections", [](const Result& result) { return records_of(result.sections()); },
             "by the names of cross-sections, values over time: time [s], discharge [m3/s], volume [m3], "
             "wetted_width [m], max_depth [m], max_speed [m/s]")
-        .def_property_readonly("stop_reason", method(&Result::stop_reason), "\"end-time\", \"still\", \"settled\", ...")
-        .def_property_readonly("notes", method(&Result::notes), "choices made, and what is worth a second look");
+        .def_property_readonly("stop_reason", &Result::stop_reason, "\"end-time\", \"still\", \"settled\", ...")
+        .def_property_readonly("notes", &Result::notes, "choices made, and what is worth a second look");
     py::class_<PythonRun>(module, "Run",
                           "A run, frame by frame: an iterator. While it computes, other threads of Python run, and "
                           "Ctrl-C ends it.")
@@ -360,8 +349,8 @@ void add_results(py::module_& module) {
                 return *frame;
             },
             "Computes up to the next frame: at the start, at every time.frame-interval, at the end.")
-        .def_property_readonly("time", method(&PythonRun::time), "simulated time so far [s]")
-        .def("result", method(&PythonRun::result), "Computes what is left, and returns the result.");
+        .def_property_readonly("time", &PythonRun::time, "simulated time so far [s]")
+        .def("result", &PythonRun::result, "Computes what is left, and returns the result.");
 }
 
 }  // namespace

@@ -259,13 +259,6 @@ class Errors(unittest.TestCase):
                 scene.check()
             self.assertIn("release 1", caught.exception.problems[0].where)
 
-    def test_objects_that_were_never_initialised(self):
-        for kind, names in ((frana.Scene, ("shape", "west", "check")), (frana.Result, ("stop_reason", "notes", "summary")),
-                            (frana.Frame, ("index", "time", "rasters")), (frana.Run, ("time", "result"))):
-            for name in names:
-                with self.assertRaises(TypeError):
-                    getattr(kind.__new__(kind), name)()
-
     def test_all_problems_of_a_scene_at_once(self):
         scene = frana.Scene(slope(), cell_size=CELL)
         scene["material.bed-friction"] = "chezy"
