@@ -162,6 +162,7 @@ StyleText relief_style(const std::string& name, const std::string& title) {
     // Elevations are resampled, not the shades: otherwise a project of another CRS shows the edges of all cells.
     return {qml_document("  <pipe>\n    <provider><resampling enabled=\"true\" zoomedInResamplingMethod=\"bilinear\" "
                          "zoomedOutResamplingMethod=\"bilinear\" maxOversampling=\"2\"/></provider>\n"
+                         "    <resamplingStage>provider</resamplingStage>\n"
                          "    <rasterrenderer type=\"hillshade\" band=\"1\" azimuth=\"315\" angle=\"45\" zfactor=\"1\" "
                          "multidirection=\"0\" opacity=\"1\" alphaBand=\"-1\" nodataColor=\"\"/>\n"
                          "    <brightnesscontrast brightness=\"40\"/>\n    <huesaturation/>\n  </pipe>\n"),

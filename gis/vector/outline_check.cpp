@@ -11,8 +11,9 @@
 namespace frana::gis {
 namespace {
 
-// GEOS's message for a ring that crosses itself or its hole; with any other problem the interior is still well defined.
-const std::string k_crossing = "Self-intersection";
+// GEOS's messages for a ring that crosses itself or its hole, and for a hole that is none; with any other problem the
+// interior is still well defined.
+const std::string k_crossing = "Self-intersection", k_outside = "Hole lies outside shell";
 const std::string k_place = " at or near point ";
 
 /// Returns GEOS's message about a geometry; empty if it is valid.
@@ -83,9 +84,10 @@ OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
             return found;
         }
         const std::string error_text = verdict.sound ? std::string() : geometry_error(*polygon);
-        if (error_text.rfind(k_crossing, 0) == 0) {
+        const bool outside = error_text.rfind(k_outside, 0) == 0;
+        if (outside || error_text.rfind(k_crossing, 0) == 0) {
             found.polygons.clear();
-            found.crossing = place_in(error_text);
+            (outside ? found.hole_outside : found.crossing) = place_in(error_text);
             return found;
         }
         if (error_text.empty()) {

@@ -13,15 +13,17 @@
 
 namespace frana::gis {
 
-/// The result of checking an outline. Either `crossing` is set or `polygons` is not empty, or neither if no area is
-/// left.
+/// The result of checking an outline. Either `crossing` or `hole_outside` is set or `polygons` is not empty, or none of
+/// these if no area is left.
 struct OutlineCheck {
     std::vector<std::unique_ptr<OGRPolygon>> polygons;  ///< as given, or repaired
     std::optional<std::string> crossing;                ///< where it crosses itself: "at 526950.2, 5094120.7"
+    std::optional<std::string> hole_outside;            ///< where it has a hole outside the area
     std::vector<Sentence> repairs;                      ///< list of repairs
 };
 
-/// Checks the polygons of one feature. One that crosses itself has no well-defined interior and is not repaired; one
+/// Checks the polygons of one feature. One that crosses itself, or has a hole outside, has no well-defined interior and
+/// is not repaired; one
 /// that only touches itself is repaired, and so are parts that overlap (their union counts once).
 OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons);
 

@@ -90,6 +90,11 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
                 "Redraw the outline there, so that inside and outside are unambiguous");
         return feature;
     }
+    if (check.hole_outside) {
+        problem("has a hole that lies outside its outline", *check.hole_outside,
+                "Remove the hole, or draw it as a polygon of its own");
+        return feature;
+    }
     for (const Sentence& repair : check.repairs)
         warnings.add("repair", worded("{1}: feature {2}: {3}", {source.where, number, repair}));
     for (const auto& polygon : check.polygons) {

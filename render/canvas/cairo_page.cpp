@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/markup.h"
 #include "core/utf8.h"
 #include "render/canvas/drawing.h"
 #include "render/canvas/page.h"
@@ -112,7 +113,7 @@ std::string page_pdf(const Page& page, double dots_per_inch, const std::string& 
         &cairo_surface_destroy);
     // Later versions pack their objects into streams, to which no place on the ground can be added.
     cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, valid_utf8(title).c_str());
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, shown_text(title).c_str());
     // The same page must give the same bytes.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
     const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> on(cairo_create(surface.get()), &cairo_destroy);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/markup.h"
 #include "core/utf8.h"
 
 namespace frana::render {
@@ -30,9 +31,9 @@ using Description = std::unique_ptr<PangoFontDescription, decltype(&pango_font_d
 
 /// File names and attributes may contain any characters: line ends and other control characters become spaces.
 std::string printable(const std::string& text) {
-    std::string clean = elided(valid_utf8(text), k_most_letters);
+    std::string clean = elided(shown_text(text), k_most_letters);
     for (char& c : clean)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
     return clean;
 }
 

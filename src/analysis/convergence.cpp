@@ -11,7 +11,7 @@ namespace frana {
 namespace {
 
 constexpr double k_safety = 1.25, k_caution = 3;
-constexpr double k_least_order = 0.5, k_greatest_order = 2;
+constexpr double k_least_order = 0.5, k_rounding = 1e-9;
 
 void require_three(std::size_t levels) {
     if (levels >= 3) return;
@@ -19,8 +19,12 @@ void require_three(std::size_t levels) {
                 Problem{"convergence needs three resolutions", "--levels", std::to_string(levels), "3 or more", ""});
 }
 
+bool is_usable(double order) {
+    return order <= k_scheme_order + k_rounding;
+}
+
 double limited_order(double order) {
-    return std::clamp(order, k_least_order, k_greatest_order);
+    return std::clamp(order, k_least_order, k_scheme_order);
 }
 
 // Bilinear at a map place; cells without data count as zero, beyond the edge the edge counts.
@@ -85,9 +89,11 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels) {
     } else {
         result.trend = Trend::converging;
         result.observed_order = std::log(before / last) / std::log(ratio);
-        order = limited_order(result.observed_order);
-        safety = k_safety;
-        result.extrapolated = fine.value + last / (std::pow(ratio, order) - 1);
+        if (is_usable(result.observed_order)) {
+            order = limited_order(result.observed_order);
+            safety = k_safety;
+            result.extrapolated = fine.value + last / (std::pow(ratio, order) - 1);
+        }
     }
     result.error = safety * std::abs(last) / (std::pow(ratio, order) - 1);
     result.index_percent = fine.value != 0 ? 100 * result.error / std::abs(fine.value) : 0;
@@ -172,7 +178,7 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels, double d
         result.trend = Trend::diverging;
     } else {
         result.trend = Trend::converging;
-        result.observed_order = last != 0 ? std::log2(before / last) : k_greatest_order;
+        result.observed_order = last != 0 ? std::log2(before / last) : k_scheme_order;
         const bool is_expected = std::abs(result.observed_order - k_front_order) <= k_order_tolerance;
         const double order = std::clamp(result.observed_order, k_least_order, k_front_order);
         const double rest = last / (std::pow(2.0, order) - 1);
@@ -237,8 +243,10 @@ Raster field_uncertainty(const std::vector<Raster>& levels) {
             sum_before += std::abs(zero_if_none(f2) - zero_if_none(f3));
         }
     }
-    const bool converges = sum_last > 0 && sum_before > sum_last;
-    const double order = converges ? limited_order(std::log(sum_before / sum_last) / std::log(ratio)) : 1;
+    const double observed =
+        sum_last > 0 && sum_before > sum_last ? std::log(sum_before / sum_last) / std::log(ratio) : 0;
+    const bool converges = observed > 0 && is_usable(observed);
+    const double order = converges ? limited_order(observed) : 1;
     const double factor = (converges ? k_safety : k_caution) / (std::pow(ratio, order) - 1);
     for (double& value : last.values) value *= factor;
     return last;

@@ -24,11 +24,14 @@ enum class Trend {
     unknown,      ///< too few resolutions
 };
 
+/// The scheme's order: values that approach faster do so by chance, which says nothing of their limit.
+inline constexpr double k_scheme_order = 2;
+
 /// Convergence of three or more resolutions, for the finest.
 struct GridConvergence {
     Trend trend = Trend::settled;
     double observed_order = 0;  ///< NaN unless converging
-    double extrapolated = 0;    ///< Richardson; the finest value itself unless converging
+    double extrapolated = 0;    ///< Richardson; the finest value itself unless converging at an order up to 2
     double error = 0;           ///< estimated |finest - true|, in the value's unit
     double index_percent = 0;   ///< grid convergence index of the finest, percent of its value
 };
@@ -37,10 +40,11 @@ struct GridConvergence {
 /// coarsest first with a constant ratio of cell sizes r:
 ///
 ///     p = ln(|f3 - f2| / |f2 - f1|) / ln r,   f_exact ~ f1 + (f1 - f2) / (r^p - 1),   f1 the finest
-///     GCI = F |f1 - f2| / (r^p - 1),   F = 1.25, p held within 0.5 to 2
+///     GCI = F |f1 - f2| / (r^p - 1),   F = 1.25, p at least 0.5
 ///
-/// F is 3 and p is taken as 1 where the values do not converge (oscillating, diverging): the index is then a
-/// caution, not an estimate. Throws Error(input) for fewer than three levels.
+/// F is 3 and p is taken as 1 where the values do not converge (oscillating, diverging) or the observed order is above
+/// the scheme's 2, which is then not used to extrapolate: the index is a caution, not an estimate. Throws Error(input)
+/// for fewer than three levels.
 GridConvergence grid_convergence(const std::vector<Refinement>& levels);
 
 /// The same for cell sizes whose ratios may be less than 2, on terrain with detail of its own. Of `levels`, coarsest

@@ -132,7 +132,7 @@ HazardScheme known_scheme(const std::string& name, const HazardLimits& limits) {
                 {}};
     if (name == "austrian-torrent")
         return {name,
-                "BMLFUW (2011): Richtlinie f\u00FCr die Gefahrenzonenplanung, Wien",
+                worded("customary limits, source not read"),
                 {{1,
                   worded("Yellow zone"),
                   over(worded("energy head"), k_torrent_head, k_metres, " < ") + " and " +
@@ -143,7 +143,8 @@ HazardScheme known_scheme(const std::string& name, const HazardLimits& limits) {
                   over(worded("energy head"), k_torrent_head, k_metres, " \u2265 ") + " or " +
                       over(worded("deposit"), k_torrent_deposit, k_metres, " \u2265 "),
                   {215, 25, 28}}},
-                {}};
+                {},
+                worded("Zones")};
     if (name == "custom") return {name, worded("limits of the scene"), custom_classes(limits), limits};
     throw Error(ErrorKind::input, Problem{"is not a hazard scheme", "hazard.scheme", name,
                                           "swiss-debris-flow, swiss-flood, austrian-torrent, custom", ""});

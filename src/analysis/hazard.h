@@ -41,12 +41,15 @@ struct HazardClass {
     [[nodiscard]] std::string label() const { return name == thresholds ? name : name + ": " + thresholds; }
 };
 
+inline constexpr const char* k_intensity_title = "Intensity";  // worded
+
 struct HazardScheme {
     std::string name;    ///< "swiss-debris-flow"
     std::string source;  ///< of the thresholds
     std::vector<HazardClass> classes;
-    HazardLimits limits;       ///< of scheme custom
-    double minimum_depth = 0;  ///< up to which there is no class [m]
+    HazardLimits limits;                    ///< of scheme custom
+    std::string title = k_intensity_title;  ///< what its classes are
+    double minimum_depth = 0;               ///< up to which there is no class [m]
 
     /// "Any class: depth > 0.1 m"
     [[nodiscard]] std::string minimum_label() const;

@@ -29,6 +29,11 @@ struct ComparisonStatistics {
     double false_positive_rate = 0;
     double d2pc = 0;   ///< distance to perfect classification: sqrt((1 - TPR)^2 + FPR^2), 0 is perfect
     double auroc = 0;  ///< area under the ROC curve as the threshold runs over all depths, 1 is perfect
+
+    /// (simulated - observed) / observed
+    [[nodiscard]] double signed_area_difference_percent() const noexcept {
+        return simulated_area_m2 < observed_area_m2 ? -area_difference_percent : area_difference_percent;
+    }
 };
 
 /// Compares a depth [m] (NaN: never reached) with a mask (not 0 and not NaN: observed) on the same cells. Throws

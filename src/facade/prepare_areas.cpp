@@ -13,6 +13,7 @@
 #include "facade/values_in_place.h"
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
+#include "params/scene/read_keys.h"
 #include "simulation/release.h"
 #include "simulation/scene_values.h"
 
@@ -61,6 +62,15 @@ bool check_outline(const MultiPolygon& outline, const GridSpec& grid, const std:
     return false;
 }
 
+/// A number of the scene by the rule of the key that gives it in a file.
+bool check_number(const std::string& key, double value, const std::string& where, Problems& problems) {
+    std::optional<frana::Problem> problem = problem_of_key(key, shortest_text(value));
+    if (!problem) return true;
+    problem->where = where;
+    problems.add(*problem);
+    return false;
+}
+
 void check_thickness(double thickness, const std::string& where, Problems& problems) {
     if (thickness >= k_least_thickness && thickness <= k_most_thickness) return;
     problems.add(
@@ -105,11 +115,11 @@ std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec&
         if (release.volume && release_volume_of(spec.release))
             problems.add({"contradicts release.volume, the volume of all areas", where + ": volume",
                           shortest_text(*release.volume) + " m3", "", "Keep one of the two"});
-        if (release.volume && !(*release.volume > 0))
-            problems.add({"is out of range", where + ": volume", shortest_text(*release.volume) + " m3",
-                          "greater than 0", "Check the unit"});
+        const bool has_volume =
+            release.volume && check_number("release.volume", *release.volume, where + ": volume", problems);
         if (release.thicknesses.empty()) {
-            check_thickness(release.thickness, where, problems);
+            if (check_number("release.thickness", release.thickness, where, problems))
+                check_thickness(release.thickness, where, problems);
             own.thickness = release.thickness;
         } else if (check_thicknesses(release.thicknesses.cells, where, problems)) {
             own.thickness_raster = raster_in_place(grid, release.thicknesses);
@@ -119,6 +129,7 @@ std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec&
         own.outline = outline_of(release, grid);
         if (own.outline.empty()) problems.add({"has no outline", where, "", "", "Give one, or thicknesses by cell"});
         if (own.outline.empty() || !check_outline(own.outline, grid, where, problems)) continue;
+        if (has_volume) check_thickness(*release.volume / area(own.outline), where + ": volume", problems);
         check_particle_count(area(own.outline) * spec.numerics.particles_per_cell / grid.cell_area(), where, problems);
         if (own.thickness_raster && !own.volume && !spec.release.volume && !own.normal_to_bed) {
             // Interpolated at its edge, a raster would lose volume.

@@ -85,10 +85,27 @@ Scene make_scene(const py::object& elevations, double west, double north, double
     return Scene({west, north, cell_size, array.shape(0), array.shape(1)}, std::move(values));
 }
 
+[[noreturn]] void refuse(const Problem& problem) {
+    throw Error(problem.where + ": " + problem.what + ". " + problem.remedy, {problem});
+}
+
+/// The same as a tuple of numbers; refused if it is none.
+template <class Numbers>
+Numbers numbers_of(const py::handle& row, const Problem& problem) {
+    try {
+        return row.cast<Numbers>();
+    } catch (const py::cast_error&) {
+        Problem refused = problem;
+        refused.value = py::str(row);
+        refuse(refused);
+    }
+}
+
 std::vector<Point> points_of(const py::handle& points) {
     std::vector<Point> list;
     for (const auto& point : points) {
-        const auto [x, y] = point.cast<std::pair<double, double>>();
+        const auto [x, y] = numbers_of<std::pair<double, double>>(
+            point, {"is not a point", "points", "", "", "Give points (x, y) in metres"});
         list.push_back({x, y});
     }
     return list;
@@ -123,10 +140,10 @@ Inflow inflow_of(const py::object& line, const py::object& hydrograph, std::opti
     inflow.line = points_of(line);
     inflow.direction = direction;
     for (const auto& row : hydrograph) {
-        const auto numbers = row.cast<std::vector<double>>();
-        if (numbers.size() != 2 && numbers.size() != 3)
-            throw py::value_error("hydrograph: has a row of " + std::to_string(numbers.size()) +
-                                  " numbers. Give (time, discharge) or (time, discharge, velocity)");
+        const Problem problem{"is not a row of two or three numbers", "hydrograph", "", "",
+                              "Give (time, discharge) or (time, discharge, velocity)"};
+        const auto numbers = numbers_of<std::vector<double>>(row, problem);
+        if (numbers.size() != 2 && numbers.size() != 3) refuse(problem);
         HydrographPoint& point = inflow.hydrograph.emplace_back(HydrographPoint{numbers[0], numbers[1]});
         if (numbers.size() == 3) point.velocity = numbers[2];
     }

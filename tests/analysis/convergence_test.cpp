@@ -36,6 +36,15 @@ TEST(GridConvergence, IsCautiousWhereValuesDoNotConverge) {
     EXPECT_EQ(grid_convergence({{8, 10}, {4, 11}, {2, 11}}).trend, Trend::settled);
 }
 
+TEST(GridConvergence, DoesNotExtrapolateAtAnOrderAboveTheSchemes) {
+    const GridConvergence two = grid_convergence(power_law(2)), fast = grid_convergence(power_law(2.8));
+    EXPECT_NEAR(two.extrapolated, 10, 1e-10);
+    const double finest = power_law(2.8).back().value, last = power_law(2.8)[1].value - finest;
+    EXPECT_NEAR(fast.observed_order, 2.8, 1e-12);
+    EXPECT_EQ(fast.extrapolated, finest);
+    EXPECT_NEAR(fast.error, 3 * last, 1e-9);  // three times the last difference, as where values do not converge
+}
+
 TEST(GridConvergence, NeedsThreeLevels) {
     EXPECT_THROW(grid_convergence({{4, 1}, {2, 2}}), Error);
 }

@@ -104,6 +104,30 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
             << key;
 }
 
+TEST_F(HostileNames, ControlCharactersAndMarksOfDirectionInNoPictureOrPage) {
+    write_named("profiles.geojson", "LineString", {R"(a\u0001b\u202ec)"});
+    write_named("gauges.geojson", "Point", {R"(g\u001b[2Jh\u200fi)"});
+    write_named("sections.geojson", "LineString", {R"(s\u0002t\u2067u)"});
+    write_scene(
+        "[output]\nmaps = max_depth\nmap-size = 800x600\nmap-formats = png, svg\nanimation = off\nframes = off\n"
+        "profiles = profiles.geojson\ngauges = gauges.geojson\ncross-sections = sections.geojson\n"
+        "title = ev\u202Eent\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    int pages = 0;
+    for (const std::string& file : files()) {
+        if (!file.starts_with("result/") || !(file.ends_with(".svg") || file.ends_with(".html"))) continue;
+        ++pages;
+        const std::string text = read_text(path(file));
+        for (const char c : text) {
+            const auto byte = static_cast<unsigned char>(c);
+            ASSERT_TRUE(byte >= 0x20 || c == '\n' || c == '\t') << file << ' ' << int(byte);
+        }
+        for (const char* mark : {"\u202e", "\u200f", "\u2067"}) EXPECT_EQ(text.find(mark), std::string::npos) << file;
+    }
+    EXPECT_GE(pages, 5);  // report, map, profile, gauges, sections
+}
+
 TEST_F(HostileNames, TitlesOfFoldersSurviveTheEcho) {
     for (const std::string folder : {" Val #3 ", "#", " "}) {
         fs::create_directory(path(folder));

@@ -77,6 +77,27 @@ TEST(FacadeScene, RefusesWrongValues) {
               "the terrain has no data under the release");
 }
 
+TEST(FacadeScene, ReadsNumbersByTheRuleOfFiles) {
+    const std::vector<double> z = small_slope();
+    const auto problems = [&](double thickness, std::optional<double> volume) {
+        facade::Scene scene(k_small_grid, {z});
+        scene.set("material.friction-angle", 10);
+        scene.add_release({.outline = {{square(600020, 5000040, 40)}}, .thickness = thickness, .volume = volume});
+        return problems_of([&] { static_cast<void>(scene.check()); });
+    };
+    EXPECT_TRUE(problems(2, 1000).empty());
+    for (const double volume : {1e300, -1.0, 0.0, std::nan(""), HUGE_VAL}) {
+        ASSERT_EQ(problems(2, volume).size(), 1U) << volume;
+        EXPECT_EQ(problems(2, volume).front().where, "release 1: volume");
+    }
+    // Within the key's range, but 6 km thick on 1600 m2.
+    ASSERT_EQ(problems(2, 1e7).size(), 1U);
+    EXPECT_EQ(problems(2, 1e7).front().what, "would be thicker than any landslide");
+    for (const double thickness : {std::nan(""), HUGE_VAL, 0.0, 1e300})
+        EXPECT_EQ(problems(thickness, std::nullopt).size(), 1U) << thickness;
+    EXPECT_EQ(problems(std::nan(""), std::nullopt).front().what, "is not understood");
+}
+
 TEST(FacadeScene, TakesThicknessesByCellWithTheirVolume) {
     const std::vector<double> z = small_slope();
     std::vector<double> thickness = on_small_grid(NAN);

@@ -134,7 +134,7 @@ class InflowAndRecords(unittest.TestCase):
         with_velocity["material.friction-coefficient"] = 0.1
         with_velocity["time.end"] = 1
         self.assertGreater(frana.run(with_velocity).summary["max_velocity_ms"], 8)
-        with self.assertRaisesRegex(ValueError, "row of 1 numbers"):
+        with self.assertRaisesRegex(frana.Error, "is not a row of two or three numbers"):
             scene.add_inflow([(20, 40), (20, 80)], [[1.0]])
         scene.add_gauge(1e6, 0, name="far")
         with self.assertRaisesRegex(frana.Error, "gauge far: lies outside the terrain|lies outside the terrain .*gauge far"):
@@ -238,6 +238,26 @@ class Errors(unittest.TestCase):
             scene["output.maps"] = "off"
         scene["material.bed-friction"] = ["coulomb", "turbulence"]
         scene["material.turbulence"] = np.float64(400)
+
+    def test_wrong_outlines_and_rows_are_errors_of_frana(self):
+        scene = frana.Scene(slope(), cell_size=CELL)
+        for outline in ([(1, 2), (3,)], [(1, 2, 3)], [("a", "b")], [1, 2, 3]):
+            with self.assertRaisesRegex(frana.Error, "is not a point") as caught:
+                scene.add_release(2.0, outline=outline)
+            self.assertEqual(len(caught.exception.problems), 1)
+        with self.assertRaisesRegex(frana.Error, "is not a row"):
+            scene.add_inflow([(1, 2), (3, 4)], [(0,), (1, 2)])
+        with self.assertRaises(TypeError):
+            scene.add_release(2.0, outline=5)
+
+    def test_numbers_are_read_by_the_rule_of_files(self):
+        for arguments in ({"volume": 1e300}, {"volume": float("nan")}, {"thickness": float("nan")}, {"thickness": 1e300}):
+            scene = frana.Scene(slope(), cell_size=CELL)
+            scene["material.friction-angle"] = 10
+            scene.add_release(**{"thickness": 2.0, "outline": [(20, -20), (60, -20), (60, -60), (20, -60)], **arguments})
+            with self.assertRaises(frana.Error) as caught:
+                scene.check()
+            self.assertIn("release 1", caught.exception.problems[0].where)
 
     def test_all_problems_of_a_scene_at_once(self):
         scene = frana.Scene(slope(), cell_size=CELL)

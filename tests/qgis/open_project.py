@@ -18,12 +18,12 @@ from qgis.core import (QgsApplication, QgsDateTimeRange, QgsMapRendererCustomPai
 BACKGROUND = QColor(255, 0, 255)
 
 
-def draw(layers, extent, path):
+def draw(layers, extent, path, width=1000):
     settings = QgsMapSettings()
     settings.setLayers(layers)
     settings.setDestinationCrs(layers[0].crs())
     settings.setExtent(extent)
-    settings.setOutputSize(QSize(1000, int(1000 * extent.height() / extent.width())))
+    settings.setOutputSize(QSize(width, int(width * extent.height() / extent.width())))
     settings.setBackgroundColor(BACKGROUND)
     settings.setFlag(QgsMapSettings.DrawLabeling, True)
     image = QImage(settings.outputSize(), QImage.Format_RGB32)
@@ -68,6 +68,19 @@ def check_frames(group, folder, name):
         assert found == [index], (index, found, starts)
 
 
+def check_relief(layer, picture):
+    """Enlarged, the relief is smoother from pixel to pixel than with one pixel for each cell; otherwise it shows a
+    waffle of the cells."""
+    def contrast(width):
+        image = draw([layer], layer.extent(), picture, width)
+        columns, rows = (range(size // 4, 3 * size // 4) for size in (image.width(), image.height()))
+        greys = [[image.pixelColor(x, y).red() for x in columns] for y in rows[::3]]
+        return sum(abs(a - 2 * b + c) for row in greys for a, b, c in zip(row, row[1:], row[2:])) / len(rows[::3]) / len(columns)
+    of_cells = contrast(layer.width())
+    enlarged = [contrast(times * layer.width()) for times in (2, 4, 7)]  # without smoothing 8 to 28 where the cells have 6
+    assert max(enlarged) < of_cells, (of_cells, enlarged)
+
+
 def check_project(folder, picture):
     project = QgsProject.instance()
     assert project.read(os.path.join(folder, "result.qgz")), project.error()
@@ -103,6 +116,7 @@ def check_project(folder, picture):
             check_outline(layer)
     # Otherwise the relief is striped in a project of another CRS.
     assert rasters["dtm.tif"].dataProvider().isProviderResamplingEnabled()
+    check_relief(rasters["dtm.tif"], picture.replace(".png", "_relief.png"))
     visible = [layer for layer in project.layerTreeRoot().layerOrder()
                if project.layerTreeRoot().findLayer(layer.id()).isVisible()]
     shown = [os.path.basename(layer.source()) for layer in visible if isinstance(layer, QgsRasterLayer)]

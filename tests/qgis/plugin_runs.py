@@ -169,6 +169,13 @@ def test_not_given():
                                     "animation", "charts", "report"]), lines
 
 
+def test_folder_like_an_option():
+    """A name that the program would take for an option is a folder."""
+    os.chdir(folder)
+    found = run("run", {**scene("unused"), "OUTPUT": "--overwrite"})
+    assert found["OUTPUT"] == os.path.join(folder, "--overwrite") and os.path.isfile(found["MAX_DEPTH"]), found
+
+
 def test_title():
     """Maps and groups are called as the result, or as the release layer if the result is temporary."""
     import json

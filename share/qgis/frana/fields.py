@@ -2,6 +2,7 @@
 """From a key to the parameters of a dialogue, and from their values to the key's text. Not given stays not given."""
 from __future__ import annotations
 
+import os
 import re
 from typing import Any
 
@@ -34,6 +35,10 @@ class Values:
 
     def text(self, name: str) -> str:
         return self.algorithm.parameterAsString(self.parameters, name, self.context).strip()
+
+    def path(self, name: str) -> str:
+        """Absolute: a name that begins with "-" would be an option of the program. Empty: not given."""
+        return os.path.abspath(self.text(name)) if self.has(name) else ""
 
     def number(self, name: str) -> float:
         return self.algorithm.parameterAsDouble(self.parameters, name, self.context)

@@ -8,6 +8,7 @@
 #include "analysis/trace.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
+#include "app/commands/compare_pairs.h"
 #include "app/commands/json_output.h"
 #include "app/commands/memory_forecast.h"
 #include "app/commands/memory_limit.h"
@@ -22,7 +23,6 @@
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
 #include "app/publish/report_probability.h"
-#include "app/store/kept_files.h"
 #include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
@@ -35,7 +35,6 @@
 #include "gis/raster/raster_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/keys/former_names.h"
-#include "params/keys/picture_parameters.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -55,7 +54,8 @@ CommandForm compare_form() {
         "threshold", one("METRES"),
         "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
         "out", one("FOLDER"),
-        "folder for the files (default: RESULT_DIR, or the current folder for a RASTER or a ranking)")(
+        "folder for the files (default: RESULT_DIR; the current folder for a RASTER; for a ranking that of the first "
+        "result)")("overwrite", "replace a comparison with another survey")(
         "size", one("SIZE"), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)")(
         "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
@@ -87,13 +87,6 @@ struct Simulated {
     MapSource source;
 };
 
-/// Name for folders and the ranking.
-std::string name_of(const std::string& operand) {
-    if (!fs::is_directory(operand)) return fs::path(operand).stem().string();
-    const fs::path folder = fs::absolute(ResultReader(operand).directory()).lexically_normal();
-    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-}
-
 Simulated read_simulated(const std::string& operand, const std::optional<double>& threshold) {
     Simulated simulated;
     ComparisonInput& input = simulated.input;
@@ -114,7 +107,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         input.words = result.words();
     } else {
         input.depth = foreign_depth(operand);
-        simulated.source.title = name_of(operand);
+        simulated.source.title = compared_name(operand);
         simulated.source.foreign = true;
         input.words = simulated.source.style.words = Words(process_language());
         simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
@@ -138,72 +131,6 @@ Survey read_survey(const std::optional<std::string>& scar, const std::optional<s
         question_outline(released, survey.scar, padded_to(simulated, bounds(survey.scar), k_no_data).grid, *scar, log);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;
-}
-
-/// One result or raster against one survey, and the folder of the files.
-struct Pair {
-    std::string operand;
-    std::optional<std::string> scar;
-    std::string name, folder;
-};
-
-std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::vector<std::string>& scars,
-                           const std::optional<std::string>& out, Ranking& ranking) {
-    std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
-    if (surveyed.empty()) surveyed.emplace_back();
-    if (operands.size() == 1 && surveyed.size() == 1) {
-        const std::string& only = operands.front();
-        const std::string usual = fs::is_directory(only) ? ResultReader(only).directory() : ".";
-        return {{only, surveyed.front(), "", out.value_or(usual)}};
-    }
-    std::vector<Pair> pairs;
-    for (const std::string& operand : operands) {
-        for (const auto& scar : surveyed) {
-            const std::string name =
-                ranking.folder_for(name_of(operand), scar ? fs::path(*scar).stem().string() : "deposit");
-            pairs.push_back({operand, scar, name, (fs::path(out.value_or(".")) / name).string()});
-        }
-    }
-    return pairs;
-}
-
-std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
-    std::vector<std::string> files = comparison_files(pair.folder);
-    for (const std::string& picture : comparison_pictures(style, pair.folder)) files.push_back(picture);
-    return files;
-}
-
-/// Checks, before anything is computed, that no input and no file of a result would be overwritten.
-void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit,
-                   const std::string& ranking_file) {
-    KeptFiles kept;
-    MapStyle any;
-    any.formats = picture_formats();
-    for (const Pair& pair : pairs) {
-        if (fs::is_directory(pair.operand)) {
-            const std::string result = ResultReader(pair.operand).directory();
-            kept.add_result(result, comparison_files(result));
-        }
-    }
-    for (const Pair& pair : pairs) {  // whatever their names
-        if (!fs::is_directory(pair.operand)) kept.add(pair.operand);
-        kept.add(pair.scar.value_or(""));
-    }
-    kept.add(deposit.value_or(""));
-    Problems problems;
-    for (const Pair& pair : pairs) {
-        const std::vector<std::string> files = files_of(pair, any);
-        kept.check(files, "--out", problems);
-        problems.throw_if_any();  // one problem per file
-        check_own(pair.folder, files, "--out", {pair.operand}, problems);
-    }
-    if (pairs.size() > 1) {
-        kept.check({ranking_file}, "--out", problems);
-        std::vector<std::string> reads;
-        for (const Pair& pair : pairs) reads.push_back(pair.operand);
-        check_own(fs::path(ranking_file).parent_path().string(), {ranking_file}, "--out", reads, problems);
-    }
-    problems.throw_if_any();
 }
 
 void refuse_too_large(const Simulated& simulated, const std::string& where) {
@@ -315,19 +242,6 @@ int compare_probability(const Pair& pair, const std::optional<double>& threshold
     return static_cast<int>(ExitCode::done);
 }
 
-void refuse_in_ranking(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit) {
-    for (const Pair& pair : pairs) {
-        if (!is_probability(pair.operand)) continue;
-        if (pairs.size() > 1)
-            throw Error(ErrorKind::input,
-                        Problem{"is a map of probability, which cannot be ranked", "RESULT_DIR|RASTER", pair.operand,
-                                "", "Compare it alone, with one --observed"});
-        if (deposit)
-            throw Error(ErrorKind::input, Problem{"cannot be compared with a map of probability", "--deposit", *deposit,
-                                                  "", "Name the surveyed outline: --observed VECTOR"});
-    }
-}
-
 }  // namespace
 
 int cmd_compare(const Arguments& arguments) {
@@ -347,9 +261,11 @@ int cmd_compare(const Arguments& arguments) {
     const bool json = values->count("json") > 0;
     Ranking ranking;
     const std::vector<Pair> pairs = pairs_of(operands, scars, out, ranking);
-    const std::string ranking_file = (fs::path(out.value_or(".")) / "ranking.csv").string();
+    const std::string ranking_file =
+        (fs::path(out.value_or(ranking_folder(operands.front()))) / "ranking.csv").lexically_normal().string();
     refuse_in_ranking(pairs, deposit);
     check_outputs(pairs, deposit, ranking_file);
+    if (values->count("overwrite") == 0) refuse_other_survey(pairs, deposit.value_or(""));
     if (is_probability(pairs.front().operand)) return compare_probability(pairs.front(), threshold, size, json);
     RunLog log(false);
     Json document = document_of("compare");

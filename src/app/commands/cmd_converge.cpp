@@ -162,6 +162,7 @@ std::string sentences(const std::vector<Level>& levels) {
                 ", estimated error " + number_text(c.error, 2) + ' ' + name.unit + " (" +
                 number_text(c.index_percent, 2) + " %; " + describe(c.trend);
         if (c.trend == Trend::converging) text += ", order " + number_text(c.observed_order, 2);
+        if (c.observed_order > k_scheme_order) text += ", above the scheme's: a caution";
         text += ")\n";
     }
     return text + "from " + std::to_string(levels.size()) + " resolutions, the finest " +
@@ -173,7 +174,7 @@ std::string sentences(const std::vector<Level>& levels) {
 /// Difference of each level's values from their extrapolated values, relative to those, against the cell size.
 render::Image chart_of(const std::vector<Level>& levels, const Words& words) {
     render::Chart chart{words("Convergence"),
-                        words("distance from the extrapolated value, if a value converges; otherwise from the finest"),
+                        words("distance from the extrapolated value, if there is one; otherwise from the finest"),
                         "",
                         3,
                         {},

@@ -5,9 +5,11 @@
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/scene_draft.h"
+#include "app/input/share_directory.h"
 #include "app/text/text_file.h"
 #include "core/error.h"
 #include "params/grammar/absolute_path.h"
+#include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -15,6 +17,24 @@ namespace frana::app {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Throws Error(input) for a word that is no preset.
+std::string preset_of(const std::string& word) {
+    std::string names;
+    for (const MaterialPreset& preset : material_presets(materials_directory())) {
+        if (preset.name == word) return word;
+        names += (names.empty() ? "" : ", ") + preset.name;
+    }
+    throw Error(ErrorKind::input, Problem{"is not a material preset", "--preset", word, names, ""});
+}
+
+/// What is still to be given in a draft; empty: nothing.
+std::string open_keys(const SceneDraft& draft) {
+    std::string keys;
+    if (draft.thickness.empty()) keys = "release.thickness";
+    if (draft.preset.empty()) keys += std::string(keys.empty() ? "" : " and ") + "material.preset";
+    return keys;
+}
 
 /// The thickness as the scene will have it: its files relative to the scene's folder. Throws Error(input).
 std::string thickness_of(const std::string& text, const fs::path& folder) {
@@ -35,13 +55,13 @@ std::string thickness_of(const std::string& text, const fs::path& folder) {
 CommandForm new_form() {
     CommandForm form{"frana new DTM PERIMETER [options]",
                      "Writes a commented scene to begin with: the twenty keys that matter, with what the two files "
-                     "contain. It leaves the\nthickness open unless --thickness gives it.",
+                     "contain. It leaves\nthickness and material open unless --thickness and --preset give them.",
                      "DTM PERIMETER",
                      {}};
     form.repeats = true;
     form.options.add_options()("out", one("FILE"), "scene file to write (default: scene.ini)")(
         "thickness", one("METRES"), "of the release: a number, attribute:NAME, raster:FILE, difference:PRE,POST")(
-        "overwrite", "replace an existing file");
+        "preset", one("NAME"), "of the material: one of `frana materials`")("overwrite", "replace an existing file");
     return form;
 }
 
@@ -61,6 +81,7 @@ int cmd_new(const Arguments& arguments) {
     SceneDraft draft = draft_of(files[0], files[1]);
     draft.dtm = relative_path(absolute_path(files[0], fs::current_path().string()), folder.string());
     draft.perimeter = relative_path(absolute_path(files[1], fs::current_path().string()), folder.string());
+    if (const auto preset = text_option(*values, "preset")) draft.preset = preset_of(*preset);
     if (thickness) draft.thickness = thickness_of(*thickness, folder);
     std::error_code error;
     fs::create_directories(folder, error);
@@ -69,7 +90,7 @@ int cmd_new(const Arguments& arguments) {
                                                     folder.string(), "", "Choose another place"});
     write_text_file(scene.string(), draft_text(draft));
     std::cerr << "frana: wrote " << scene.string()
-              << "\nfrana: next: " << (draft.thickness.empty() ? "give release.thickness in it, then " : "")
+              << "\nfrana: next: " << (open_keys(draft).empty() ? "" : "give " + open_keys(draft) + " in it, then ")
               << "frana check " << scene.string() << '\n';
     return static_cast<int>(ExitCode::done);
 }

@@ -74,13 +74,12 @@ std::string comment(const std::string& text) {
     return lines;
 }
 
-const char* const k_preset = "debris-flow";  // of the draft
-
-/// What the draft's preset says of a key of the material: its value, else what it gives in its place.
-std::string of_preset(const std::string& key) {
+/// What a preset says of a key of the material: its value, else what it gives in its place. Empty without a preset.
+std::string of_preset(const std::string& name, const std::string& key) {
+    if (name.empty()) return "";
     std::string others;
     for (const MaterialPreset& preset : material_presets(materials_directory())) {
-        if (preset.name != k_preset) continue;
+        if (preset.name != name) continue;
         for (const IniEntry& entry : preset.entries) {
             if (entry.name == key) return entry.value;
             others += (others.empty() ? "" : ", ") + entry.name.substr(entry.name.find('.') + 1) + " = " + entry.value;
@@ -151,6 +150,11 @@ std::string draft_text(const SceneDraft& draft) {
     std::vector<std::string> thickness = draft.about_thickness;
     if (draft.thickness.empty())
         thickness.insert(thickness.begin(), "To be given: only you know how thick the mass is that fails.");
+    std::vector<std::string> preset{"One of " + presets() +
+                                    ": starting points, not calibrated values (`frana materials`)."};
+    if (draft.preset.empty())
+        preset.insert(preset.begin(),
+                      "To be given, or a law with its values: only you know what the slope is made of.");
     // What is written of a main key besides its meaning; the others have their default, after #.
     const std::vector<DraftLine> known{
         {"terrain.dtm", draft.dtm, false, draft.about_dtm},
@@ -164,13 +168,10 @@ std::string draft_text(const SceneDraft& draft) {
          true,
          {"Does the DTM show the slope before it failed? Then remove the # of the next line; without it the mass is "
           "laid on top of the DTM."}},
-        {"material.preset",
-         k_preset,
-         false,
-         {"One of " + presets() + ": starting points, not calibrated values (`frana materials`)."}},
-        {"material.friction-angle", of_preset("material.friction-angle"), true, {k_of_preset}},
-        {"material.turbulence", of_preset("material.turbulence"), true, {k_of_preset}},
-        {"material.density", of_preset("material.density"), true, {k_of_preset}},
+        {"material.preset", draft.preset, false, preset},
+        {"material.friction-angle", of_preset(draft.preset, "material.friction-angle"), true, {k_of_preset}},
+        {"material.turbulence", of_preset(draft.preset, "material.turbulence"), true, {k_of_preset}},
+        {"material.density", of_preset(draft.preset, "material.density"), true, {k_of_preset}},
         {"time.end", declared("time.end").default_text(), false},
         {"output.title", draft.title, false},
     };

@@ -10,6 +10,7 @@ namespace frana::app {
 struct SceneDraft {
     std::string dtm, perimeter;  ///< as the scene names them
     std::string thickness;       ///< empty: open
+    std::string preset;          ///< empty: open
     std::string title;
     std::string cell_size;  ///< of the DTM [m]; empty: it is not in metres
     std::vector<std::string> about_dtm, about_crs, about_cells, about_unit, about_perimeter, about_thickness;

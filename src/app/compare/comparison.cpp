@@ -8,6 +8,7 @@
 #include "analysis/runout.h"
 #include "analysis/trace.h"
 #include "app/text/number_text.h"
+#include "app/text/unit_sign.h"
 #include "core/error.h"
 #include "core/inside_test.h"
 #include "gis/raster/rasterize.h"
@@ -165,7 +166,7 @@ std::string comparison_headline(const Comparison& comparison) {
     std::string text;
     if (comparison.statistics) {
         text = "the area differs from the surveyed one by " +
-               number_text(comparison.statistics->area_difference_percent, 3) + " %, Jaccard " +
+               signed_number_text(comparison.statistics->signed_area_difference_percent()) + " %, Jaccard " +
                number_text(comparison.statistics->jaccard, 3);
     }
     for (const FrontComparison& front : comparison.fronts)

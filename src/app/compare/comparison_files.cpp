@@ -8,6 +8,7 @@
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/unit_sign.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/json.h"
@@ -185,15 +186,16 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
     const Words& words = drawer.style().words;
     const auto area = [&](double value) { return words.number(grouped(value)); };
     const auto score = [&](double value) { return words.number(number_text(value, 3)); };
-    layer.notes = {words("Deeper than {1} m counts", {words.number(number_text(f.threshold_m))}),
-                   words("Observed {1} m²", {area(f.observed_area_m2)}),
-                   words("Simulated {1} m²", {area(f.simulated_area_m2)}),
-                   words("Area difference {1} %", {score(f.area_difference_percent)}),
-                   words("Hit {1} m²", {area(f.hit_m2)}),
-                   words("False alarm {1} m²", {area(f.false_alarm_m2)}),
-                   words("Miss {1} m²", {area(f.miss_m2)}),
-                   words("Jaccard {1}", {score(f.jaccard)}),
-                   words("Dice {1}", {score(f.dice)})};
+    layer.notes = {
+        words("Deeper than {1} m counts", {words.number(number_text(f.threshold_m))}),
+        words("Observed {1} m²", {area(f.observed_area_m2)}),
+        words("Simulated {1} m²", {area(f.simulated_area_m2)}),
+        words("Area difference {1} %", {words.number(signed_number_text(f.signed_area_difference_percent()))}),
+        words("Hit {1} m²", {area(f.hit_m2)}),
+        words("False alarm {1} m²", {area(f.false_alarm_m2)}),
+        words("Miss {1} m²", {area(f.miss_m2)}),
+        words("Jaccard {1}", {score(f.jaccard)}),
+        words("Dice {1}", {score(f.dice)})};
     if (comparison.outline) layer.notes.push_back(words("Outlines {1} m apart", {score(comparison.outline->mean_m)}));
     layer.title = words("Comparison with the survey");
     layer.values = comparison.classes;

@@ -3,14 +3,11 @@
 
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
+#include "app/text/unit_sign.h"
 #include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {
-
-std::string signed_text(double value) {
-    return (value > 0 ? "+" : "") + number_text(value, 3);
-}
 
 /// Rows of name, value and what the value means.
 class Scores {
@@ -22,7 +19,7 @@ class Scores {
     void add_areas(const ComparisonStatistics& f, const std::string& what) {
         add("observed " + what, grouped(f.observed_area_m2) + " m2", "");
         add("simulated " + what, grouped(f.simulated_area_m2) + " m2",
-            number_text(f.area_difference_percent, 3) + " % apart in size, wherever they lie");
+            signed_number_text(f.signed_area_difference_percent()) + " % in size, wherever they lie");
         add("Jaccard index", number_text(f.jaccard, 3), "common ground of all covered: 1 agrees everywhere");
         add("hits", number_text(100 * f.true_positive_rate, 3) + " %", "of the observed ground is covered");
         add("false alarms", grouped(f.false_alarm_m2) + " m2", "covered, not observed");
@@ -47,19 +44,19 @@ std::string comparison_table(const Comparison& comparison, const ComparisonInput
                    "at most " + number_text(outline->hausdorff_m, 3) + " m");
     }
     if (comparison.runout_difference_m)
-        scores.add("run-out", signed_text(*comparison.runout_difference_m) + " m", "simulated minus observed");
+        scores.add("run-out", signed_number_text(*comparison.runout_difference_m) + " m", "simulated minus observed");
     if (const auto& path = comparison.path_runout)
         scores.add(
-            "run-out along the path", signed_text(path->simulated_m - path->observed_m) + " m",
+            "run-out along the path", signed_number_text(path->simulated_m - path->observed_m) + " m",
             number_text(path->simulated_m, 4) + " m simulated, " + number_text(path->observed_m, 4) + " m observed");
     for (const FrontComparison& front : comparison.fronts)
-        scores.add("front " + front.name, signed_text(front.mean_m) + " m",
+        scores.add("front " + front.name, signed_number_text(front.mean_m) + " m",
                    "mean; " + number_text(front.reached_percent, 3) + " % of the line was reached");
     for (const TipComparison& tip : comparison.tips)
-        scores.add("tip " + tip.name, signed_text(tip.distance_m) + " m", "greater than 0: reached beyond it");
+        scores.add("tip " + tip.name, signed_number_text(tip.distance_m) + " m", "greater than 0: reached beyond it");
     if (comparison.deposit_overlap) scores.add_areas(*comparison.deposit_overlap, "deposit");
     if (const auto& depth = comparison.deposit_depth)
-        scores.add("depth of the deposit", signed_text(depth->bias_m) + " m",
+        scores.add("depth of the deposit", signed_number_text(depth->bias_m) + " m",
                    "mean error; root mean square " + number_text(depth->rmse_m, 3) + " m");
     return "Covered: deeper than " + shortest_text(input.threshold) + " m\n\n" + scores.text(width);
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "analysis/trace.h"
+#include "app/compare/probability_comparison.h"
 #include "app/ensemble/member_run.h"
 #include "app/ensemble/publish_union.h"
 #include "app/ensemble/study_charts.h"
@@ -17,6 +18,7 @@
 #include "app/ensemble/study_tables.h"
 #include "app/input/scene_language.h"
 #include "app/publish/publish_project.h"
+#include "app/publish/report_probability.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
 #include "app/store/saved_work.h"
@@ -30,6 +32,8 @@
 
 namespace frana::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Cells beyond those that a member reached, where the maps of a large terrain end.
 constexpr std::int64_t k_margin = 32;
@@ -149,6 +153,31 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const stu
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
+/// The probabilities against the scene's surveyed outline, where it has one.
+struct StudyComparison {
+    ProbabilityMap map;
+    ProbabilityScores scores;
+};
+
+/// Writes the scores. A survey that cannot be compared does not fail the study.
+std::optional<StudyComparison> compare_study(const StudyInput& input, const ResultDirectory& directory, RunLog& log) {
+    if (!input.base.scar || input.reading.study.per_polygon()) return std::nullopt;
+    Survey survey;
+    survey.scar = parts_of(input.base.scar->features);
+    survey.scar_label = input.base.spec.observed.perimeter.value_or("");
+    try {
+        StudyComparison comparison{read_probability_map(directory.folder(), std::nullopt), {}};
+        comparison.map.file = fs::path(comparison.map.file).filename().string();
+        comparison.scores = compare_with_survey(comparison.map, survey, log);
+        write_probability_comparison(comparison.scores, comparison.map, survey, directory.folder());
+        return comparison;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input) throw;
+        log.warn(worded("the survey could not be compared: {1}", {std::string(error.what())}));
+        return std::nullopt;
+    }
+}
+
 /// The files that the central scene and the study name.
 std::vector<NamedFile> inputs_of(const StudyInput& input) {
     std::vector<NamedFile> files = named_files(input.base.spec);
@@ -210,9 +239,12 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     if (!result.finished_at.empty())
         publish_project(directory.folder(), input.base.spec.output.title.value_or(scene_name(input.base.spec)) +
                                                 (is_region ? ", region" : ", study"));
+    std::optional<StudyComparison> comparison;
+    if (!result.finished_at.empty()) comparison = compare_study(input, directory, log);
     facts.wall_seconds = study.since_start.seconds();
     facts.warnings = log.warnings();
     if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);
+    if (comparison) renew_report(directory.folder(), comparison->scores, comparison->map);
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
     write_text_file(directory.path(k_log_file), log.text());
     return outcome;

@@ -104,7 +104,7 @@ void write_scenario(const StudyInput& input, const std::vector<study::UnionMembe
         directory);
     const auto scheme = hazard_scheme_of(input.base.spec);
     if (!scheme) return;
-    ClassMap map{of_scenario + "intensity_" + name, "Intensity", scheme->classes, scheme->name, scheme->source, "",
+    ClassMap map{of_scenario + "intensity_" + name, scheme->title, scheme->classes, scheme->name, scheme->source, "",
                  {scheme->minimum_label()}};
     publish_classes(study::greatest_of(members, study::Quantity::intensity, grid), map, provenance(input.base),
                     words_of(input.base.spec), directory);

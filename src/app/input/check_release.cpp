@@ -11,6 +11,7 @@
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
+#include "params/grammar/picture_text.h"
 #include "simulation/release.h"
 
 namespace frana::app {
@@ -167,6 +168,21 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     refuse_beyond(mean, "release.volume");
 }
 
+/// The least that a map shows is the release; the flow, of which nothing is known yet, needs more.
+void check_map_scale(const SceneReading& reading, const MultiPolygon& outlines, Problems& problems) {
+    const OutputSpec& output = reading.scene.output;
+    const std::optional<Size> page = size_from_text(output.map_size);
+    if (!output.map_scale || !page || !is_paper(*page) || output.maps == std::vector<std::string>{"off"}) return;
+    constexpr double k_inch = 0.0254;
+    const Bounds box = bounds(outlines);
+    const double metre = page->dots_per_inch / k_inch;  // pixels on paper
+    const double least = metre * std::max((box.east - box.west) / page->width, (box.north - box.south) / page->height);
+    if (least <= *output.map_scale) return;
+    problems.add({"not even the release fits " + page->paper + " at this scale", reading.where("output.map-scale"),
+                  "1 : " + grouped(*output.map_scale), "more than 1 : " + grouped(std::ceil(least)),
+                  "Choose a smaller scale with room for the flow, or remove the key for a round one"});
+}
+
 /// Polygons that overlap release their thickness twice.
 void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& log) {
     if (release.areas.size() < 2) return;
@@ -225,6 +241,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     for (const ReleaseArea* area : different_rasters(reading, release))
         check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
     check_greatest(reading, release, outlines, cover, problems);
+    check_map_scale(reading, outlines, problems);
     check_difference(reading, ground, release, cover, log, problems);
     check_overlap(release, ground.terrain.grid, log);
 }

@@ -8,6 +8,7 @@
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
 #include "gis/crs/crs.h"
+#include "params/grammar/value_text.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -23,6 +24,13 @@ std::string numeric_columns(const gis::PolygonLayer& layer) {
     return known;
 }
 
+/// The number of a feature in a column. One text makes a column of numbers a column of texts.
+std::optional<double> number_in(const PolygonFeature& feature, const std::string& column) {
+    if (const auto number = feature.numbers.find(column); number != feature.numbers.end()) return number->second;
+    const auto text = feature.texts.find(column);
+    return text == feature.texts.end() ? std::nullopt : number_from_text(trimmed(text->second));
+}
+
 /// Why no feature has a number in a column: one problem for the whole layer.
 Problem missing_column(const gis::PolygonLayer& layer, const std::string& column, const std::string& where) {
     const bool is_text = std::any_of(layer.features.begin(), layer.features.end(),
@@ -36,6 +44,15 @@ Problem missing_column(const gis::PolygonLayer& layer, const std::string& column
 }
 
 }  // namespace
+
+std::string feature_number(const gis::PolygonLayer& layer, std::size_t feature) {
+    const std::string& condition = layer.conditions[feature];
+    return condition.substr(condition.rfind(' ') + 1);
+}
+
+std::string feature_name(const gis::PolygonLayer& layer, std::size_t feature) {
+    return "feature " + feature_number(layer, feature) + " of " + layer.layer_name;
+}
 
 std::string target_crs(const SceneReading& reading, const TerrainInput* ground) {
     if (ground != nullptr) return ground->terrain.grid.crs_wkt;
@@ -57,11 +74,10 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
                                const gis::PolygonLayer& layer, std::size_t feature, Problems& problems) {
     if (source.kind == SourceSpec::Kind::number) return source.number;
     const PolygonFeature& from = layer.features[feature];
-    const std::string name = "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
-    const auto found = from.numbers.find(source.name);
-    if (found == from.numbers.end()) {
+    const std::optional<double> found = number_in(from, source.name);
+    if (!found) {
         // Told once for the layer, not for each feature.
-        const auto lacks = [&](const PolygonFeature& f) { return f.numbers.count(source.name) == 0; };
+        const auto lacks = [&](const PolygonFeature& f) { return !number_in(f, source.name); };
         const auto first = std::find_if(layer.features.begin(), layer.features.end(), lacks) - layer.features.begin();
         if (first != static_cast<std::ptrdiff_t>(feature)) return std::nullopt;
         const auto lacking = std::count_if(layer.features.begin(), layer.features.end(), lacks);
@@ -69,15 +85,18 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
             problems.add(missing_column(layer, source.name, reading.where(key)));
             return std::nullopt;
         }
-        problems.add({"is empty (NULL) in the attribute " + source.name + " of " + std::to_string(lacking) + " of " +
-                          std::to_string(layer.features.size()) + " features of " + layer.layer_name +
-                          ", the first of them feature " + std::to_string(feature + 1),
+        const bool is_text = from.texts.count(source.name) > 0;
+        problems.add({(is_text ? "is no number in the attribute " : "is empty (NULL) in the attribute ") + source.name +
+                          " of " + std::to_string(lacking) + " of " + std::to_string(layer.features.size()) +
+                          " features of " + layer.layer_name + ", the first of them feature " +
+                          feature_number(layer, feature),
                       reading.where(key), "", "a number in each", "Fill the column, or leave these features out"});
         return std::nullopt;
     }
-    if (!within_limits(reading, key, found->second, name + ", attribute " + source.name + ",", problems))
+    if (!within_limits(reading, key, *found, feature_name(layer, feature) + ", attribute " + source.name + ",",
+                       problems))
         return std::nullopt;
-    return found->second;
+    return found;
 }
 
 bool is_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box, const TerrainInput& ground,

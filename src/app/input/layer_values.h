@@ -9,6 +9,11 @@
 
 namespace frana::app {
 
+/// The number that a feature has in the file, whatever part of the layer was read, as GDAL and QGIS count.
+std::string feature_number(const gis::PolygonLayer& layer, std::size_t feature);
+/// "feature 3 of slopes".
+std::string feature_name(const gis::PolygonLayer& layer, std::size_t feature);
+
 /// Returns the working CRS; geographic coordinates if the terrain is missing, so that a file is still checked.
 std::string target_crs(const SceneReading& reading, const TerrainInput* ground);
 

@@ -41,8 +41,8 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
     });
     const double footprint = static_cast<double>(cells) * raster.grid.cell_area(), drawn = area(parts);
     if (cells == 0) {
-        problems.add({"feature " + std::to_string(feature + 1) + " of " + layer.layer_name + " covers no cell", where,
-                      grouped(drawn) + " m2", "", "Choose smaller cells"});
+        problems.add({feature_name(layer, feature) + " covers no cell", where, grouped(drawn) + " m2", "",
+                      "Choose smaller cells"});
     } else if (footprint > k_widened * drawn) {
         warnings.add("narrow", worded("{1}: feature {2} of {3} is narrower than the cells: it covers {4} m2 of the "
                                       "working grid, the drawn area is {5} m2; choose smaller cells",

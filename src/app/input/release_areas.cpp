@@ -16,10 +16,6 @@ namespace {
 
 using Kind = ThicknessSpec::Kind;
 
-std::string name_of(const gis::PolygonLayer& layer, std::size_t feature) {
-    return "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
-}
-
 /// The text or number of the first of these attributes that a polygon has, in any case; empty without one.
 std::string attribute_of(const PolygonFeature& feature, const std::vector<std::string>& wanted) {
     const auto lower = [](std::string word) {
@@ -148,7 +144,7 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
             if (!thickness) continue;
             area.thickness = *thickness;
             if (!(area.thickness > 0) || !std::isfinite(area.thickness)) {
-                problems.add({name_of(layer, i) + " has a thickness that is not positive", where,
+                problems.add({feature_name(layer, i) + " has a thickness that is not positive", where,
                               shortest_text(area.thickness) + " m", "greater than 0",
                               "Correct the attribute " + spec.attribute});
                 continue;
@@ -198,7 +194,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
             surfaces.emplace_back(ground, layer.features[i].parts, shape_of(spec));
         } catch (const Error& error) {
             Problem problem = error.problems().front();
-            problem.what = name_of(layer, i) + ": " + problem.what;
+            problem.what = feature_name(layer, i) + ": " + problem.what;
             problem.where = reading.where(problem.where);
             problems.add(problem);
         }
@@ -216,7 +212,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
         if (shared) depth = factor * std::sqrt(frana::area(area.outline));
         if (!depth) continue;
         area.thickness_raster = surfaces[i].thickness(*depth);
-        log.note("slip surface under " + name_of(layer, i) + ": " +
+        log.note("slip surface under " + feature_name(layer, i) + ": " +
                  (surfaces[i].surface().shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") +
                  ", " + number_text(*depth, 4) + " m deep");
         areas.push_back(std::move(area));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "analysis/hazard.h"
 #include "analysis/trace.h"
 #include "app/pictures/class_words.h"
 #include "app/store/layers.h"
@@ -66,7 +67,11 @@ void add_scheme(const std::string& kind, const std::map<std::string, std::string
         notes = {words("Degree of hazard from intensity and return period"), words("Return periods in years (a)"),
                  words("Limits of intensity")};
     } else {
-        notes.push_back(words("Intensity of one scenario, not a hazard level"));
+        const auto title = metadata.find("HAZARD_TITLE");
+        const bool is_zones = title != metadata.end() && title->second != k_intensity_title;
+        if (is_zones && kind == "hazard") layer.title = words(title->second);
+        notes.push_back(is_zones ? words("Zones of one scenario, not a hazard zone plan")
+                                 : words("Intensity of one scenario, not a hazard level"));
     }
     for (int i = 1;; ++i) {
         const auto limit = metadata.find(k_limit_item + std::to_string(i));

@@ -18,6 +18,7 @@
 #include "app/store/unfinished_results.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
+#include "app/text/unit_sign.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/folder_entries.h"
@@ -48,7 +49,11 @@ void add_statistics(const std::string& path, const Words& words, std::vector<std
             notes.push_back(words(text, {words.number(number_text(*value, 3))}));
     };
     add("threshold_m", worded("Threshold {1} m"));
-    add("area_difference_percent", worded("Area difference {1} %"));
+    const auto simulated = value_in<double>(*json, "/simulated_area_m2"),
+               observed = value_in<double>(*json, "/observed_area_m2");
+    if (simulated && observed && *observed > 0)
+        notes.push_back(words("Area difference {1} %",
+                              {words.number(signed_number_text(100 * (*simulated - *observed) / *observed))}));
     add("jaccard", worded("Jaccard {1}"));
     add("dice", worded("Dice {1}"));
 }

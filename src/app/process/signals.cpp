@@ -30,8 +30,9 @@ void ignore_file_signals() {
 
 void fill_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        // open() returns the lowest free number, which is this one.
-        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY) != stream)
+        // open() returns the lowest free number, which is this one. What is written to stdout then fails: it is lost.
+        if (::fcntl(stream, F_GETFD) < 0 &&
+            ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream)
             std::abort();
     }
 }

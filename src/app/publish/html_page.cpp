@@ -83,7 +83,7 @@ HtmlPage::HtmlPage(const std::string& path, const std::string& title, const std:
     : aside_(path), file_(aside_.partial_path(), std::ios::binary), words_(words), picture_bytes_(k_picture_bytes) {
     // The title at the foot of each printed page, where a browser can.
     const std::string foot =
-        "@page { @bottom-left { content: " + css_text(elided(valid_utf8(title), k_foot_letters)) + "; } }\n";
+        "@page { @bottom-left { content: " + css_text(elided(shown_text(title), k_foot_letters)) + "; } }\n";
     add("<!DOCTYPE html>\n<html lang=\"" + language_code(words.language()) +
         "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
         "initial-scale=1\">\n<title>" +

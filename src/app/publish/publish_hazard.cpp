@@ -45,6 +45,7 @@ void write_raster(const Raster& classes, const ClassMap& map, const std::string&
     std::vector<gis::ClassEntry> entries;
     for (const HazardClass& kind : map.classes)
         entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label(), kind.colour});
+    metadata["HAZARD_TITLE"] = map.title;
     metadata["HAZARD_SCHEME"] = map.scheme;
     metadata["HAZARD_SOURCE"] = map.source;
     for (std::size_t i = 0; i < map.limits.size(); ++i) metadata[k_limit_item + std::to_string(i + 1)] = map.limits[i];
@@ -105,7 +106,7 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec);
     if (!scheme) return {};
     const Raster classes = intensity_classes(result, *scheme);
-    const ClassMap map{k_hazard,       "Intensity",         scheme->classes,          scheme->name,
+    const ClassMap map{k_hazard,       scheme->title,       scheme->classes,          scheme->name,
                        scheme->source, k_hazard_zones_file, {scheme->minimum_label()}};
     return publish_classes(classes, map, provenance(prepared), words_of(prepared.spec), directory);
 }

@@ -103,6 +103,8 @@ class ProjectWriter {
             std::string title = with_unit(raster_title(row, name, words_), row.unit);
             if (row.kind == ResultRaster::Kind::classes) {
                 const gis::RasterText text = gis::read_raster_text(result_.path(raster_file(name)));
+                if (const auto own = text.metadata.find("HAZARD_TITLE"); own != text.metadata.end() && name == "hazard")
+                    title = words_(own->second);
                 if (const auto scheme = text.metadata.find("HAZARD_SCHEME"); scheme != text.metadata.end())
                     title = words_("{1}, scheme {2}", {title, scheme_title(scheme->second, words_)});
             }

@@ -21,9 +21,10 @@ bool renew_page(const std::string& folder, const std::function<std::vector<PageP
         else if (!part.optional)
             return false;
     }
-    begin_own(folder, {path});
+    const bool in_making = std::filesystem::exists(std::filesystem::path(folder) / k_building_file);
+    if (!in_making) begin_own(folder, {path});
     write_text_file(path, page);
-    record_files({path});
+    if (!in_making) record_files({path});
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/publish/html_page.h"
+#include "app/publish/publish_hazard.h"
 #include "app/publish/report_answer.h"
 #include "app/publish/report_charts.h"
 #include "app/publish/report_comparison.h"
@@ -30,6 +31,11 @@ std::string headed(const std::string& heading, const std::string& html) {
     return "<div>\n<h3>" + escaped_markup(heading) + "</h3>\n" + html + "</div>\n";
 }
 
+std::string hazard_heading(const SceneSpec& spec, const Words& words) {
+    const std::optional<HazardScheme> scheme = hazard_scheme_of(spec.hazard);
+    return scheme && scheme->title != k_intensity_title ? words(scheme->title) : words("Intensity classes");
+}
+
 void add_maps(HtmlPage& page, const ReportInput& input, const std::vector<ReportMap>& maps) {
     const Words& words = input.words;
     page.add_heading("maps", words("Maps"));
@@ -40,7 +46,8 @@ void add_maps(HtmlPage& page, const ReportInput& input, const std::vector<Report
     if (maps.size() == 1) page.add(small(words("The only map is on the first page.")));
     for (std::size_t i = 1; i < maps.size(); ++i) page.add_picture(maps[i].file, maps[i].caption, maps[i].alt);
     if (!input.hazard.empty())
-        page.add(headed(words("Intensity classes"), hazard_table(input.prepared.spec, input.hazard, words)));
+        page.add(
+            headed(hazard_heading(input.prepared.spec, words), hazard_table(input.prepared.spec, input.hazard, words)));
 }
 
 void add_details(HtmlPage& page, const ReportInput& input) {

@@ -12,16 +12,13 @@
 #include "app/publish/report_charts.h"
 #include "app/publish/report_scenario.h"
 #include "app/text/number_text.h"
+#include "app/text/unit_sign.h"
 #include "core/markup.h"
 
 namespace frana::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string signed_number_text(double value) {
-    return (value > 0 ? "+" : "") + number_text(value, 3);
-}
 
 void add_statistics(HtmlTable& table, const ComparisonStatistics& f, const Words& words) {
     const auto area = [&](const std::string& name, double value) {
@@ -33,7 +30,8 @@ void add_statistics(HtmlTable& table, const ComparisonStatistics& f, const Words
     score(words("Depth that counts as covered"), f.threshold_m, "m");
     area(words("Observed area"), f.observed_area_m2);
     area(words("Simulated area"), f.simulated_area_m2);
-    score(words("Area difference |simulated − observed| / observed"), f.area_difference_percent, "%");
+    table.number(words("Area difference (simulated − observed) / observed"),
+                 words.number(signed_number_text(f.signed_area_difference_percent())), "%");
     area(words("Hit"), f.hit_m2);
     area(words("False alarm"), f.false_alarm_m2);
     area(words("Miss"), f.miss_m2);
@@ -131,7 +129,8 @@ std::string comparison_answer(const std::optional<Comparison>& comparison, const
             "Of the observed area {1} % is hit; {2} m² are covered beyond it. Jaccard index {3} (1: perfect), areas "
             "differ by {4} %.",
             {words.number(number_text(100 * f->true_positive_rate, 3)), words.number(grouped(f->false_alarm_m2)),
-             words.number(number_text(f->jaccard, 3)), words.number(number_text(f->area_difference_percent, 3))});
+             words.number(number_text(f->jaccard, 3)),
+             words.number(signed_number_text(f->signed_area_difference_percent()))});
     }
     if (comparison->runout_difference_m)
         text += std::string(text.empty() ? "" : " ") +

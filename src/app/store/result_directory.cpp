@@ -26,6 +26,7 @@
 #include "app/store/saved_work.h"
 #include "app/store/unfinished_results.h"
 #include "app/text/text_file.h"
+#include "core/file_aside.h"
 #include "core/folder_entries.h"
 #include "core/sync_path.h"
 
@@ -39,14 +40,19 @@ namespace fs = std::filesystem;
                 Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
 }
 
-/// Lists every file of frana below a folder in which a result was built, and syncs each to the disk.
+/// Lists every file of frana below a folder in which a result was built, and syncs each to the disk. What a killed
+/// program left half written is removed: nothing is in the making any more.
 void list_files(const fs::path& result, const fs::path& folder, Manifest& manifest) {
     for (const fs::directory_entry& entry : folder_entries(folder)) {
         const fs::file_status status = entry.symlink_status();
         if (fs::is_directory(status)) list_files(result, entry.path(), manifest);
         if (!fs::is_regular_file(status)) continue;
         const std::string name = entry.path().lexically_relative(result).generic_string();
-        if (name != k_manifest_file && name != k_building_file && existing_file(name) != nullptr)
+        if (name == k_manifest_file || name == k_building_file || existing_file(name) == nullptr) continue;
+        std::error_code ignored;
+        if (file_in_making(name))
+            fs::remove(entry.path(), ignored);
+        else
             manifest.files[name] = mark_on_disk(entry.path().string());
     }
     sync_path(folder.string());

@@ -76,6 +76,10 @@ long longest_name(const fs::path& path) {
     return (most > 0 ? most : 255) - static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
 }
 
+/// SQLite, which writes the GeoPackages, opens no path of more bytes, with those of its journal; inside a result the
+/// names of files and folders, and of files in the making, need this much.
+constexpr std::size_t k_longest_path = 512, k_room = 112;
+
 /// Returns the problem if permissions or the disk do not allow the folder to be made, or replaced; else none.
 std::optional<std::string> refusal(const fs::path& path) {
     const fs::path parent = existing_parent(path);
@@ -172,6 +176,10 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
     if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
         problems.add({"has a name that is too long", where, path.filename().string(),
                       "at most " + std::to_string(most) + " bytes here", "Choose a shorter one with --out"});
+    if (const std::size_t bytes = path.string().size(); bytes > k_longest_path - k_room)
+        problems.add({"has a path that is too long: GeoPackages in it could not be written", where,
+                      std::to_string(bytes) + " bytes", "at most " + std::to_string(k_longest_path - k_room) + " bytes",
+                      "Choose a folder nearer to the root with --out"});
     if (has_files(path.string())) check_older(path, overwrite, inputs, where, problems);
     const fs::path parent = existing_parent(path);
     if (!fs::is_directory(parent, error)) {

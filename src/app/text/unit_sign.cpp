@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/text/unit_sign.h"
 
+#include "app/text/number_text.h"
+
 namespace frana::app {
 
 std::string unit_sign(const std::string& unit) {
@@ -16,6 +18,10 @@ std::string unit_sign(const std::string& unit) {
             sign += c;
     }
     return sign;
+}
+
+std::string signed_number_text(double value) {
+    return (value > 0 ? "+" : "") + number_text(value, 3);
 }
 
 }  // namespace frana::app

@@ -17,12 +17,16 @@ using declare::option;
 using declare::Range;
 using declare::text;
 
-/// Positive numbers in strictly rising order; none by default.
+/// Classes are bytes of a raster in which 0 is no data: a class more than limits.
+constexpr std::size_t k_most_limits = 254;
+
+/// Positive numbers in strictly rising order, at most `most`; none by default.
 template <class Member>
-Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning) {
+Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning,
+                         std::size_t most = std::numeric_limits<std::size_t>::max()) {
     Parameter result = declare::parameter(
         name, "list", member,
-        [](std::vector<double>& target, const std::string& value) -> std::optional<ValueProblem> {
+        [most](std::vector<double>& target, const std::string& value) -> std::optional<ValueProblem> {
             std::vector<double> numbers;
             for (const std::string& word : words_of(value)) {
                 const auto number = number_from_text(word);
@@ -31,6 +35,7 @@ Parameter rising_numbers(const std::string& name, Member member, const std::stri
                     return ValueProblem{"does not rise from above 0", "Write for example 0.5 2"};
                 numbers.push_back(*number);
             }
+            if (numbers.size() > most) return ValueProblem{"has more numbers than there can be classes", ""};
             target = numbers;
             return std::nullopt;
         },
@@ -41,6 +46,7 @@ Parameter rising_numbers(const std::string& name, Member member, const std::stri
         });
     result.unit = unit;
     result.limits = "rising numbers greater than 0";
+    if (most < std::numeric_limits<std::size_t>::max()) result.limits += ", at most " + std::to_string(most);
     result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
     result.meaning = meaning;
     result.absent = "none";
@@ -139,13 +145,15 @@ void add_hazard(std::vector<Parameter>& list) {
     list.push_back(number("hazard.minimum-depth", FRANA_MEMBER(hazard.minimum_depth), "m", Range{1e-6, 100},
                           "Depth above which ground has a class.", "output.trace-threshold"));
     list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
-                                  "Scheme custom: limits of the maximum depth; the class rises by one at each."));
+                                  "Scheme custom: limits of the maximum depth; the class rises by one at each.",
+                                  k_most_limits));
     list.push_back(rising_numbers("hazard.velocity-limits", FRANA_MEMBER(hazard.velocity_limits), "m/s",
-                                  "Scheme custom: the same for the maximum speed."));
+                                  "Scheme custom: the same for the maximum speed.", k_most_limits));
     list.push_back(rising_numbers("hazard.flux-limits", FRANA_MEMBER(hazard.flux_limits), "m2/s",
-                                  "Scheme custom: the same for the maximum of depth times speed at one moment."));
+                                  "Scheme custom: the same for the maximum of depth times speed at one moment.",
+                                  k_most_limits));
     list.push_back(rising_numbers("hazard.pressure-limits", FRANA_MEMBER(hazard.pressure_limits), "kPa",
-                                  "Scheme custom: the same for the maximum dynamic pressure."));
+                                  "Scheme custom: the same for the maximum dynamic pressure.", k_most_limits));
 }
 
 void add_survey(std::vector<Parameter>& list) {

@@ -10,8 +10,8 @@ using New = TinyScene;
 
 TEST_F(New, ASceneOfTheSamplePassesTheCheck) {
     const std::string sample = std::string(FRANA_SOURCE_DIR) + "/sample_data/bindo/";
-    const Outcome made =
-        frana({"new", sample + "dtm.tif", sample + "perimeter.shp", "--thickness", "4", "--out", "my.ini"});
+    const Outcome made = frana({"new", sample + "dtm.tif", sample + "perimeter.shp", "--thickness", "4", "--preset",
+                                "debris-flow", "--out", "my.ini"});
     ASSERT_EQ(made.exit_code, 0) << made.err;
     EXPECT_EQ(made.out, "");
     const Outcome checked = frana({"check", "my.ini"});
@@ -30,6 +30,19 @@ TEST_F(New, ASceneOfTheSamplePassesTheCheck) {
         keys += equals != std::string::npos && line.find(' ') == equals ? 1 : 0;
     }
     EXPECT_EQ(keys, 20) << text;
+}
+
+TEST_F(New, AnOpenPresetIsAskedForWithTheChoicesAndRefusedByTheCheck) {
+    ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--out", "my.ini"}).exit_code, 0);
+    const std::string text = read_text(path("my.ini"));
+    EXPECT_NE(text.find("\npreset =\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("# One of bindo, debris-flow"), std::string::npos) << text;
+    const Outcome checked = frana({"check", "my.ini"});
+    EXPECT_EQ(checked.exit_code, 2);
+    EXPECT_NE(checked.err.find("my.ini: material.preset: has no value"), std::string::npos) << checked.err;
+    const Outcome wrong = frana({"new", "dtm.asc", "perimeter.geojson", "--preset", "granite", "--out", "wrong.ini"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_NE(wrong.err.find("--preset: is not a material preset (value granite"), std::string::npos) << wrong.err;
 }
 
 TEST_F(New, AnOpenThicknessIsAskedForAndRefusedByTheCheck) {
@@ -58,7 +71,8 @@ TEST_F(New, ReplacesNothingAndRefusesWhatDoesNotFit) {
 
 TEST_F(New, NamesFilesFromTheFolderOfTheScene) {
     std::filesystem::create_directory(folder_ / "scenes");
-    ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "attribute:depth", "--out", "scenes/my.ini"})
+    ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "attribute:depth", "--preset", "debris-flow",
+                     "--out", "scenes/my.ini"})
                   .exit_code,
               0);
     const std::string text = read_text(path("scenes/my.ini"));

@@ -73,6 +73,23 @@ class Killed : public Resuming {
     }
 };
 
+// SQLite has a journal beside a GeoPackage while it writes it; its process number may be another program's now.
+TEST_F(Killed, JournalsOfAKillAreInNoManifest) {
+    interrupt("result");
+    std::string folder;
+    for (const auto& entry : fs::directory_iterator(folder_))
+        if (entry.path().filename().string().starts_with("result.partial-")) folder = entry.path().filename();
+    ASSERT_FALSE(folder.empty());
+    for (const char* process : {"999999999", "1"})
+        for (const char* ending : {".gpkg", ".gpkg-journal"})
+            write(folder + "/extent.partial" + process + ending, "half");
+    const Outcome outcome = frana(run("result", {"--resume", "--quiet"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(read_text(path("result/manifest.json")).find(".partial"), std::string::npos);
+    expect_tidy("result");
+    for (const std::string& file : files()) EXPECT_EQ(file.find("journal"), std::string::npos) << file;
+}
+
 TEST_F(Killed, AtAnyMomentItEndsInTheSameBits) {
     kill_and_resume(kills(), {});
 }

@@ -101,7 +101,8 @@ class CompareSquare : public TinyScene {
         return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
     }
     [[nodiscard]] Outcome compare(std::vector<std::string> more) const {
-        std::vector<std::string> arguments{"compare", "--json", "depth.asc", "--out", "scores", "--size", "800x600"};
+        std::vector<std::string> arguments{"compare", "--json", "depth.asc", "--overwrite",
+                                           "--out",   "scores", "--size",    "800x600"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }

@@ -100,5 +100,26 @@ TEST_F(ProbabilityCompare, ARenamedMapIsDrawn) {
     EXPECT_TRUE(fs::exists(path("drawn/p.png")));
 }
 
+TEST_F(ProbabilityCompare, AStudyOfASceneWithAnOutlineIsCompared) {
+    write_polygon("scar", {{20, 40}, {180, 40}, {180, 110}, {20, 110}});
+    write("scene.ini", read_text(path("scene.ini")) + "[observed]\nperimeter = scar.geojson\n");
+    const Outcome outcome = run({"--overwrite"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json own = parse_json(read_text(path("out/comparison.json")));
+    EXPECT_EQ(own.at("kind"), "probability");
+    EXPECT_EQ(own.at("simulated"), own.at("map").get<std::string>() + ".tif");
+    const std::string report = read_text(path("out/report.html"));
+    EXPECT_EQ(report.find("Not compared"), std::string::npos);
+    EXPECT_NE(report.find("Brier score"), std::string::npos);
+    EXPECT_NE(read_text(path("out/manifest.json")).find("comparison.json"), std::string::npos);
+    // As the command gives them.
+    const Outcome command =
+        frana({"compare", "--json", "out", "--scar", "scar.geojson", "--out", "again", "--size", "800x600"});
+    ASSERT_EQ(command.exit_code, 0) << command.err;
+    const Json scores = parse_json(command.out).at("comparison");
+    for (const char* key : {"brier", "auroc", "observed_area_m2", "brier_skill"})
+        EXPECT_EQ(scores.at(key), own.at(key)) << key;
+}
+
 }  // namespace
 }  // namespace frana::test

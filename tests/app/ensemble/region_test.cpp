@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <regex>
 
 #include "ensemble/tiny_study.h"
 #include "gis/raster/raster_in.h"
@@ -292,6 +293,24 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
     ASSERT_NE(slopes, nullptr);
     for (const auto& slope : *slopes) EXPECT_GT(slope->GetFieldAsDouble("moving_fraction"), 0.5);
     EXPECT_EQ(batch({"--overwrite", "--strict"}).exit_code, 3);
+}
+
+// One text makes the whole column one of texts.
+TEST_F(Region, OneTextInAColumnFailsThatSlopeAloneByItsNumberInTheFile) {
+    std::vector<TestSlope> slopes = three();
+    slopes[1].thickness = "\"unknown\"";
+    slopes.push_back({"d", "rare", "300", "-2", "0.2", 40, 60, 20});
+    write_slopes(slopes);
+    write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nwindow = 90\n");
+    write("scene.ini",
+          std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1"), "thickness = attribute:THICK"));
+    const Outcome outcome = batch();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rows[i].at("status"), i % 2 == 0 ? "finished" : "failed") << i;
+    EXPECT_NE(rows[1].at("reason").find("THICK"), std::string::npos) << rows[1].at("reason");
+    EXPECT_NE(rows[3].at("reason").find("feature 3 of slopes"), std::string::npos) << rows[3].at("reason");
 }
 
 TEST_F(Region, MistakesAreRefusedBeforeAnythingRuns) {

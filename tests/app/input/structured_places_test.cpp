@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
                           "empty_in_some_features",
                           {"structured.zones=partly.geojson", "structured.cohesion=attribute:c"},
                           {"frana: --set structured.cohesion: is empty (NULL) in the attribute c of 2 of 3 features",
-                           "the first of them feature 2"}},
+                           "the first of them feature 1"}},
                       Refused{"zones_that_nothing_reads",
                               {"structured.zones=zones.geojson"},
                               {"structured.zones: names a file that nothing of the scene reads"}},

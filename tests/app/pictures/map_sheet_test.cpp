@@ -103,6 +103,18 @@ TEST_F(MapSheet, ScalesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
     EXPECT_FALSE(fs::exists(path("none")));
 }
 
+TEST_F(MapSheet, AScaleAtWhichNotEvenTheReleaseFitsIsRefusedByCheck) {
+    const auto check = [&](const std::string& scale) {
+        return frana({"check", "scene.ini", "--set", "output.map-size=A4", "--set", "output.map-scale=" + scale});
+    };
+    const Outcome outcome = check("100");  // a sheet of 30 m by 21 m
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("output.map-scale: not even the release fits A4 at this scale (value 1 : 100"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(check("5000").exit_code, 0);
+}
+
 TEST_F(MapSheet, TitleBlockAndSources) {
     gis::test::TestRaster raster;
     raster.columns = 40;

@@ -393,6 +393,19 @@ TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
     }
 }
 
+// A citation that nobody could read is none, and zones are no intensities.
+TEST_F(Output, AMapOfASchemeWhoseSourceWasNotReadSaysSo) {
+    run("[output]\nmaps = hazard\nmap-formats = svg\nanimation = off\nframes = off\ncharts = off\n"
+        "[hazard]\nscheme = austrian-torrent\n");
+    const std::string map = text("maps/hazard.svg");
+    for (const char* said : {"source not read", "Zones, scheme", "Red zone"})
+        EXPECT_NE(map.find(said), std::string::npos) << said;
+    for (const char* unsaid : {"BMLFUW", "Intensity"}) EXPECT_EQ(map.find(unsaid), std::string::npos) << unsaid;
+    const std::string report = text("report.html");
+    EXPECT_NE(report.find("source not read"), std::string::npos);
+    EXPECT_EQ(report.find("Intensity classes"), std::string::npos);
+}
+
 TEST_F(Output, HazardKeysThatContradictAreRefused) {
     write_scene("[hazard]\nscheme = custom\n");
     EXPECT_NE(frana({"check", "scene.ini"}).err.find("scheme custom needs limits"), std::string::npos);

@@ -235,6 +235,8 @@ TEST_F(RunProblem, ClosedStreamsDoNotStopTheRun) {
     }
     // Requested output to stdout is different: its loss is an error.
     EXPECT_EQ(shell(folder_, "\"$FRANA\" params --ini > /dev/full 2> err"), 4);
+    EXPECT_EQ(shell(folder_, "\"$FRANA\" run scene.ini --out document --json -q >&- 2> err"), 4);
+    EXPECT_TRUE(std::filesystem::exists(path("document/summary.json")));  // only the document is lost
     EXPECT_NE(read_text(path("err")).find("could not be written to stdout"), std::string::npos);
 }
 

@@ -181,6 +181,23 @@ TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
 }
 
 // Whatever the name of a file of the replaced result: by a link, by a layer in it, in GDAL's syntax.
+// SQLite opens no longer path; the run was computed to its end, and the disk blamed.
+TEST_F(Place, WhosePathIsTooLongForAGeoPackageIsRefusedAtOnce) {
+    write_scene("[output]\nmaps = off\nanimation = off\nframes = on\ncharts = off\nformats = particles-gpkg\n");
+    const auto of_length = [&](std::size_t bytes) {
+        std::string place = path(std::string(150, 'a') + "/" + std::string(80, 'b') + "/");
+        return place + std::string(bytes - place.size(), 'c');
+    };
+    expect_refused(path(std::string(200, 'a') + "/" + std::string(200, 'b') + "/" + std::string(200, 'c')), 2,
+                   "has a path that is too long");
+    expect_refused(of_length(401), 2, "has a path that is too long");
+    EXPECT_FALSE(fs::exists(path(std::string(150, 'a'))));
+    const Outcome longest = run(of_length(400));
+    EXPECT_EQ(longest.exit_code, 0) << longest.err;
+    EXPECT_TRUE(fs::exists(of_length(400) + "/extent.gpkg"));
+    EXPECT_TRUE(fs::exists(of_length(400) + "/frames/particles_0000.gpkg"));
+}
+
 TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
     ASSERT_EQ(run("result").exit_code, 0);
     fs::create_symlink(path("result/dtm.tif"), path("linked.tif"));

@@ -25,6 +25,16 @@ TEST(Names, BytesThatAreNotUtf8AreEscaped) {
     EXPECT_EQ(escaped_markup("<i>\xFF & 'x'\"</i>"), "&lt;i&gt;\\xff &amp; &#39;x&#39;&quot;&lt;/i&gt;");
 }
 
+TEST(Names, WhatNoPageCanShowIsASpace) {
+    EXPECT_EQ(shown_text("a\x01"
+                         "b\x1b[2J\x7f\xC2\x85\n\t"),
+              "a b [2J  \n\t");
+    EXPECT_EQ(shown_text("a\u202Eb\u2066c\u200Fd\uFEFFe\uFFFFf\u061C"), "a b c d e f ");
+    EXPECT_EQ(shown_text("Val Ferret, 2 \u00b5m, \u200Cneighbours\u2060: \xFF"),
+              "Val Ferret, 2 \u00b5m, \u200Cneighbours\u2060: \\xff");
+    EXPECT_EQ(escaped_markup("<a\x01\u202Eb>"), "&lt;a  b&gt;");
+}
+
 TEST(Names, LongTextsEndInAnEllipsis) {
     EXPECT_EQ(elided("abc", 3), "abc");
     EXPECT_EQ(elided("abcd", 3), "ab…");

@@ -139,6 +139,21 @@ TEST(ReadPolygons, RepairsOutlinesThatOnlyTouchThemselves) {
     EXPECT_NE(layer.warnings[0].text().find("repaired"), std::string::npos);
 }
 
+// Before, 1200 m2 of the outline less its hole became 2000 m2 of both together.
+TEST(ReadPolygons, RefusesAHoleOutsideItsOutline) {
+    const Folder folder;
+    make_vector(folder.file("hole.gpkg"), "GPKG", "EPSG:32632",
+                {"POLYGON((0 0,40 0,40 40,0 40,0 0),(100 0,120 0,120 20,100 20,100 0))", "POLYGON((0 0,9 0,9 9,0 0))"});
+    const Error error = error_of([&] { (void)read_polygons(folder.file("hole.gpkg"), utm(), k_where); });
+    ASSERT_EQ(error.problems().size(), 1U);
+    EXPECT_EQ(error.problems()[0].what, "feature 1 has a hole that lies outside its outline");
+    LayerChoice all;
+    all.keep_unusable = true;
+    const PolygonLayer layer = read_polygons(folder.file("hole.gpkg"), utm(), k_where, all);
+    EXPECT_TRUE(layer.features[0].parts.empty());
+    EXPECT_NE(layer.unusable[0].find("hole"), std::string::npos) << layer.unusable[0];
+}
+
 TEST(ReadPolygons, OverlappingPartsCountOnce) {
     const Folder folder;
     make_vector(folder.file("overlap.gpkg"), "GPKG", "EPSG:32632",

@@ -185,6 +185,16 @@ TEST_F(ReadScene, LimitsRiseFromAboveZero) {
                       .find("hazard.depth-limits"),
                   std::string::npos)
             << limits;
+    const auto limits_of = [](int count) {  // one class more, and classes are bytes from 1
+        std::string limits;
+        for (int i = 1; i <= count; ++i) limits += std::to_string(i) + " ";
+        return limits;
+    };
+    for (const char* key : {"depth-limits", "velocity-limits", "flux-limits", "pressure-limits"}) {
+        const std::string custom = k_least + "[hazard]\nscheme = custom\n" + key + " = ";
+        EXPECT_TRUE(read(custom + limits_of(254)).problems.empty()) << key;
+        EXPECT_NE(messages(custom + limits_of(255)).find("more numbers than there can be classes"), std::string::npos);
+    }
     EXPECT_NE(messages(k_least + "[hazard]\nscheme = swiss\n").find("hazard.scheme: is not one of the choices"),
               std::string::npos);
 }

@@ -77,7 +77,7 @@ class CalibrateAlgorithm(FranaAlgorithm):
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:
         values = self.values(parameters, context)
-        folder = values.text("OUTPUT")
+        folder = values.path("OUTPUT")
         study = self.study(values, inputs_folder(folder))
         done = run_or_refuse([self.program.path, "calibrate", study, "--out", folder, *self.options(values)], feedback, [],
                              self.NAMES, self.resume_hint(folder))

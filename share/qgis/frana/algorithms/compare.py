@@ -41,6 +41,7 @@ class CompareAlgorithm(FranaAlgorithm):
             [QgsProcessing.TypeRaster, QgsProcessing.TypeVectorPolygon]))
         self.addParameter(number_parameter("THRESHOLD", "Depth over which ground counts as covered [m] (otherwise the "
                                            "result's, else 0.1)", (1e-6, 100)))
+        self.add_overwrite()
         self.add_load()
         self.addParameter(QgsProcessingParameterFolderDestination("OUTPUT", "Folder of the comparison (otherwise the result's)",
                                                                   None, True, False))
@@ -68,7 +69,7 @@ class CompareAlgorithm(FranaAlgorithm):
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:
         values = self.values(parameters, context)
         result = values.text("RESULT")
-        own = values.text("OUTPUT") if values.has("OUTPUT") else ""
+        own = values.path("OUTPUT")
         folder = own or result or QgsProcessingUtils.generateTempFilename("comparison")
         inputs = inputs_folder(folder)
         words = [self.program.path, "compare", result or os.path.join(inputs, self.raster.write(inputs, "raster")),
@@ -79,6 +80,7 @@ class CompareAlgorithm(FranaAlgorithm):
             words += ["--threshold", number_text(values.number("THRESHOLD"))]
         if own or not result:
             words += ["--out", folder]
+        words += self.options(values)
         done = run_or_refuse(words, feedback, [], self.NAMES)
         feedback.pushConsoleInfo(done.output)
         found = {"OUTPUT": folder, **collect(folder, COMPARISON)}

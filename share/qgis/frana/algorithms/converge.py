@@ -35,7 +35,7 @@ class ConvergeAlgorithm(SceneAlgorithm):
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:
         values = self.values(parameters, context)
-        folder = values.text("OUTPUT")
+        folder = values.path("OUTPUT")
         scene = self.scene_words(values, inputs_folder(folder), feedback)
         done = run_or_refuse([self.program.path, "converge", *scene, "--out", folder, "--levels",
                               str(values.whole("LEVELS")), *self.options(values)], feedback, self.fields, self.NAMES)

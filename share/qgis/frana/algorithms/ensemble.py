@@ -89,7 +89,7 @@ class EnsembleAlgorithm(SceneAlgorithm):
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:
         values = self.values(parameters, context)
-        folder = values.text("OUTPUT")
+        folder = values.path("OUTPUT")
         study = self.study(values, inputs_folder(folder))
         run_or_refuse([self.program.path, "ensemble", study, "--out", folder, *self.options(values)], feedback, self.fields,
                       self.NAMES, self.resume_hint(folder))

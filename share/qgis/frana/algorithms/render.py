@@ -79,7 +79,7 @@ class RenderAlgorithm(FranaAlgorithm):
             inputs = inputs_folder(result)
             words += ["--background", os.path.join(inputs, self.background.write(inputs, "background"))]
         animation = self.parameterAsFileOutput(parameters, "ANIMATION", context) if values.has("ANIMATION") else ""
-        folder = values.text("OUTPUT") if values.has("OUTPUT") else ""
+        folder = values.path("OUTPUT")
         if animation:
             words += ["--animation", animation]
         elif folder:

@@ -38,7 +38,7 @@ class RunAlgorithm(SceneAlgorithm):
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:
         values = self.values(parameters, context)
-        folder = values.text("OUTPUT")
+        folder = values.path("OUTPUT")
         scene = self.scene_words(values, inputs_folder(folder), feedback)
         run_or_refuse([self.program.path, "run", *scene, "--out", folder, *self.options(values)], feedback, self.fields,
                       self.NAMES, self.resume_hint(folder))
