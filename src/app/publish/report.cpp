@@ -32,7 +32,7 @@ std::string headed(const std::string& heading, const std::string& html) {
 }
 
 std::string hazard_heading(const SceneSpec& spec, const Words& words) {
-    const std::optional<HazardScheme> scheme = hazard_scheme_of(spec.hazard);
+    const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
     return scheme && scheme->title != k_intensity_title ? words(scheme->title) : words("Intensity classes");
 }
 
