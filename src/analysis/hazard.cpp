@@ -108,9 +108,7 @@ int custom(const HazardLimits& limits, const HazardQuantities& q, std::size_t i)
                          count_exceeded(limits.pressure, q.pressure.values[i])});
 }
 
-}  // namespace
-
-HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) {
+HazardScheme known_scheme(const std::string& name, const HazardLimits& limits) {
     if (name == "swiss-debris-flow")
         return {
             name,
@@ -151,11 +149,23 @@ HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) 
                                           "swiss-debris-flow, swiss-flood, austrian-torrent, custom", ""});
 }
 
+}  // namespace
+
+std::string HazardScheme::minimum_label() const {
+    return worded("Any class") + (": " + over(k_depth, minimum_depth, k_metres));
+}
+
+HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits, double minimum_depth) {
+    HazardScheme scheme = known_scheme(name, limits);
+    scheme.minimum_depth = minimum_depth;
+    return scheme;
+}
+
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities) {
     Raster classes(quantities.depth.grid, k_no_data);
     const auto fill = [&](const auto& class_of) {
         quantities.depth.values.for_each_stored([&](std::size_t cell, double depth) {
-            if (!std::isnan(depth)) classes.values[cell] = class_of(quantities, cell);
+            if (depth > scheme.minimum_depth) classes.values[cell] = class_of(quantities, cell);
         });
     };
     if (scheme.name == "swiss-debris-flow")

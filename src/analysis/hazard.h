@@ -45,13 +45,18 @@ struct HazardScheme {
     std::string name;    ///< "swiss-debris-flow"
     std::string source;  ///< of the thresholds
     std::vector<HazardClass> classes;
-    HazardLimits limits;  ///< of scheme custom
+    HazardLimits limits;       ///< of scheme custom
+    double minimum_depth = 0;  ///< up to which there is no class [m]
+
+    /// "Any class: depth > 0.1 m"
+    [[nodiscard]] std::string minimum_label() const;
 };
 
-/// Returns the scheme of a name, with these limits for `custom`. Throws Error(input) for an unknown name.
-HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits);
+/// Returns the scheme of a name, with these limits for `custom`; up to the minimum depth [m] there is no class. Throws
+/// Error(input) for an unknown name.
+HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits, double minimum_depth = 0);
 
-/// Returns the class of every cell that was reached, NaN elsewhere.
+/// Returns the class of every cell deeper than the scheme's minimum depth, NaN elsewhere.
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities);
 
 }  // namespace frana

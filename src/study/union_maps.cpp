@@ -51,7 +51,9 @@ Raster greatest_of(const std::vector<UnionMember>& members, Quantity quantity, c
     for_each_cell(members, grid,
                   [&](const UnionMember&, const MemberRecord& record, std::size_t cell, std::size_t index) {
                       const std::vector<float>& values = record.of(quantity);
-                      if (!values.empty()) raise(greatest.values[cell], static_cast<double>(values[index]));
+                      const bool has_class = quantity != Quantity::intensity || (!values.empty() && values[index] > 0);
+                      if (!values.empty() && has_class)
+                          raise(greatest.values[cell], static_cast<double>(values[index]));
                   });
     return greatest;
 }

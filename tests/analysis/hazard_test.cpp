@@ -46,6 +46,15 @@ TEST(Hazard, AustrianTorrentIsRedFromEnergyHeadOrDeposit) {
     EXPECT_EQ(cells.classes("austrian-torrent"), (std::vector<double>{1, 2, 1, 2}));
 }
 
+TEST(Hazard, GroundUpToTheMinimumDepthHasNoClass) {
+    const Cells cells({0.1, 0.11});
+    const Raster classes =
+        hazard_classes(hazard_scheme("swiss-flood", {}, 0.1),
+                       {cells.depth, cells.velocity, cells.flux, cells.head, cells.pressure, cells.deposit});
+    EXPECT_TRUE(std::isnan(classes.values[0]));
+    EXPECT_EQ(classes.values[1], 1);
+}
+
 TEST(Hazard, CustomCountsTheLimitsExceeded) {
     Cells cells({0.2, 0.6, 3, 0.2, 0.2});
     cells.pressure.values = {0, 0, 0, 11, 31};

@@ -18,7 +18,7 @@ std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
     add(study::Quantity::velocity, "velocity", scene.output.velocity_thresholds);
     if (!scene.output.pressure_thresholds.empty())
         add(study::Quantity::pressure, "pressure", scene.output.pressure_thresholds);
-    if (const auto scheme = hazard_scheme_of(scene.hazard)) {
+    if (const auto scheme = hazard_scheme_of(scene)) {
         MappedEvents events{study::Quantity::intensity, {}, {}};
         for (const HazardClass& kind : scheme->classes) {
             events.thresholds.push_back(kind.value - 0.5);  // classes are whole numbers
@@ -30,7 +30,7 @@ std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
 }
 
 study::RecordExtras record_extras(const SceneSpec& scene) {
-    return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene.hazard)};
+    return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene)};
 }
 
 }  // namespace frana::app

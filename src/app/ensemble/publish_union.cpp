@@ -39,7 +39,7 @@ std::vector<study::UnionMember> members_of(const StudyInput& input, const StudyR
 }
 
 std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
-    const auto scheme = hazard_scheme_of(input.base.spec.hazard);
+    const auto scheme = hazard_scheme_of(input.base.spec);
     const DegreeMatrix& matrix = input.reading.study.region->degrees;
     ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   scheme->name,
                  k_matrix_source, k_degree_zones_file, intensity_limits(*scheme)};
@@ -102,9 +102,10 @@ void write_scenario(const StudyInput& input, const std::vector<study::UnionMembe
         {of_scenario + "max_depth_" + name, of_scenario + "max_velocity_" + name, of_scenario + "max_pressure_" + name,
          of_scenario + "arrival_time_" + name, of_scenario + "hit_count_" + name, of_scenario + "worst_source_" + name},
         directory);
-    const auto scheme = hazard_scheme_of(input.base.spec.hazard);
+    const auto scheme = hazard_scheme_of(input.base.spec);
     if (!scheme) return;
-    ClassMap map{of_scenario + "intensity_" + name, "Intensity", scheme->classes, scheme->name, scheme->source, "", {}};
+    ClassMap map{of_scenario + "intensity_" + name, "Intensity", scheme->classes, scheme->name, scheme->source, "",
+                 {scheme->minimum_label()}};
     publish_classes(study::greatest_of(members, study::Quantity::intensity, grid), map, provenance(input.base),
                     words_of(input.base.spec), directory);
 }

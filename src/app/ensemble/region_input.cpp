@@ -30,7 +30,7 @@ gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& cr
 void check_degree(const StudyInput& input) {
     const study::RegionSpec& region = *input.reading.study.region;
     if (!region.return_period) return;
-    const auto scheme = hazard_scheme_of(input.base.spec.hazard);
+    const auto scheme = hazard_scheme_of(input.base.spec);
     if (scheme && has_intensities(*scheme)) return;
     throw Error(ErrorKind::input,
                 Problem{scheme ? "does not tell weak, medium and strong intensity, which the degree of hazard needs"

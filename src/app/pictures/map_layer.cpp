@@ -61,13 +61,13 @@ void add_scheme(const std::string& kind, const std::map<std::string, std::string
     if (is_degree) {
         notes = {words("Degree of hazard from intensity and return period"), words("Return periods in years (a)"),
                  words("Limits of intensity")};
-        for (int i = 1;; ++i) {
-            const auto limit = metadata.find(k_limit_item + std::to_string(i));
-            if (limit == metadata.end()) break;
-            notes.push_back(class_label(limit->second, words));
-        }
     } else {
         notes.push_back(words("Intensity of one scenario, not a hazard level"));
+    }
+    for (int i = 1;; ++i) {
+        const auto limit = metadata.find(k_limit_item + std::to_string(i));
+        if (limit == metadata.end()) break;
+        notes.push_back(class_label(limit->second, words));
     }
     if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
         layer.title = words("{1}, scheme {2}", {layer.title, scheme_title(scheme->second, words)});

@@ -37,7 +37,7 @@ std::vector<gis::ColourStop> stops_of(const ClassMap& map, const Words& words) {
 }
 
 std::string titled(const ClassMap& map, const Words& words) {
-    return words("{1}, scheme {2}", {words(map.title), map.scheme});
+    return words("{1}, scheme {2}", {words(map.title), map.scheme}) + "; " + class_label(map.limits.front(), words);
 }
 
 void write_raster(const Raster& classes, const ClassMap& map, const std::string& path, const Words& words,
@@ -78,14 +78,16 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
 
 }  // namespace
 
-std::optional<HazardScheme> hazard_scheme_of(const HazardSpec& spec) {
+std::optional<HazardScheme> hazard_scheme_of(const SceneSpec& scene) {
+    const HazardSpec& spec = scene.hazard;
     if (!spec.scheme) return std::nullopt;
     return hazard_scheme(*spec.scheme,
-                         {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
+                         {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits},
+                         hazard_minimum_depth(scene));
 }
 
 std::vector<std::string> intensity_limits(const HazardScheme& scheme) {
-    std::vector<std::string> lines;
+    std::vector<std::string> lines{scheme.minimum_label()};
     for (const HazardClass& kind : scheme.classes) lines.push_back(intensity_name(kind.value) + ": " + kind.thresholds);
     return lines;
 }
@@ -100,10 +102,11 @@ std::vector<HazardArea> publish_classes(const Raster& classes, const ClassMap& m
 
 std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
                                        const ResultDirectory& directory) {
-    const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec.hazard);
+    const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec);
     if (!scheme) return {};
     const Raster classes = intensity_classes(result, *scheme);
-    const ClassMap map{k_hazard, "Intensity", scheme->classes, scheme->name, scheme->source, k_hazard_zones_file};
+    const ClassMap map{k_hazard,       "Intensity",         scheme->classes,          scheme->name,
+                       scheme->source, k_hazard_zones_file, {scheme->minimum_label()}};
     return publish_classes(classes, map, provenance(prepared), words_of(prepared.spec), directory);
 }
 

@@ -21,10 +21,10 @@ struct HazardArea {
 };
 
 /// Returns the scheme that a scene names; none without one.
-std::optional<HazardScheme> hazard_scheme_of(const HazardSpec& spec);
+std::optional<HazardScheme> hazard_scheme_of(const SceneSpec& scene);
 
-/// What the intensities of a scheme mean, for the legend of a map of something else: "medium: depth <= 1 m ..."; a
-/// line for each.
+/// The least depth of a scheme, then what its intensities mean, for the legend of a map of something else: "medium:
+/// depth <= 1 m ..."; a line for each.
 std::vector<std::string> intensity_limits(const HazardScheme& scheme);
 
 /// A raster of classes with its texts.
@@ -33,8 +33,8 @@ struct ClassMap {
     std::string title;  ///< "Intensity"
     std::vector<HazardClass> classes;
     std::string scheme, source;
-    std::string zones_file;                ///< of a polygon for each class; empty: none
-    std::vector<std::string> limits = {};  ///< of the intensities behind the classes
+    std::string zones_file;           ///< of a polygon for each class; empty: none
+    std::vector<std::string> limits;  ///< the least depth, then those of the intensities behind the classes
 };
 
 /// Writes it, its polygons and their styles. Returns the classes' areas. Throws Error(environment).

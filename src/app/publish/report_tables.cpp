@@ -233,6 +233,7 @@ std::string release_table(const RunResult& result, const Words& words) {
 
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
     const ReportNumbers n(words);
+    const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
     HtmlTable table({words("class"), "", words("thresholds"), words("area [m²]")});
     for (const HazardArea& area : areas) {
         table.raw("<tr><td>" + std::to_string(area.kind.value) +
@@ -242,11 +243,10 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
                   n.grouped(area.area_m2) + "</td></tr>\n");
     }
     return "<p>" +
-           escaped_markup(
-               words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also "
-                     "depends on its frequency.",
-                     {scheme_title(*spec.hazard.scheme, words), words(hazard_scheme_of(spec.hazard)->source)})) +
-           "</p>\n" + table.html();
+           escaped_markup(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also "
+                                "depends on its frequency.",
+                                {scheme_title(*spec.hazard.scheme, words), words(scheme->source)})) +
+           "</p>\n" + table.html() + small(class_label(scheme->minimum_label(), words));
 }
 
 std::string inputs_table(const Prepared& p, const Words& words) {

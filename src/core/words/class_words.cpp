@@ -20,6 +20,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"Thresholds", "Soglie", "Schwellenwerte", "Seuils", "Umbrales"},
     {"limits of the scene", "limiti della scena", "Grenzwerte der Szene", "limites de la scène",
      "límites de la escena"},
+    {"Any class", "Ogni classe", "Jede Klasse", "Toute classe", "Toda clase"},
     {"Low intensity", "Intensità debole", "Schwache Intensität", "Intensité faible", "Intensidad baja"},
     {"Medium intensity", "Intensità media", "Mittlere Intensität", "Intensité moyenne", "Intensidad media"},
     {"High intensity", "Intensità forte", "Starke Intensität", "Intensité forte", "Intensidad alta"},

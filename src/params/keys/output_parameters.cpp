@@ -142,6 +142,8 @@ void add_extra_output(std::vector<Parameter>& list) {
 
 void add_hazard(std::vector<Parameter>& list) {
     list.push_back(scheme_parameter());
+    list.push_back(number("hazard.minimum-depth", FRANA_MEMBER(hazard.minimum_depth), "m", Range{1e-6, 100},
+                          "Depth above which ground has a class.", "output.trace-threshold"));
     list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
                                   "Scheme custom: limits of the maximum depth; the class rises by one at each.",
                                   k_most_limits));

@@ -80,4 +80,8 @@ double observed_threshold(const SceneSpec& scene) {
     return scene.observed.threshold.value_or(scene.output.trace_threshold);
 }
 
+double hazard_minimum_depth(const SceneSpec& scene) {
+    return scene.hazard.minimum_depth.value_or(scene.output.trace_threshold);
+}
+
 }  // namespace frana

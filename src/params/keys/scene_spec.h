@@ -181,6 +181,7 @@ struct OutputSpec {
 /// [hazard]
 struct HazardSpec {
     std::optional<std::string> scheme;
+    std::optional<double> minimum_depth;  ///< of a class [m]
     std::vector<double> depth_limits, velocity_limits, flux_limits, pressure_limits;
 };
 
@@ -243,5 +244,7 @@ std::string scene_name(const SceneSpec& scene);
 std::string output_directory(const SceneSpec& scene);
 /// Returns the depth threshold of the comparison with the scar [m]: as given, else that of the trace.
 double observed_threshold(const SceneSpec& scene);
+/// Returns the depth above which ground has a class of hazard [m].
+double hazard_minimum_depth(const SceneSpec& scene);
 
 }  // namespace frana

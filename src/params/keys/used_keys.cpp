@@ -33,6 +33,7 @@ constexpr Condition k_conditions[] = {
     {"time.frame-interval", [](const SceneSpec&) { return false; }},
     {"observed.threshold",
      [](const SceneSpec& s) { return s.observed.perimeter || s.observed.front || s.observed.deposit; }},
+    {"hazard.minimum-depth", [](const SceneSpec& s) { return s.hazard.scheme.has_value(); }},
     {"output.trace-threshold", [](const SceneSpec&) { return true; }},
 };
 

@@ -286,15 +286,18 @@ TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
 TEST_F(Output, HazardClassesFollowFromTheRasters) {
     run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
     const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"), speed = raster("max_velocity.tif");
-    double high = 0;
+    double high = 0, thin = 0;
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
-        ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(depth.values[i]));
-        if (std::isnan(depth.values[i])) continue;
+        const bool has_class = depth.values[i] > 0.1;  // the default of output.trace-threshold
+        ASSERT_EQ(!std::isnan(classes.values[i]), has_class) << depth.values[i];
+        thin += depth.values[i] <= 0.1 ? 1 : 0;
+        if (!has_class) continue;
         const bool is_high = depth.values[i] > 1 && speed.values[i] > 1;
         ASSERT_EQ(classes.values[i], is_high ? 3 : 2) << depth.values[i] << ' ' << speed.values[i];
         high += is_high ? 25 : 0;
     }
     EXPECT_GT(high, 0);
+    EXPECT_GT(thin, 0) << "cells without a class";
     const gis::GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(file);
@@ -309,6 +312,21 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     EXPECT_TRUE(std::any_of(named.begin(), named.end(), [](const Json& one) {
         return one["label"] == "High intensity";
     })) << named;
+}
+
+TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
+    const std::string deeper = "[output]\nreport = off\ntrace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
+    for (const std::string& more : {k_quiet + "[hazard]\nscheme = swiss-debris-flow\n", deeper}) {
+        run(more);
+        double classes = 0;
+        for (const Json& one : json_value(text("summary.json"), "hazard")) classes += one["area_m2"].get<double>();
+        // Both are sums of whole cells of 25 m2, of which polygons are added in another order.
+        EXPECT_NEAR(classes, json_value(text("summary.json"), "covered_area_m2").get<double>(), 1e-6) << more;
+    }
+    run(deeper + "minimum-depth = 1\n");
+    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif");
+    for (std::size_t i = 0; i < classes.values.size(); ++i)
+        ASSERT_EQ(!std::isnan(classes.values[i]), depth.values[i] > 1) << depth.values[i];
 }
 
 TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
