@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/run_summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,26 @@ void add_peak_statistics(Json& json, const PeakStatistics& high) {
         json[name + unit] = std::isnan(high[i].greatest) ? 0 : high[i].greatest;
         json[name + "_p999" + unit] = high[i].p999;
         json[name + "_p99" + unit] = high[i].p99;
+    }
+}
+
+/// Where the greatest values are and, of those in the series, when.
+void add_peak_places(Json& json, const RunResult& result) {
+    for (const PeakStatistic& what : k_peak_statistics) {
+        const Raster& raster = *raster_of_row(result, what.row());
+        std::optional<std::size_t> highest;
+        raster.values.for_each_stored([&](std::size_t cell, double value) {
+            if (!std::isnan(value) && (!highest || value > raster.values[*highest])) highest = cell;
+        });
+        if (!highest || result.series.empty()) continue;
+        const std::int64_t columns = raster.grid.columns, cell = static_cast<std::int64_t>(*highest);
+        const Point place = raster.grid.cell_centre(cell / columns, cell % columns);
+        const double SeriesRow::*const over_time =
+            &raster == &result.max_depth ? &SeriesRow::max_depth : &SeriesRow::max_speed;
+        const auto row = std::max_element(
+            result.series.begin(), result.series.end(),
+            [over_time](const SeriesRow& a, const SeriesRow& b) { return a.*over_time < b.*over_time; });
+        json[std::string(what.name) + "_at"] = {{"time_s", row->time}, {"x", place.x}, {"y", place.y}};
     }
 }
 
@@ -143,6 +164,7 @@ void add_flow(Json& json, const RunResult& result, const SceneSpec& spec) {
                          {"thickness_scaled_by", area.scaled},
                          {"failed", area.failed}});
     if (result.energy_error) json["energy_error"] = *result.energy_error;
+    add_peak_places(json, result);
 }
 
 void add_trace(Json& json, const TraceFigures& trace) {

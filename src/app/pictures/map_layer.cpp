@@ -2,6 +2,7 @@
 #include "app/pictures/map_layer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -105,6 +106,10 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
+    constexpr std::array k_below_flights{"max_depth", "max_velocity", "max_pressure"};
+    if (!foreign && std::find(k_below_flights.begin(), k_below_flights.end(), kind) != k_below_flights.end() &&
+        std::filesystem::exists(file.parent_path() / raster_file("jump_height")))
+        layer.notes.push_back(words("Nothing shown below flights"));
     const auto probability = probability_of(text);
     const bool is_known = probability ? set_from_table(*probability, classes, words, layer)
                                       : !foreign && set_from_table(kind, classes, words, layer);

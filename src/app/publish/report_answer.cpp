@@ -92,6 +92,12 @@ std::string end_sentences(const ReportInput& input) {
     if (r.volume_left > 0 && r.volume_entered > 0)
         text += " " + words("{1} m³ ({2} %) left the computed ground: the full run-out is not shown.",
                             {number.grouped(r.volume_left), number(100 * r.volume_left / r.volume_entered, 2)});
+    if (r.jumps)
+        text +=
+            " " + words(
+                      "{1} m³ flew over edges, in all jumps together, at most {2} m above the ground and {3} m far: "
+                      "where all passes overhead, the maps of depth, speed and pressure show none.",
+                      {number.grouped(r.jumps->volume), number(r.jumps->highest, 3), number(r.jumps->longest, 3)});
     if (!r.hard_events.none()) text += " " + words("There were numerical events that do not occur in a good run.");
     return text;
 }

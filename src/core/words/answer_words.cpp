@@ -99,6 +99,16 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "{1} m³ ({2} %) verließen das berechnete Gelände: die volle Auslauflänge ist nicht dargestellt.",
      "{1} m³ ({2}\u202F%) ont quitté le terrain calculé\u202F: la distance de propagation complète n’est pas montrée.",
      "{1} m³ ({2} %) salieron del terreno calculado: el alcance completo no se muestra."},
+    {"{1} m³ flew over edges, in all jumps together, at most {2} m above the ground and {3} m far: where all passes "
+     "overhead, the maps of depth, speed and pressure show none.",
+     "{1} m³ hanno volato oltre spigoli, in tutti i salti insieme, al massimo {2} m sopra il terreno e per {3} m: dove "
+     "tutto passa in volo, le mappe di profondità, velocità e pressione non mostrano nulla.",
+     "{1} m³ flogen über Kanten, in allen Sprüngen zusammen, höchstens {2} m über dem Gelände und {3} m weit: wo alles "
+     "in der Luft vorbeizieht, zeigen die Karten von Tiefe, Geschwindigkeit und Druck nichts.",
+     "{1} m³ ont volé par-dessus des arêtes, en tous les sauts, au plus à {2} m du sol et sur {3} m\u202F: là où tout "
+     "passe en l’air, les cartes de hauteur, vitesse et pression ne montrent rien.",
+     "{1} m³ volaron sobre bordes, en todos los saltos juntos, como máximo a {2} m del suelo y por {3} m: donde todo "
+     "pasa por el aire, los mapas de profundidad, velocidad y presión no muestran nada."},
     {"There were numerical events that do not occur in a good run.",
      "Ci sono stati eventi numerici che in un buon calcolo non avvengono.",
      "Es gab numerische Ereignisse, die in einer guten Rechnung nicht vorkommen.",

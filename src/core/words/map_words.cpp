@@ -83,6 +83,8 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "Ángulo de alcance {1}°"},
     {"(longest of {1} flows)", "(la più lunga di {1} colate)", "(längster von {1} Strömen)",
      "(le plus long de {1} écoulements)", "(el más largo de {1} flujos)"},
+    {"Nothing shown below flights", "Sotto i voli non è mostrato nulla", "Unter Flügen ist nichts gezeigt",
+     "Rien n’est montré sous les vols", "Bajo los vuelos no se muestra nada"},
     {"Still moving at the end", "Ancora in moto alla fine", "Am Ende noch in Bewegung", "Encore en mouvement à la fin",
      "Aún en movimiento al final"},
     {"{1} m³ left the map", "{1} m³ usciti dalla mappa", "{1} m³ verließen die Karte", "{1} m³ sortis de la carte",

@@ -277,6 +277,47 @@ constexpr auto k_rows = std::to_array<WordRow>({
      "--resume le continue",
      "el cálculo se detuvo a los {1} s de {2} s como máximo: los mapas están incompletos; la misma orden con --resume "
      "lo continúa"},
+    {"the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a raster of thickness that "
+     "lies half a cell off the DTM does that, and the first speeds come from this step",
+     "la superficie del distacco sta {1} m sopra la cella accanto, a E {2}, N {3}: così fa un raster di spessore "
+     "spostato di mezza cella dal DTM, e le prime velocità vengono da questo gradino",
+     "die Oberfläche der Anrissmasse steht {1} m über der Zelle daneben, bei E {2}, N {3}: so wirkt ein Raster der "
+     "Mächtigkeit, das eine halbe Zelle neben dem DTM liegt, und die ersten Geschwindigkeiten kommen von dieser Stufe",
+     "la surface du départ domine de {1} m la maille voisine, en E {2}, N {3}\u202F: c’est l’effet d’un raster "
+     "d’épaisseur décalé d’une demi-maille du MNT, et les premières vitesses viennent de cette marche",
+     "la superficie de la masa inicial está {1} m por encima de la celda contigua, en E {2}, N {3}: así ocurre con un "
+     "ráster de espesor desplazado media celda del MDT, y las primeras velocidades vienen de este escalón"},
+    {"a release of {1} m2 is {2} m thick on average: the equations hold for masses much wider than thick",
+     "un distacco di {1} m2 è spesso in media {2} m: le equazioni valgono per masse molto più larghe che spesse",
+     "ein Anriss von {1} m2 ist im Mittel {2} m mächtig: die Gleichungen gelten für Massen, die viel breiter als "
+     "mächtig sind",
+     "un départ de {1} m2 est épais de {2} m en moyenne\u202F: les équations valent pour des masses bien plus larges "
+     "qu’épaisses",
+     "una masa inicial de {1} m2 tiene en promedio {2} m de espesor: las ecuaciones valen para masas mucho más anchas "
+     "que espesas"},
+    {"the run starts with {1} particles only: area and run-out change much with smaller cells; reduce "
+     "terrain.cell-size, and see frana converge",
+     "il calcolo inizia con sole {1} particelle: area e distanza di propagazione cambiano molto con celle più piccole; "
+     "ridurre terrain.cell-size, e vedere frana converge",
+     "die Rechnung beginnt mit nur {1} Partikeln: Fläche und Auslauflänge ändern sich stark mit kleineren Zellen; "
+     "terrain.cell-size verkleinern, siehe auch frana converge",
+     "le calcul commence avec {1} particules seulement\u202F: surface et distance de propagation changent beaucoup "
+     "avec "
+     "des mailles plus petites\u202F; réduire terrain.cell-size, et voir frana converge",
+     "el cálculo empieza con solo {1} partículas: área y alcance cambian mucho con celdas más pequeñas; reduzca "
+     "terrain.cell-size, y vea frana converge"},
+    {"the energy rises without cause by {1} % of the work of gravity: speeds and run-out may be too great; compare "
+     "with "
+     "a run on smaller cells",
+     "l’energia cresce senza causa del {1} % del lavoro della gravità: velocità e distanza di propagazione possono "
+     "essere troppo grandi; confrontare con un calcolo su celle più piccole",
+     "die Energie nimmt ohne Ursache um {1} % der Arbeit der Schwerkraft zu: Geschwindigkeiten und Auslauflänge können "
+     "zu groß sein; mit einer Rechnung auf kleineren Zellen vergleichen",
+     "l’énergie augmente sans cause de {1}\u202F% du travail de la pesanteur\u202F: vitesses et distance de "
+     "propagation "
+     "peuvent être trop grandes\u202F; comparer à un calcul sur des mailles plus petites",
+     "la energía aumenta sin causa en un {1} % del trabajo de la gravedad: velocidades y alcance pueden ser demasiado "
+     "grandes; compare con un cálculo en celdas más pequeñas"},
 });
 
 }  // namespace

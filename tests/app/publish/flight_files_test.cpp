@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/pictures/map_layer.h"
 #include "gis/raster/raster_in.h"
 #include "support/tiny_scene.h"
 
@@ -70,6 +71,9 @@ TEST_F(FlightFiles, AgreeWithTheParabola) {
     }
     EXPECT_NEAR(highest, json_number(summary, "highest_m"), 1e-3);
     EXPECT_GT(only_flown_over, 0U);
+    const auto notes = app::read_map_layer(path("result/max_depth.tif"), {}, Words(Language::english)).notes;
+    EXPECT_EQ(notes, std::vector<std::string>{"Nothing shown below flights"});
+    EXPECT_NE(read_text(path("result/report.html")).find("flew over edges"), std::string::npos);
     for (const char* style : {"jump_height.qml", "jump_height.sld"})
         EXPECT_TRUE(std::filesystem::exists(path(std::string("result/") + style))) << style;
 }

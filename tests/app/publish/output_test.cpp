@@ -9,8 +9,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 
+#include "analysis/trace.h"
 #include "app/text/number_text.h"
 #include "app/text/text_hash.h"
 #include "gis/access/gdal_session.h"
@@ -25,10 +27,12 @@ namespace fs = std::filesystem;
 
 class Output : public TinyScene {
   protected:
-    /// Runs the scene with these lines appended, into result/.
-    void run(const std::string& more) {
+    /// Runs the scene with these lines appended and these keys set, into result/.
+    void run(const std::string& more, const std::vector<std::string>& keys = {}) {
         write_scene(more);
-        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+        std::vector<std::string> words{"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"};
+        for (const std::string& key : keys) words.insert(words.end(), {"--set", key});
+        const Outcome outcome = frana(words);
         if (outcome.exit_code != 0) throw std::runtime_error(outcome.err);
     }
     [[nodiscard]] Raster raster(const std::string& name) const {
@@ -315,7 +319,7 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
 }
 
 TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
-    const std::string deeper = "[output]\nreport = off\ntrace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
+    const std::string deeper = k_quiet + "trace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
     for (const std::string& more : {k_quiet + "[hazard]\nscheme = swiss-debris-flow\n", deeper}) {
         run(more);
         double classes = 0;
@@ -327,6 +331,55 @@ TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
     const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif");
     for (std::size_t i = 0; i < classes.values.size(); ++i)
         ASSERT_EQ(!std::isnan(classes.values[i]), depth.values[i] > 1) << depth.values[i];
+}
+
+TEST_F(Output, GreatestValuesHavePlaceAndTime) {
+    run(k_quiet);
+    for (const auto& [name, column] : {std::pair{"max_depth", "max_depth"}, {"max_velocity", "max_speed"}}) {
+        const Raster values = raster(std::string(name) + ".tif");
+        const Json at = json_value(text("summary.json"), std::string(name) + "_at");
+        const GridSpec& grid = values.grid;
+        const auto row = static_cast<std::int64_t>((grid.north - at["y"].get<double>()) / grid.cell_size),
+                   cell = static_cast<std::int64_t>((at["x"].get<double>() - grid.west) / grid.cell_size);
+        EXPECT_EQ(values.at(row, cell), maximum(values)) << name;
+        const std::vector<std::string> series = rows_of(text("timeseries.csv"));
+        const auto column_of = [&](const std::string& line, const std::string& wanted) {
+            std::istringstream names(series.front()), numbers(line);
+            std::string key, number;
+            while (std::getline(names, key, ',') && std::getline(numbers, number, ','))
+                if (key.starts_with(wanted)) return std::stod(number);
+            throw std::runtime_error(wanted);
+        };
+        double greatest = 0, when = 0;
+        for (std::size_t i = 1; i < series.size(); ++i) {
+            if (const double value = column_of(series[i], column); value > greatest) {
+                greatest = value;
+                when = column_of(series[i], "time");
+            }
+        }
+        // The series is written with fewer digits.
+        EXPECT_NEAR(at["time_s"].get<double>(), when, 1e-3) << name;
+    }
+}
+
+TEST_F(Output, DoubtfulReleasesAreWarnings) {
+    const auto warns = [&](const std::string& words) { return json_lists(text("summary.json"), "warnings", words); };
+    const std::string step = "m above the cell beside it", stout = "m thick on average", few = "particles only",
+                      energy = "the energy rises without cause";
+    const auto energy_is_told = [&] {
+        return warns(energy) == (json_number(text("summary.json"), "energy_error") > 0.005);
+    };
+    run(k_quiet);
+    for (const std::string& words : {step, stout, few}) EXPECT_FALSE(warns(words)) << words;
+    EXPECT_TRUE(energy_is_told());
+    // Thicker than half of its width of sqrt(2000) m, with a wall of 45 m.
+    run(k_quiet, {"release.thickness=45"});
+    for (const std::string& words : {step, stout}) EXPECT_TRUE(warns(words)) << words;
+    EXPECT_FALSE(warns(few));
+    EXPECT_TRUE(energy_is_told());
+    write_polygon("small", {{20, 55}, {35, 55}, {35, 70}, {20, 70}});
+    run(k_quiet, {"release.perimeter=small.geojson"});
+    EXPECT_TRUE(warns(few)) << text("summary.json");
 }
 
 TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
