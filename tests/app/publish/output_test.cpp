@@ -319,7 +319,7 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
 }
 
 TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
-    const std::string deeper = "[output]\nreport = off\ntrace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
+    const std::string deeper = k_quiet + "trace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
     for (const std::string& more : {k_quiet + "[hazard]\nscheme = swiss-debris-flow\n", deeper}) {
         run(more);
         double classes = 0;
