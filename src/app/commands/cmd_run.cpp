@@ -351,7 +351,8 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
                               from ? folder_of(*from, target) : "");
     if (from) restore_files(*from, directory);
     try {
-        return run_into({prepared, threads, quiet, json_progress, input_seconds, earlier, since_start, accuracy},
+        return run_into({prepared, threads, quiet, json_progress, values.count("strict") > 0, input_seconds, earlier,
+                         since_start, accuracy},
                         from.get(), directory, log);
     } catch (const Error& error) {
         explain_problem(error, directory.folder());
