@@ -101,7 +101,11 @@ run_tests() {
     exit 1
   fi
   [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1
-  [ "$skipped" -eq 0 ] || say "$skipped skipped; the reasons are above"
+  if [ "$skipped" -gt 0 ]; then
+    say "$skipped skipped; how many for which reason:"
+    grep -hE -A1 '^left out: |: Skipped$' build/Testing/Temporary/LastTest.log | grep -vE ': Skipped$|^--$|^<end of output>$' |
+      sort | uniq -c || true
+  fi
   echo "$((total - failed - skipped)) passed, $failed failed"
   [ "$failed" -eq 0 ]
 }

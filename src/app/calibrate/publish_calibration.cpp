@@ -115,8 +115,9 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
         for (RunOfStudy& run : runs.refined->runs()) all.push_back(std::move(run));
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
-    if (troubles.cut + troubles.left > 0) {
-        log.warn(headline(troubles));
+    if (troubles.open > 0) {
+        const Sentence told = headline(troubles);
+        log.warn(told);
         log.warn(
             worded("The scores of runs that were cut or left the ground are those of unfinished flows, and so is the "
                    "posterior: raise time.end, or use a larger DTM"));

@@ -200,7 +200,8 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     const std::vector<RunOfStudy> runs = result.runs();
     facts.troubles = troubles_of(runs, is_region);
     outcome.has_troubles = facts.troubles.any();
-    if (facts.troubles.cut + facts.troubles.left > 0) log.warn(headline(facts.troubles));
+    const Sentence told = headline(facts.troubles);
+    if (facts.troubles.open > 0) log.warn(told);
     outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
     for (const Sentence& kind : kinds_of_warnings(runs, log.warnings())) log.warn(kind);
     const study::StudySpec echoed = seen_from(input.reading.study, directory.target());

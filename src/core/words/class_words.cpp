@@ -26,7 +26,6 @@ constexpr auto k_rows = std::to_array<WordRow>({
     {"High intensity", "Intensità forte", "Starke Intensität", "Intensité forte", "Intensidad alta"},
     {"customary limits, source not read", "limiti d’uso, fonte non letta", "übliche Grenzwerte, Quelle nicht gelesen",
      "limites usuelles, source non lue", "límites habituales, fuente no leída"},
-    {"Zones", "Zone", "Zonen", "Zones", "Zonas"},
     {"Zones of one scenario, not a hazard zone plan", "Zone di uno scenario, non un piano delle zone di pericolo",
      "Zonen eines Szenarios, kein Gefahrenzonenplan", "Zones d’un scénario, pas un plan des zones de danger",
      "Zonas de un escenario, no un plan de zonas de peligro"},
