@@ -23,7 +23,7 @@ constexpr std::int64_t k_animation_bytes = 10'000'000, k_animation_pixel_bytes =
 // A step's row in memory, during formatting, and while charts are drawn from the file's text.
 constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
 // Code and tables of computing and writing.
-constexpr std::int64_t k_computing_bytes = 22'000'000;
+constexpr std::int64_t k_computing_bytes = 30'000'000;
 // Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
 constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
 // Per cell of a large map, in all rasters together, where nothing is stored.

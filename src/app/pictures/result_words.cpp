@@ -64,7 +64,7 @@ void ResultReader::add_study(MapSource& source) const {
             else
                 source.notes.push_back(told);
         }
-        if (troubles && troubles->warned > 0)
+        if (troubles && troubles->warned > 0 && !troubles->are_first())
             source.notes.push_back(words_("{1} of {2} runs gave warnings",
                                           {std::to_string(troubles->warned), std::to_string(troubles->runs)}));
         if (failed && *failed > 0) source.notes.push_back(words_("{1} more runs failed", {std::to_string(*failed)}));
@@ -81,7 +81,7 @@ void ResultReader::add_study(MapSource& source) const {
         const Rgb colour = quantile.fraction < 0.5   ? k_unlikely_colour
                            : quantile.fraction > 0.5 ? k_likely_colour
                                                      : k_even_chance_colour;
-        source.marks.push_back({words_("Deeper than {2} m in {1} % of the runs",
+        source.marks.push_back({words_("> {2} m in {1} % of the runs",
                                        {words_.number(number_text(100 * quantile.fraction)), words_.number(threshold)}),
                                 std::move(area), colour, 1.6, quantile.fraction < 0.5});
     }

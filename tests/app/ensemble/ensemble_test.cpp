@@ -305,7 +305,7 @@ TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
 }
 
 TEST_F(Ensemble, RunsThatLeaveTheGroundAreTold) {
-    write_study("samples = 4\n", "[set]\nterrain.bounds = 527000 5094000 527100 5094150\n" + k_two_keys);
+    write_study("samples = 4\n", "[set]\ntime.end = 30\nterrain.bounds = 527000 5094000 527100 5094150\n" + k_two_keys);
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));

@@ -116,7 +116,7 @@ TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const auto compare = [&](const std::string& outline) {
-        return frana({"compare", "result", "--observed", outline, "--out", "compared", "--json"});
+        return frana({"compare", "result", "--observed", outline, "--out", "compared", "--overwrite", "--json"});
     };
     const Outcome release = compare("perimeter.geojson");
     EXPECT_EQ(release.exit_code, 0) << release.err;

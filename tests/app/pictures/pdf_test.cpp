@@ -57,7 +57,7 @@ TEST_F(Pdf, CanBeSearchedForTitleNumbersAndNames) {
     EXPECT_EQ(outcome.err, "");
     const std::string text = gis::test::pdf_text(path("first/max_depth.pdf"));
     for (const char* one :
-         {"Hang", "\u05d0\u05d1", "\u0416 slope", "Maximum depth [m]", "0.2 \u2013 0.5", "Release", "EPSG"})
+         {"Hang", "\u05d0\u05d1", "\u0416 slope", "Maximum depth, vertical [m]", "0.2 \u2013 0.5", "Release", "EPSG"})
         EXPECT_NE(text.find(one), std::string::npos) << one << " in\n" << text;
     const std::string svg = read_text(path("first/max_depth.svg"));
     EXPECT_NE(svg.find(">Hang \u05d0\u05d1 \u0416 slope: Maximum depth</text>"), std::string::npos);

@@ -93,10 +93,16 @@ TEST(Lettering, EveryScriptHasItsDirectionAndJoinsItsLetters) {
     const auto glyphs = [&](const std::string& text) {
         return lettering.set(text, {0, 0}, style, Across::left, Upright::baseline);
     };
-    // The same letters, forced to stand in this order from left to right.
-    const Glyphs hebrew = glyphs("\u05d0\u05d1"), forced = glyphs("\u202d\u05d1\u05d0\u202c");
-    EXPECT_EQ(hebrew.ink, forced.ink);
-    EXPECT_NE(hebrew.ink, glyphs("\u202d\u05d0\u05d1\u202c").ink);
+    // From right to left: the second letter is the left one, as if it were alone.
+    const auto left_columns = [](const Glyphs& g) {
+        std::vector<int> sums(10);  // of the ink in the leftmost columns; a letter is wider
+        for (std::size_t i = 0; i < g.ink.size(); ++i)
+            if (const std::size_t column = i % static_cast<std::size_t>(g.width); column < sums.size())
+                sums[column] += g.ink[i];
+        return sums;
+    };
+    EXPECT_EQ(left_columns(glyphs("\u05d0\u05d1")), left_columns(glyphs("\u05d1")));
+    EXPECT_NE(left_columns(glyphs("\u05d0\u05d1")), left_columns(glyphs("\u05d0")));
     // Joined forms of BEH are narrower than three letters that are kept apart.
     EXPECT_LT(lettering.width("\u0628\u0628\u0628", style),
               0.9 * lettering.width("\u0628\u200c\u0628\u200c\u0628", style));
