@@ -264,7 +264,7 @@ TEST_F(MapSheet, CrossSectionsCarryTheirNames) {
     write(
         "lines.geojson",
         R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
-            line("bridge", 70) + ", " + line("road", 110) + "]}");
+            line("bridge", 70) + ", " + line("road", 82) + "]}");
     run("cross-sections = lines.geojson\n");
     const std::string svg = svg_of({"--size", "1600x1200"});
     for (const std::string name : {">bridge<", ">road<"}) EXPECT_NE(svg.find(name), std::string::npos) << name;
