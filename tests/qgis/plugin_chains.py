@@ -58,7 +58,7 @@ def test_outputs_of_one_run():
     checked = run("check", {**scene("checked"), "OUTPUT": os.path.join(folder, "check.txt")})
     check_outputs("check", checked)
     assert "45" in checked["TEXT"] and "UTM zone 32N" in checked["TEXT"], checked["TEXT"]
-    compared = run("compare", {"RESULT": first["OUTPUT"], "OBSERVED": SCAR, "THRESHOLD": 0.5})
+    compared = run("compare", {"RESULT": first["OUTPUT"], "OBSERVED": SCAR, "THRESHOLD": 0.5, "OVERWRITE": True})
     check_outputs("compare", compared)
     raster = run("compare", {"RASTER": first["MAX_DEPTH"], "OBSERVED": SCAR, "OUTPUT": os.path.join(folder, "raster")})
     check_outputs("compare", raster, {"RUNOUT_DIFFERENCE_M"})  # a raster alone has no path
