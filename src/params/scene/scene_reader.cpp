@@ -26,7 +26,8 @@ std::optional<std::pair<std::string, std::string>> preset_of(const KeySource& fi
 std::optional<KeySource> preset_source(const std::string& name, const std::string& where, const std::string& directory,
                                        Problems& problems) {
     const auto file = std::filesystem::path(directory) / (name + ".ini");
-    if (name.find('/') == name.npos && std::filesystem::is_regular_file(file))
+    std::error_code ignored;  // a name longer than file systems have
+    if (name.find('/') == name.npos && std::filesystem::is_regular_file(file, ignored))
         return KeySource{Origin::preset, file.string(), read_ini(file.string())};
     std::vector<std::string> names;
     for (const MaterialPreset& preset : material_presets(directory)) names.push_back(preset.name);

@@ -78,6 +78,9 @@ TEST_F(ReadScene, UnknownPresetNamesThePresets) {
     const std::string all = messages(k_least + "preset = bindoo\n");
     EXPECT_NE(all.find("material.preset: is not a material preset (value bindoo; allowed bindo, debris-flow"),
               std::string::npos);
+    const std::string longer_than_file_names(300, 'x');
+    EXPECT_NE(messages(k_least + "preset = " + longer_than_file_names + "\n").find("is not a material preset"),
+              std::string::npos);
 }
 
 TEST_F(ReadScene, UnavailableFeaturesAreReportedNotIgnored) {
