@@ -10,6 +10,7 @@
 #include <mutex>
 #include <utility>
 
+#include "core/error.h"
 #include "gis/access/local_files.h"
 #include "gis/access/network.h"
 
@@ -31,7 +32,7 @@ constexpr std::pair<const char*, const char*> k_settings[] = {
 };
 
 /// Drivers that start a program (GPSBabel) or write a database beside the file (VFK).
-constexpr const char* k_drivers[] = {"GPSBabel", "VFK"};
+constexpr const char* k_left_out_drivers[] = {"GPSBabel", "VFK"};
 
 bool mapping_is_limited() {
     rlimit space{};
@@ -40,7 +41,7 @@ bool mapping_is_limited() {
 
 void disable_other_access() {
     for (const auto& [name, value] : k_settings) CPLSetConfigOption(name, value);
-    for (const char* name : k_drivers) {
+    for (const char* name : k_left_out_drivers) {
         GDALDriverH const driver = GDALGetDriverByName(name);
         if (driver == nullptr) continue;
         GDALDeregisterDriver(driver);
@@ -88,6 +89,13 @@ std::string GdalSession::last_message() const {
 void GdalSession::clear() {
     messages_.clear();
     last_error_.clear();
+}
+
+void GdalSession::refuse_written(const std::string& what, const std::string& path) const {
+    const std::string message = last_message();
+    throw Error(ErrorKind::environment,
+                Problem{what + " cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
+                        "Check that the folder exists, may be written and has free space"});
 }
 
 ThreadOption::ThreadOption(std::string key, const char* value) : key_(std::move(key)) {

@@ -23,6 +23,8 @@ class GdalSession {
     /// Whether GDAL reported a failure (warnings do not count).
     [[nodiscard]] bool failed() const noexcept { return !last_error_.empty(); }
     void clear();
+    /// Throws that this ("the raster") cannot be written to a path, with GDAL's message.
+    [[noreturn]] void refuse_written(const std::string& what, const std::string& path) const;
 
     /// For the error handler only.
     void record(bool is_error, const char* message);

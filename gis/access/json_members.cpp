@@ -7,7 +7,7 @@ namespace frana::gis {
 namespace {
 
 constexpr std::size_t k_longest = 65536;  // of a stored key or value
-constexpr std::size_t k_most = 100;
+constexpr std::size_t k_most_members = 100;
 
 }  // namespace
 
@@ -74,7 +74,8 @@ void JsonMembers::end_value() {
     const auto from = text_.find_first_not_of(" \t\r\n"), to = text_.find_last_not_of(" \t\r\n");
     JsonMember member{from == std::string::npos ? "" : text_.substr(from, to - from + 1), depth_of_text_ == 1};
     const auto same = [&](const JsonMember& one) { return one.text == member.text && one.at_top == member.at_top; };
-    if (found_.size() < k_most && std::none_of(found_.begin(), found_.end(), same)) found_.push_back(std::move(member));
+    if (found_.size() < k_most_members && std::none_of(found_.begin(), found_.end(), same))
+        found_.push_back(std::move(member));
 }
 
 }  // namespace frana::gis

@@ -34,17 +34,17 @@ constexpr const char* k_file_systems[] = {"/vsicurl",
                                           "/vsihdfs",
                                           "/vsiwebhdfs"};
 
-constexpr const char* k_drivers[] = {"AmigoCloud", "Carto",    "Cloudant",      "CouchDB",       "CSW",      "DAAS",
-                                     "DODS",       "EEDA",     "EEDAI",         "Elasticsearch", "GMLAS",    "HANA",
-                                     "HTTP",       "MongoDB",  "MongoDBv3",     "MSSQLSpatial",  "MySQL",    "NGW",
-                                     "OAPIF",      "OCI",      "ODBC",          "OGCAPI",        "OGR_OGDI", "PGeo",
-                                     "PLMOSAIC",   "PLSCENES", "PostGISRaster", "PostgreSQL",    "Rasdaman", "STACIT",
-                                     "STACTA",     "WCS",      "WFS",           "WMS",           "WMTS"};
+constexpr const char* k_network_drivers[] = {
+    "AmigoCloud", "Carto",        "Cloudant",      "CouchDB",  "CSW",      "DAAS",          "DODS",
+    "EEDA",       "EEDAI",        "Elasticsearch", "GMLAS",    "HANA",     "HTTP",          "MongoDB",
+    "MongoDBv3",  "MSSQLSpatial", "MySQL",         "NGW",      "OAPIF",    "OCI",           "ODBC",
+    "OGCAPI",     "OGR_OGDI",     "PGeo",          "PLMOSAIC", "PLSCENES", "PostGISRaster", "PostgreSQL",
+    "Rasdaman",   "STACIT",       "STACTA",        "WCS",      "WFS",      "WMS",           "WMTS"};
 
-constexpr const char* k_remedy = "Copy it to this machine, or start frana with --allow-network";
+constexpr const char* k_network_remedy = "Copy it to this machine, or start frana with --allow-network";
 
 void note_refused_place(const std::string& place) {
-    note_access_problem({"the file refers to data on the network", place, k_remedy});
+    note_access_problem({"the file refers to data on the network", place, k_network_remedy});
 }
 
 /// Contains no files: replaces a network file system.
@@ -79,7 +79,7 @@ bool names_network(const std::string& path) {
         return true;
     const std::string driver = path.substr(0, path.find(':'));
     return driver.size() < path.size() &&
-           (EQUAL(driver.c_str(), "PG") || std::any_of(std::begin(k_drivers), std::end(k_drivers),
+           (EQUAL(driver.c_str(), "PG") || std::any_of(std::begin(k_network_drivers), std::end(k_network_drivers),
                                                        [&](const char* name) { return EQUAL(driver.c_str(), name); }));
 }
 
@@ -95,7 +95,7 @@ bool network_allowed() {
 
 std::optional<std::string> network_remedy(const std::string& path) {
     if (allowed || !names_network(path)) return std::nullopt;
-    return k_remedy;
+    return k_network_remedy;
 }
 
 void disable_network() {
@@ -108,7 +108,7 @@ void disable_network() {
             VSIFileManager::InstallHandler(prefix, new NoFiles);
         }
     }
-    for (const char* name : k_drivers) {
+    for (const char* name : k_network_drivers) {
         GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(name);
         if (driver == nullptr) continue;
         GetGDALDriverManager()->DeregisterDriver(driver);

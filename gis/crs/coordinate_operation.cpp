@@ -64,7 +64,7 @@ bool exact(PJ_CONTEXT* context, const PJ* operation) {
     return true;
 }
 
-ProjPointer<PJ> first(PJ_CONTEXT* context, const ProjPointer<PJ_OBJ_LIST>& list) {
+ProjPointer<PJ> first_operation(PJ_CONTEXT* context, const ProjPointer<PJ_OBJ_LIST>& list) {
     const bool some = list && proj_list_get_count(list.get()) > 0;
     return ProjPointer<PJ>(some ? proj_list_get(context, list.get(), 0) : nullptr);
 }
@@ -102,8 +102,9 @@ CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& fro
     const ProjPointer<PJ> from = make_crs(context, from_wkt);
     ProjPointer<PJ> to = make_crs(context, to_wkt);
     if (ProjPointer<PJ> own = own_degrees(context, from.get(), to.get())) to = std::move(own);
-    const ProjPointer<PJ> usable = first(context, operations(context, from.get(), to.get(), degrees,
-                                                             PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID));
+    const ProjPointer<PJ> usable = first_operation(
+        context,
+        operations(context, from.get(), to.get(), degrees, PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID));
     CoordinateOperation chosen;
     if (usable) chosen.pj.reset(proj_normalize_for_visualization(context, usable.get()));
     if (!chosen.pj) {
@@ -116,7 +117,7 @@ CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& fro
     chosen.info.accuracy_m = by_formula ? 0 : proj_coordoperation_get_accuracy(context, usable.get());
     if (by_formula) return chosen;
     const ProjPointer<PJ> wished =
-        first(context, operations(context, from.get(), to.get(), degrees, PROJ_GRID_AVAILABILITY_IGNORED));
+        first_operation(context, operations(context, from.get(), to.get(), degrees, PROJ_GRID_AVAILABILITY_IGNORED));
     if (wished && !proj_coordoperation_is_instantiable(context, wished.get())) {
         const double accuracy = proj_coordoperation_get_accuracy(context, wished.get());
         chosen.info.needs_missing_grid =

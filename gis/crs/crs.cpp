@@ -16,7 +16,7 @@
 namespace frana::gis {
 namespace {
 
-const char* const k_remedy =
+const char* const k_crs_remedy =
     "Write an EPSG code such as EPSG:32632, a PROJ string or WKT; \"local\" means plain metres";
 
 std::string wkt2(const OGRSpatialReference& crs) {
@@ -70,7 +70,7 @@ std::string crs_from_user(const std::string& text, const std::string& where) {
         [&]() -> std::string {
             const GdalSession session;
             const auto error_of = [&](const std::string& what) {
-                return Error(ErrorKind::input, Problem{what, where, text.empty() ? "nothing" : text, "", k_remedy});
+                return Error(ErrorKind::input, Problem{what, where, text.empty() ? "nothing" : text, "", k_crs_remedy});
             };
             auto crs = parse(text);
             if (!crs) {

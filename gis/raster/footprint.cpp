@@ -18,18 +18,19 @@ namespace frana::gis {
 namespace {
 
 /// The part of a grid around an outline, and its first cell.
-struct Window {
+struct OutlineWindow {
     GridSpec grid;
     std::int64_t row = 0, column = 0;
 };
 
-Window window_round(const MultiPolygon& outline, const GridSpec& grid) {
+OutlineWindow window_round(const MultiPolygon& outline, const GridSpec& grid) {
     const Bounds box = bounds(outline);
     const auto cell = [&](double distance, std::int64_t count, std::int64_t beyond) {
         return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(distance / grid.cell_size)) + beyond, 0,
                                         count);
     };
-    Window window{grid, cell(grid.north - box.north, grid.rows, -1), cell(box.west - grid.west, grid.columns, -1)};
+    OutlineWindow window{grid, cell(grid.north - box.north, grid.rows, -1),
+                         cell(box.west - grid.west, grid.columns, -1)};
     window.grid.rows = cell(grid.north - box.south, grid.rows, 2) - window.row;
     window.grid.columns = cell(box.east - grid.west, grid.columns, 2) - window.column;
     window.grid.north -= static_cast<double>(window.row) * grid.cell_size;
@@ -50,7 +51,7 @@ bool is_thin(const OGRPolygon& polygon, double cell_size) {
 bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
                  const std::function<void(std::int64_t row, std::int64_t column)>& visit) {
     const GdalSession session;
-    const Window window = window_round(outline, grid);
+    const OutlineWindow window = window_round(outline, grid);
     if (window.grid.rows <= 0 || window.grid.columns <= 0) return false;
     Raster mask(window.grid, 0.0);
     const GdalDataset dataset =

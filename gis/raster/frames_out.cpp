@@ -18,7 +18,7 @@ namespace {
 
 using Array = std::shared_ptr<GDALMDArray>;
 
-constexpr std::int64_t k_block = 256;
+constexpr std::int64_t k_frame_block = 256;
 constexpr const char* k_mapping = "spatial_ref";
 
 void set_text(GDALIHasAttribute& holder, const std::string& name, const std::string& value) {
@@ -108,8 +108,8 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
     }
     CPLStringList options;
     options.SetNameValue("COMPRESS", netcdf ? "DEFLATE" : "ZLIB");
-    options.SetNameValue("BLOCKSIZE", ("1," + std::to_string(std::min(k_block, grid.rows)) + "," +
-                                       std::to_string(std::min(k_block, grid.columns)))
+    options.SetNameValue("BLOCKSIZE", ("1," + std::to_string(std::min(k_frame_block, grid.rows)) + "," +
+                                       std::to_string(std::min(k_frame_block, grid.columns)))
                                           .c_str());
     const auto field = [&](const std::string& name, const std::string& long_name, const std::string& unit) {
         Array array = p.must(p.root->CreateMDArray(name, {time, north, east}, GDALExtendedDataType::Create(GDT_Float32),

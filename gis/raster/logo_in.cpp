@@ -32,8 +32,9 @@ struct Refusal {
 GdalDataset opened(const std::string& path, const Refusal& refuse) {
     (void)pop_access_problem();
     if (const auto remedy = network_remedy(path)) throw refuse("the file is read over the network", "", "", *remedy);
-    constexpr std::array<const char*, 3> k_drivers{"PNG", "JPEG", nullptr};
-    GdalDataset file(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, k_drivers.data(), nullptr, nullptr));
+    constexpr std::array<const char*, 3> k_logo_drivers{"PNG", "JPEG", nullptr};
+    GdalDataset file(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, k_logo_drivers.data(), nullptr, nullptr));
     if (const auto cause = pop_access_problem()) throw refuse(cause->what, cause->value, "", cause->remedy);
     if (!file)
         throw refuse(std::filesystem::exists(path) ? "the logo is neither a PNG nor a JPEG that can be read"

@@ -31,7 +31,7 @@ struct Grade {
 };
 constexpr Grade k_grades[] = {{1, 90}, {1, 84}, {1, 76}, {0.75, 84}, {0.75, 74}, {0.5, 80}, {0.5, 65}, {0.3, 60}};
 
-[[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
+[[noreturn]] void refuse_picture(const std::string& path, const GdalSession& session) {
     const std::string message = session.last_message();
     throw Error(ErrorKind::environment,
                 Problem{"the picture cannot be put into a page" + (message.empty() ? "" : ": " + one_line(message)),
@@ -41,7 +41,7 @@ constexpr Grade k_grades[] = {{1, 90}, {1, 84}, {1, 76}, {0.75, 84}, {0.75, 74},
 GdalDataset open_picture(const std::string& path, const GdalSession& session) {
     const char* const drivers[] = {"PNG", nullptr};
     GdalDataset picture(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr));
-    if (!picture || GDALGetRasterCount(picture.get()) < 3) refuse(path, session);
+    if (!picture || GDALGetRasterCount(picture.get()) < 3) refuse_picture(path, session);
     return picture;
 }
 
@@ -61,11 +61,11 @@ PagePicture as_jpeg(GDALDatasetH picture, int width, int quality, const std::str
     std::array<int, 3> bands{1, 2, 3};
     if (GDALDatasetRasterIOEx(picture, GF_Read, 0, 0, columns, rows, pixels.data(), width, height, GDT_Byte, 3,
                               bands.data(), 3, 3 * static_cast<GSpacing>(width), 1, &smooth) != CE_None)
-        refuse(path, session);
+        refuse_picture(path, session);
     const GdalDataset memory(GDALCreate(GDALGetDriverByName("MEM"), "", width, height, 3, GDT_Byte, nullptr));
     if (GDALDatasetRasterIO(memory.get(), GF_Write, 0, 0, width, height, pixels.data(), width, height, GDT_Byte, 3,
                             bands.data(), 3, 3 * width, 1) != CE_None)
-        refuse(path, session);
+        refuse_picture(path, session);
     CPLStringList options;
     options.SetNameValue("QUALITY", std::to_string(quality).c_str());
     const NoSideFiles quiet;
@@ -73,11 +73,11 @@ PagePicture as_jpeg(GDALDatasetH picture, int width, int quality, const std::str
     const std::string place = folder.place_of("picture.jpg");
     GdalDataset written(GDALCreateCopy(GDALGetDriverByName("JPEG"), place.c_str(), memory.get(), FALSE, options.List(),
                                        nullptr, nullptr));
-    if (!written) refuse(path, session);
+    if (!written) refuse_picture(path, session);
     written.reset();  // writes the last bytes
     vsi_l_offset size = 0;
     const GByte* const bytes = VSIGetMemFileBuffer(place.c_str(), &size, FALSE);
-    if (bytes == nullptr || session.failed()) refuse(path, session);
+    if (bytes == nullptr || session.failed()) refuse_picture(path, session);
     return {"image/jpeg", {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)}, width, height};
 }
 

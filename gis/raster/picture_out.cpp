@@ -20,13 +20,6 @@
 namespace frana::gis {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
-    const std::string message = session.last_message();
-    throw Error(ErrorKind::environment,
-                Problem{"the picture cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
-                        "Check that the folder exists, may be written and has free space"});
-}
-
 GdalDataset in_memory(const PicturePixels& picture, const std::string& path, const GdalSession& session) {
     GdalDataset dataset(
         GDALCreate(GDALGetDriverByName("MEM"), "", picture.width, picture.height, 3, GDT_Byte, nullptr));
@@ -36,7 +29,7 @@ GdalDataset in_memory(const PicturePixels& picture, const std::string& path, con
     if (GDALDatasetRasterIO(dataset.get(), GF_Write, 0, 0, picture.width, picture.height,
                             const_cast<std::uint8_t*>(picture.rgb.data()), picture.width, picture.height, GDT_Byte, 3,
                             nullptr, 3, 3 * picture.width, 1) != CE_None) {
-        refuse(path, session);
+        session.refuse_written("the picture", path);
     }
     return dataset;
 }
@@ -59,10 +52,10 @@ void write(const std::string& path, GDALDatasetH dataset, const char* driver, co
     {
         const GdalDataset written(GDALCreateCopy(GDALGetDriverByName(driver), memory.place_of(path).c_str(), dataset,
                                                  FALSE, options.List(), nullptr, nullptr));
-        if (!written) refuse(path, session);
+        if (!written) session.refuse_written("the picture", path);
     }
     // Closing writes the last bytes and reports errors only through the error handler.
-    if (session.failed()) refuse(path, session);
+    if (session.failed()) session.refuse_written("the picture", path);
     memory.write_to_disk(path, Sync::no);
 }
 
@@ -108,17 +101,18 @@ void write_pdf(const std::string& path, const std::string& bytes, const std::opt
     const MemoryFolder memory;
     const std::string copy = memory.place_of(path);
     VSILFILE* file = VSIFOpenL(copy.c_str(), "wb");
-    if (file == nullptr || VSIFWriteL(bytes.data(), 1, bytes.size(), file) != bytes.size()) refuse(path, session);
+    if (file == nullptr || VSIFWriteL(bytes.data(), 1, bytes.size(), file) != bytes.size())
+        session.refuse_written("the picture", path);
     VSIFCloseL(file);
     {
         // GDAL appends the place to the file and leaves its page as it is.
         const ThreadOption encoding("GDAL_PDF_GEO_ENCODING", "ISO32000");
         const GdalDataset page(GDALOpenEx(copy.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
-        if (!page) refuse(path, session);
+        if (!page) session.refuse_written("the picture", path);
         set_place(page.get(), place->page, place->crs_wkt);
         GDALSetMetadataItem(page.get(), "NEATLINE", neat_line(place->map).c_str(), nullptr);
     }
-    if (session.failed()) refuse(path, session);
+    if (session.failed()) session.refuse_written("the picture", path);
     memory.write_to_disk(path, Sync::no);
 }
 

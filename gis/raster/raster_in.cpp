@@ -19,7 +19,7 @@ namespace {
 constexpr double k_same_place_cells = 1e-3;
 // A source up to this much finer than the grid is interpolated: an average over about one cell would only smooth it.
 constexpr double k_average_from = 1.25;
-constexpr int k_cells_at_once = 4'000'000;
+constexpr int k_read_at_once = 4'000'000;
 // Ground that rises by two cells from one cell to the next (63 degrees) is a wall.
 constexpr double k_wall_cells = 2;
 
@@ -50,7 +50,7 @@ void copy_cells(const RasterSource& source, Point corner, double unit, Raster& t
                         static_cast<int>(std::min(source.info().columns, c0 + grid.columns) - first_column),
                         static_cast<int>(std::min(source.info().rows, r0 + grid.rows) - first_row)};
     if (window.empty()) return;
-    const int rows_at_once = std::max(1, k_cells_at_once / window.columns);
+    const int rows_at_once = std::max(1, k_read_at_once / window.columns);
     for (int start = 0; start < window.rows; start += rows_at_once) {
         const int rows = std::min(rows_at_once, window.rows - start);
         const std::vector<double> values = source.read({window.column, window.row + start, window.columns, rows}, unit);
@@ -151,9 +151,9 @@ void read_onto(const RasterSource& source, const std::string& source_crs, Resamp
     read.zero_rim_cells = source.zero_rim(k_wall_cells * grid.cell_size, unit.metres);
 }
 
-RasterRead read_now(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
-                    Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
-                    const std::string& where) {
+RasterRead read_raster_now(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
+                           Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
+                           const std::string& where) {
     const GdalSession session;
     RasterSource source(path, where.empty() ? path : where);
     if (nodata_value) source.declare_nodata(*nodata_value);
@@ -254,7 +254,7 @@ RasterRead read_raster_on(const std::string& path, const GridSpec& target, const
                           Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
                           const std::string& where) {
     const auto read = [&] {
-        return read_now(path, target, source_crs_override, resampling, vertical_unit, nodata_value, where);
+        return read_raster_now(path, target, source_crs_override, resampling, vertical_unit, nodata_value, where);
     };
     return remembered("read_raster_on", read, path, target, source_crs_override, resampling, vertical_unit,
                       nodata_value, where);

@@ -26,13 +26,6 @@ constexpr int k_block = 256;          // cells; a landslide's raster is small, s
 constexpr int k_small = 4 * k_block;  // cells
 constexpr std::uint8_t k_no_class = 0;
 
-[[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
-    const std::string message = session.last_message();
-    throw Error(ErrorKind::environment,
-                Problem{"the raster cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
-                        "Check that the folder exists, may be written and has free space"});
-}
-
 void place(GDALDatasetH dataset, const GridSpec& grid, std::optional<double> nodata) {
     std::array<double, 6> geo{grid.west, grid.cell_size, 0, grid.north, 0, -grid.cell_size};
     GDALSetGeoTransform(dataset, geo.data());
@@ -105,7 +98,7 @@ void build_overviews(GDALDatasetH dataset, const char* resampling, const std::st
     if (factors.empty()) return;
     if (GDALBuildOverviews(dataset, resampling, static_cast<int>(factors.size()), factors.data(), 0, nullptr, nullptr,
                            nullptr) != CE_None) {
-        refuse(path, session);
+        session.refuse_written("the raster", path);
     }
 }
 
@@ -131,11 +124,11 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     {
         const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), memory.place_of(path).c_str(), dataset,
                                                  TRUE, options.List(), nullptr, nullptr));
-        if (!written) refuse(path, session);
+        if (!written) session.refuse_written("the raster", path);
         GDALFlushCache(written.get());
     }
     // Closing writes the last bytes and reports errors only through the error handler.
-    if (session.failed()) refuse(path, session);
+    if (session.failed()) session.refuse_written("the raster", path);
     memory.write_to_disk(path);
 }
 
@@ -152,7 +145,7 @@ void write_band(const std::string& path, GDALDatasetH dataset, int number, const
     const int columns = GDALGetRasterXSize(dataset), rows = GDALGetRasterYSize(dataset);
     if (GDALRasterIO(GDALGetRasterBand(dataset, number), GF_Write, 0, 0, columns, rows,
                      const_cast<float*>(values.data()), columns, rows, GDT_Float32, 0, 0) != CE_None) {
-        refuse(path, session);
+        session.refuse_written("the raster", path);
     }
 }
 
@@ -184,7 +177,7 @@ void write_block(const std::string& path, GDALDatasetH dataset, int number, cons
     if (GDALRasterIO(GDALGetRasterBand(dataset, number), GF_Write, static_cast<int>(window.column),
                      static_cast<int>(window.row), columns, rows, block.values.data(), columns, rows, GDT_Float64, 0,
                      0) != CE_None) {
-        refuse(path, session);
+        session.refuse_written("the raster", path);
     }
 }
 
@@ -210,7 +203,7 @@ void write_sparse(const std::string& path, const std::vector<const Raster*>& ban
         const GdalDataset written(GDALCreate(driver, memory.place_of(path).c_str(), static_cast<int>(grid.columns),
                                              static_cast<int>(grid.rows), static_cast<int>(bands.size()), type,
                                              options.List()));
-        if (!written) refuse(path, session);
+        if (!written) session.refuse_written("the raster", path);
         place(written.get(), grid, nodata);
         describe(written.get());
         for_each_block(grid, [&](const CellWindow& window) {
@@ -220,7 +213,7 @@ void write_sparse(const std::string& path, const std::vector<const Raster*>& ban
         });
         GDALFlushCache(written.get());
     }
-    if (session.failed()) refuse(path, session);
+    if (session.failed()) session.refuse_written("the raster", path);
     memory.write_to_disk(path);
 }
 
@@ -305,9 +298,9 @@ void write_ascii_grid(const std::string& path, const Raster& raster) {
     {
         const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), memory.place_of(path).c_str(),
                                                  dataset.get(), TRUE, options.List(), nullptr, nullptr));
-        if (!written) refuse(path, session);
+        if (!written) session.refuse_written("the raster", path);
     }
-    if (session.failed()) refuse(path, session);
+    if (session.failed()) session.refuse_written("the raster", path);
     memory.write_to_disk(path);
 }
 
@@ -335,7 +328,7 @@ void write_class_geotiff(const std::string& path, const Raster& raster, const st
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     const int columns = static_cast<int>(raster.grid.columns), rows = static_cast<int>(raster.grid.rows);
     if (GDALRasterIO(band, GF_Write, 0, 0, columns, rows, values.data(), columns, rows, GDT_Byte, 0, 0) != CE_None) {
-        refuse(path, session);
+        session.refuse_written("the raster", path);
     }
     describe(dataset.get());
     write_cog(path, dataset.get(), "NEAREST", "NO");

@@ -21,18 +21,18 @@
 namespace frana::gis {
 namespace {
 
-constexpr double k_cells_at_once = 4e6;      // 36 MB with the mask
+constexpr double k_warped_at_once = 4e6;     // 36 MB with the mask
 constexpr double k_kernel_radius_cells = 3;  // cubic reaches 2 cells; one more for rounding
 constexpr double k_approximation_cells = 0.01;
 
 /// Points in a cell at which an average samples the surface, along each side. If the cell contains whole square source
 /// cells, one for each, which is their plain mean; else two or more, so that every source cell has almost equal weight.
 int points_per_side(Point source_cells_per_cell) {
-    constexpr double k_whole = 1e-9, k_most = 1000;
+    constexpr double k_whole = 1e-9, k_most_points = 1000;
     const auto [x, y] = source_cells_per_cell;
     const bool whole = std::abs(x - std::round(x)) < k_whole * x && std::abs(x - y) < k_whole * x;
     const double wanted = whole ? std::round(x) : std::ceil(2 * std::max(x, y) * (1 - k_whole));
-    return static_cast<int>(std::clamp(wanted, 1.0, k_most));
+    return static_cast<int>(std::clamp(wanted, 1.0, k_most_points));
 }
 
 }  // namespace
@@ -214,7 +214,7 @@ void RasterWarp::fill(Raster& target) const {
     const double cells_per_row = static_cast<double>(grid.columns) * std::max({1.0, scale.x, double(points)}) *
                                  std::max({1.0, scale.y, double(points)});
     const auto rows_at_once =
-        static_cast<std::int64_t>(std::clamp(k_cells_at_once / cells_per_row, 1.0, static_cast<double>(grid.rows)));
+        static_cast<std::int64_t>(std::clamp(k_warped_at_once / cells_per_row, 1.0, static_cast<double>(grid.rows)));
     for (std::int64_t row = 0; row < grid.rows; row += rows_at_once) {
         GridSpec strip = grid;
         strip.north = grid.north - static_cast<double>(row) * grid.cell_size;

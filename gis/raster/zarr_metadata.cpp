@@ -10,7 +10,7 @@
 namespace frana::gis {
 namespace {
 
-[[noreturn]] void refuse(const std::string& file) {
+[[noreturn]] void refuse_metadata(const std::string& file) {
     throw Error(ErrorKind::environment, Problem{"the frames' metadata cannot be written", file, "", "",
                                                 "Check that the folder exists, may be written and has free space"});
 }
@@ -20,7 +20,7 @@ void write(const std::string& file, const Json& content) {
     std::ofstream out(file, std::ios::binary);
     out << content.dump(2, ' ', k_only_ascii, Json::error_handler_t::replace) << '\n';
     out.close();
-    if (!out) refuse(file);
+    if (!out) refuse_metadata(file);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void finish_zarr_metadata(const std::string& folder) {
     const std::string all = folder + "/.zmetadata", attributes = "/.zattrs", array = "/.zarray";
     std::ifstream file(all, std::ios::binary);
     Json root = Json::parse(file, nullptr, false);
-    if (!root.contains("metadata")) refuse(all);
+    if (!root.contains("metadata")) refuse_metadata(all);
     Json& parts = root["metadata"];
     for (const auto& [name, part] : parts.items()) {
         if (!name.ends_with(array) || !part.contains("shape") || !part["shape"].empty()) continue;

@@ -18,7 +18,7 @@
 namespace frana::gis {
 namespace {
 
-constexpr double k_bend_tolerance = 1e-3;
+constexpr double k_exposed_bend_tolerance = 1e-3;
 
 void add_parts(const OGRGeometry& geometry, MixedShape& shape) {
     switch (wkbFlatten(geometry.getGeometryType())) {
@@ -119,7 +119,7 @@ void transform_all(ExposedLayer& layer, const std::string& target, const VectorS
             for (Point& point : feature.shape.points) point = transform(point);
             for (Polyline& line : feature.shape.lines)
                 for (Point& point : line) point = transform(point);
-            for (Polygon& area : feature.shape.areas) area = transformed(area, transform, k_bend_tolerance);
+            for (Polygon& area : feature.shape.areas) area = transformed(area, transform, k_exposed_bend_tolerance);
         }
     } catch (const Error& error) {
         const Problem& first = error.problems().front();
@@ -127,8 +127,8 @@ void transform_all(ExposedLayer& layer, const std::string& target, const VectorS
     }
 }
 
-ExposedLayer read_now(const std::string& path, const std::string& target, const std::string& where,
-                      const std::string& name_column, const std::string& count_column) {
+ExposedLayer read_exposed_now(const std::string& path, const std::string& target, const std::string& where,
+                              const std::string& name_column, const std::string& count_column) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -173,7 +173,7 @@ ExposedLayer read_now(const std::string& path, const std::string& target, const 
 ExposedLayer read_exposed(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
                           const std::string& name_column, const std::string& count_column) {
     return remembered(
-        "read_exposed", [&] { return read_now(path, target_crs_wkt, where, name_column, count_column); }, path,
+        "read_exposed", [&] { return read_exposed_now(path, target_crs_wkt, where, name_column, count_column); }, path,
         target_crs_wkt, where, name_column, count_column);
 }
 

@@ -8,16 +8,7 @@
 #include "gis/access/gdal_session.h"
 
 namespace frana::gis {
-namespace {
-
-[[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
-    const std::string message = session.last_message();
-    throw Error(ErrorKind::environment,
-                Problem{"the vector file cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
-                        "Check that the folder exists, may be written and has free space"});
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
                       const std::function<bool(GDALDataset&, OGRSpatialReference*)>& write_layers) {
@@ -34,11 +25,11 @@ void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
         const GDALDatasetUniquePtr dataset(
             driver ? driver->Create(file.partial_path().c_str(), 0, 0, 0, GDT_Unknown, nullptr) : nullptr);
-        if (!dataset || !write_layers(*dataset, &crs)) refuse(gpkg_path, session);
+        if (!dataset || !write_layers(*dataset, &crs)) session.refuse_written("the vector file", gpkg_path);
         dataset->FlushCache();
     }
     // Closing writes the last bytes and reports errors only through the error handler.
-    if (session.failed()) refuse(gpkg_path, session);
+    if (session.failed()) session.refuse_written("the vector file", gpkg_path);
     file.sync_to_disk();
     file.rename_into_place();
 }

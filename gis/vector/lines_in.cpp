@@ -34,7 +34,7 @@ Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
     return line;
 }
 
-LineInputLayer read_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+LineInputLayer read_lines_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -83,7 +83,7 @@ LineInputLayer read_now(const std::string& path, const std::string& target_crs_w
 
 LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     return remembered(
-        "read_lines", [&] { return read_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
+        "read_lines", [&] { return read_lines_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
 }
 
 }  // namespace frana::gis

@@ -72,7 +72,7 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
     each([&](Point& p) { p = transform(p); });
 }
 
-Marks read_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+Marks read_marks_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -120,7 +120,7 @@ Marks read_now(const std::string& path, const std::string& target_crs_wkt, const
 
 Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     return remembered(
-        "read_marks", [&] { return read_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
+        "read_marks", [&] { return read_marks_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
 }
 
 }  // namespace frana::gis

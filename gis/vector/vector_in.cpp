@@ -239,8 +239,8 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
     return !found.empty();
 }
 
-PolygonLayer read_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
-                      const LayerChoice& choice) {
+PolygonLayer read_polygons_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+                               const LayerChoice& choice) {
     const GdalSession session;
     const ReadingOnly reading;
     VectorSource source = vector_source(path, where);
@@ -309,8 +309,8 @@ bool has_layer(const std::string& file, const std::string& layer, const std::str
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
                            const LayerChoice& choice) {
     return remembered(
-        "read_polygons", [&] { return read_now(path, target_crs_wkt, where, choice); }, path, target_crs_wkt, where,
-        choice.name, choice.filter, choice.crs, choice.keep_unusable);
+        "read_polygons", [&] { return read_polygons_now(path, target_crs_wkt, where, choice); }, path, target_crs_wkt,
+        where, choice.name, choice.filter, choice.crs, choice.keep_unusable);
 }
 
 }  // namespace frana::gis

@@ -11,8 +11,8 @@
 namespace frana::render {
 namespace {
 
-constexpr std::size_t k_most_letters = 2000;  // of a paragraph
-constexpr std::size_t k_longest_line = 500;   // bytes; longer lines need not be measured
+constexpr std::size_t k_paragraph_letters = 2000;  // of a paragraph
+constexpr std::size_t k_longest_line = 500;        // bytes; longer lines need not be measured
 
 /// Whether a word must not begin a line after another: groups of a number's digits, and the unit of a number.
 bool belongs_to(const std::string& before, const std::string& word) {
@@ -59,7 +59,7 @@ std::vector<std::string> Drawing::wrapped(const std::string& words, const TextSt
         return elided(word, good);
     };
     std::vector<std::string> lines, parts;
-    std::istringstream stream(elided(valid_utf8(words), k_most_letters));
+    std::istringstream stream(elided(valid_utf8(words), k_paragraph_letters));
     for (std::string word; stream >> word;) {
         const std::string joint = parts.empty() ? word : parts.back() + " " + word;
         if (!parts.empty() && belongs_to(parts.back(), word) && fits(joint))

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* k_family = "DejaVu Sans";
 
 // No page has room for more letters; the time is proportional to their number.
-constexpr std::size_t k_most_letters = 500;
+constexpr std::size_t k_line_letters = 500;
 
 template <class Object>
 std::shared_ptr<Object> owned(Object* object) {
@@ -31,7 +31,7 @@ using Description = std::unique_ptr<PangoFontDescription, decltype(&pango_font_d
 
 /// File names and attributes may contain any characters: line ends and other control characters become spaces.
 std::string printable(const std::string& text) {
-    std::string clean = elided(shown_text(text), k_most_letters);
+    std::string clean = elided(shown_text(text), k_line_letters);
     for (char& c : clean)
         if (static_cast<unsigned char>(c) < 0x20) c = ' ';
     return clean;

@@ -16,9 +16,9 @@ namespace frana::render {
 namespace {
 
 /// A panel's axes around its values.
-class Axes {
+class PanelAxes {
   public:
-    Axes(const ChartPanel& panel, const PageBox& box, const PageStyle& style)
+    PanelAxes(const ChartPanel& panel, const PageBox& box, const PageStyle& style)
         : panel_(panel),
           x_(panel.x, values(true), box.left, box.right, 5.0 * style.small.size_px, false),
           y_(panel.y, values(false), box.bottom, box.top, 2.4 * style.small.size_px, true) {}
@@ -66,7 +66,7 @@ std::vector<Point> thinned(const std::vector<Point>& places) {
     return kept;
 }
 
-void fill_under(Drawing& drawing, const ChartSeries& series, const Axes& axes) {
+void fill_under(Drawing& drawing, const ChartSeries& series, const PanelAxes& axes) {
     constexpr double k_opacity = 0.3;
     for (std::size_t i = 0; i + 1 < series.foot.size(); ++i) {
         const Point a = series.points[i], b = series.points[i + 1];
@@ -93,7 +93,8 @@ std::vector<Point> apart(const std::vector<Point>& places, double gap) {
 }
 
 /// Draws a series; returns the places of its points.
-std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const ChartSeries& series, const Axes& axes) {
+std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const ChartSeries& series,
+                               const PanelAxes& axes) {
     std::vector<Point> run, all;
     const auto flush = [&] {
         draw_line(drawing, style, series, thinned(run));
@@ -123,7 +124,7 @@ void draw_inside(Drawing& drawing, const PageStyle& style, const ChartPanel& pan
         throw Error(ErrorKind::input,
                     Problem{"the page is too small for its charts", "", "", "", "draw a larger picture"});
     }
-    const Axes axes(panel, box, style);
+    const PanelAxes axes(panel, box, style);
     if (axes.any())
         draw_ticks(drawing, style, box, in_language(axes.x().ticks(), words),
                    panel.has_rows ? std::vector<Tick>{} : in_language(axes.y().ticks(), words));

@@ -22,7 +22,7 @@
 namespace frana::render {
 namespace {
 
-constexpr double k_rounding = 0.5;  // of a pixel
+constexpr double k_pixel_rounding = 0.5;  // of a pixel
 
 void check(const MapSpec& spec) {
     Problems problems;
@@ -103,7 +103,7 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
         layout_.font_px = style.label.size_px;
         const double titles_bottom = draw_page_head(sheet, plan, spec, for_frames, subtitle_at_);
         lacking = titles_bottom - plan.titles_bottom;
-        if (lacking > k_rounding) return lacking;
+        if (lacking > k_pixel_rounding) return lacking;
 
         const bool last = crowding.density == std::end(k_crowdings)[-1].density;
         const double legend_bottom =
@@ -119,7 +119,7 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
         const std::vector<std::string> foot = plan.foot(spec, text);
         const double bottom = spec.height - plan.style.margin;
         lacking = plan.foot_top - (bottom - foot_height(sheet, plan.style, foot, inner));
-        if (lacking > k_rounding) return lacking;
+        if (lacking > k_pixel_rounding) return lacking;
         ground_ = kept;
         draw_foot(sheet, plan.style, foot, plan.style.margin, bottom, inner);
         furnish(spec, plan, style,

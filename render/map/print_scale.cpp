@@ -10,9 +10,9 @@
 namespace frana::render {
 namespace {
 
-constexpr double k_inch = 0.0254;        // m
-constexpr double k_least_margin = 0.03;  // of the content's longer side, beside it
-constexpr double k_rounding = 1 + 1e-9;  // a scale may be equal to the least
+constexpr double k_inch = 0.0254;              // m
+constexpr double k_least_margin = 0.03;        // of the content's longer side, beside it
+constexpr double k_scale_rounding = 1 + 1e-9;  // a scale may be equal to the least
 
 Bounds with_margin(const Bounds& box, double fraction) {
     const double margin = fraction * std::max(box.width(), box.height());
@@ -39,7 +39,7 @@ double round_scale_above(double n) {
     for (;; decade *= 10) {
         for (const double step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.5}) {
             const double scale = std::round(step * decade);
-            if (scale * k_rounding >= n) return scale;
+            if (scale * k_scale_rounding >= n) return scale;
         }
     }
 }
@@ -53,7 +53,7 @@ Bounds window_at_scale(const Print& print, const Bounds& required, const Bounds&
     if (!(print.dots_per_inch > 0)) return free;
     const double least = least_scale(print, required, width, height);
     if (print.scale) {
-        if (*print.scale * k_rounding < least) {
+        if (*print.scale * k_scale_rounding < least) {
             throw Error(
                 ErrorKind::input,
                 Problem{"the flow does not fit the page at this scale", "", scale_words(*print.scale),

@@ -15,11 +15,11 @@ double dot(const ScenePoint& a, const ScenePoint& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-struct Axes {
+struct CameraAxes {
     ScenePoint right, up, forward;
 };
 
-Axes axes_of(double azimuth_deg, double elevation_deg) {
+CameraAxes camera_axes(double azimuth_deg, double elevation_deg) {
     const double a = azimuth_deg * k_degree, e = elevation_deg * k_degree;
     return {{std::cos(a), -std::sin(a), 0},
             {std::sin(a) * std::sin(e), std::cos(a) * std::sin(e), std::cos(e)},
@@ -30,7 +30,8 @@ Axes axes_of(double azimuth_deg, double elevation_deg) {
 
 Point PlacedCamera::project(const ScenePoint& point) const {
     const double east = target.x - position.x, north = target.y - position.y, up = target.z - position.z;
-    const Axes axes = axes_of(std::atan2(east, north) / k_degree, -std::atan2(up, std::hypot(east, north)) / k_degree);
+    const CameraAxes axes =
+        camera_axes(std::atan2(east, north) / k_degree, -std::atan2(up, std::hypot(east, north)) / k_degree);
     const ScenePoint ray{point.x - position.x, point.y - position.y, point.z - position.z};
     const double distance = dot(ray, axes.forward) * std::tan(opening_deg / 2 * k_degree);
     return {dot(ray, axes.right) / distance, dot(ray, axes.up) / distance};
@@ -62,7 +63,7 @@ Camera find_camera(std::span<const ScenePoint> flow) {
 }
 
 PlacedCamera place_camera(const Camera& camera, std::span<const ScenePoint> points, double aspect) {
-    const Axes axes = axes_of(camera.azimuth_deg, camera.elevation_deg);
+    const CameraAxes axes = camera_axes(camera.azimuth_deg, camera.elevation_deg);
     PlacedCamera placed;
     constexpr double k_fill = 0.8;  // fraction of the picture filled by the points
     const double steep = k_fill * std::tan(placed.opening_deg / 2 * k_degree), wide = steep * aspect;

@@ -52,7 +52,7 @@ std::string direction_words(double azimuth_deg, const Words& words) {
     return words("view to the {1}", {words(k_winds[wind])});
 }
 
-std::string scale_words(double exaggeration, const Words& words) {
+std::string exaggeration_words(double exaggeration, const Words& words) {
     return exaggeration == 1 ? words("heights true to scale")
                              : words("heights exaggerated {1} times", {words.number(number(exaggeration))});
 }
@@ -186,7 +186,7 @@ class ViewSession::Scene {
 
             const std::vector<std::string> lines =
                 sheet.wrapped(direction_words(layout_.camera.azimuth_deg, spec.words) + ", " +
-                                  scale_words(spec.vertical_exaggeration, spec.words),
+                                  exaggeration_words(spec.vertical_exaggeration, spec.words),
                               style.small, column);
             double y = picture.bottom - Sheet::line_height(style.small) * static_cast<double>(lines.size()) +
                        0.3 * style.small.size_px;

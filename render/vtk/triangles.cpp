@@ -24,14 +24,14 @@ namespace {
 
 /// Sampling points of the page inside a pixel: each row and each column of an 8 x 8 grid once. Averaging these pictures
 /// smooths edges with the memory of a single one.
-constexpr std::array<std::array<double, 2>, 8> k_samples{{{-0.4375, -0.1875},
-                                                          {-0.3125, 0.3125},
-                                                          {-0.1875, -0.4375},
-                                                          {-0.0625, 0.0625},
-                                                          {0.0625, 0.4375},
-                                                          {0.1875, -0.3125},
-                                                          {0.3125, 0.1875},
-                                                          {0.4375, -0.0625}}};
+constexpr std::array<std::array<double, 2>, 8> k_pixel_samples{{{-0.4375, -0.1875},
+                                                                {-0.3125, 0.3125},
+                                                                {-0.1875, -0.4375},
+                                                                {-0.0625, 0.0625},
+                                                                {0.0625, 0.4375},
+                                                                {0.1875, -0.3125},
+                                                                {0.3125, 0.1875},
+                                                                {0.4375, -0.0625}}};
 
 }  // namespace
 
@@ -85,7 +85,7 @@ std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const Pixel
     std::vector<std::uint16_t> sum(4 * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     const double middle_x = part.left + part.width / 2.0, middle_y = part.bottom + part.height / 2.0;
     std::vector<std::uint8_t> picture;
-    for (const auto& sample : k_samples) {
+    for (const auto& sample : k_pixel_samples) {
         const double x = middle_x + sample[0], y = middle_y + sample[1];
         camera->SetFocalPoint(x, y, 0);
         camera->SetPosition(x, y, 1);
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const Pixel
         picture = window.read_rgba();
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + picture[i]);
     }
-    const unsigned n_samples = k_samples.size();
+    const unsigned n_samples = k_pixel_samples.size();
     for (std::size_t i = 0; i < sum.size(); ++i) {
         picture[i] = static_cast<std::uint8_t>((sum[i] + n_samples / 2) / n_samples);
     }

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t k_least_pilot = 4, k_pilots_in_samples = 16;
 constexpr std::size_t k_most_draws = 100'000;
 constexpr std::size_t k_usual_cost_ratio = 8;  // four times the particles, twice the steps
-constexpr std::int64_t k_seeds = 2147483648, k_seed_step = 1000003;
+constexpr std::int64_t k_level_seeds = 2147483648, k_seed_step = 1000003;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ std::vector<SampleTable> draw_levels(const StudySpec& study, const std::string& 
     for (std::size_t l = levels; l-- > 0; most = std::max(most, std::min(k_usual_cost_ratio * most, k_most_draws))) {
         StudySpec one = study;
         one.samples = static_cast<std::int64_t>(most);
-        one.seed = (study.seed + static_cast<std::int64_t>(l) * k_seed_step) % k_seeds;
+        one.seed = (study.seed + static_cast<std::int64_t>(l) * k_seed_step) % k_level_seeds;
         Problems of_level;
         draws.insert(draws.begin(), draw_samples(one, label, of_level));
         if (of_level.empty()) continue;

@@ -83,9 +83,10 @@ bool is_event_name(const std::string& name) {
 
 /// Reads the entries of one calibration: sorts them by event, and lets the reader of studies read what an event's study
 /// would contain.
-class Reader {
+class CalibrationReader {
   public:
-    explicit Reader(CalibrationReading& reading, std::string folder) : reading_(reading), folder_(std::move(folder)) {}
+    explicit CalibrationReader(CalibrationReading& reading, std::string folder)
+        : reading_(reading), folder_(std::move(folder)) {}
 
     void read(const std::vector<IniEntry>& entries);
 
@@ -113,14 +114,14 @@ class Reader {
     std::vector<std::pair<std::string, IniEntry>> observed_;  ///< event, entry
 };
 
-EventSpec* Reader::event_of(const std::string& name) {
+EventSpec* CalibrationReader::event_of(const std::string& name) {
     auto& events = reading_.calibration.events;
     const auto found =
         std::find_if(events.begin(), events.end(), [&](const EventSpec& one) { return one.name == name; });
     return found == events.end() ? nullptr : &*found;
 }
 
-void Reader::add_event(const std::string& name, const std::string& scene, const IniEntry& entry) {
+void CalibrationReader::add_event(const std::string& name, const std::string& scene, const IniEntry& entry) {
     if (!is_event_name(name)) {
         refuse("'" + name + "' is not a name of an event", entry,
                "letters, digits, - and _, " + std::to_string(k_longest_name) + " at most",
@@ -134,7 +135,7 @@ void Reader::add_event(const std::string& name, const std::string& scene, const 
     }
 }
 
-void Reader::add_scenes(const IniEntry& entry) {
+void CalibrationReader::add_scenes(const IniEntry& entry) {
     std::string rest = entry.value;
     while (!rest.empty()) {
         const auto comma = rest.find(',');
@@ -148,7 +149,7 @@ void Reader::add_scenes(const IniEntry& entry) {
     }
 }
 
-bool Reader::add_number(const IniEntry& entry) {
+bool CalibrationReader::add_number(const IniEntry& entry) {
     for (const NumberKey& key : number_keys()) {
         if (entry.name != key.name) continue;
         const auto value = number_from_text(entry.value);
@@ -165,7 +166,7 @@ bool Reader::add_number(const IniEntry& entry) {
     return false;
 }
 
-void Reader::add_weight(const std::string& name, const IniEntry& entry) {
+void CalibrationReader::add_weight(const std::string& name, const IniEntry& entry) {
     std::vector<std::string> names{"exponent"};
     for (const MeasureRow& row : k_measures) {
         names.emplace_back(row.name);
@@ -181,7 +182,7 @@ void Reader::add_weight(const std::string& name, const IniEntry& entry) {
     refuse("unknown measure", entry, joined(names, ", "), nearest.empty() ? "" : "Did you mean " + nearest + "?");
 }
 
-void Reader::add_observation(const std::string& event, const std::string& key, const IniEntry& entry) {
+void CalibrationReader::add_observation(const std::string& event, const std::string& key, const IniEntry& entry) {
     EventSpec* const spec = event_of(event);
     if (spec == nullptr) {
         refuse("there is no event " + event, entry, "", "Give it a scene: [event " + event + "] scene = FILE");
@@ -204,7 +205,7 @@ void Reader::add_observation(const std::string& event, const std::string& key, c
         spec->runout = *value;
 }
 
-void Reader::add(const IniEntry& entry) {
+void CalibrationReader::add(const IniEntry& entry) {
     if (!seen_.insert(entry.name).second) {
         refuse("is given more than once", entry, "", "Keep one of the lines");
         return;
@@ -243,7 +244,7 @@ void Reader::add(const IniEntry& entry) {
 }
 
 /// What the study of one event contains; problems of its own keys are told with their own sections.
-void Reader::read_event(EventSpec& event) {
+void CalibrationReader::read_event(EventSpec& event) {
     const std::vector<IniEntry>& own = own_[event.name];
     std::vector<IniEntry> entries{{"study.scene", scenes_[event.name]}};
     for (const IniEntry& entry : shared_) {
@@ -276,7 +277,7 @@ void Reader::read_event(EventSpec& event) {
         if (is_own("vary." + one.key)) event.vary.push_back(one);
 }
 
-void Reader::read_members() {
+void CalibrationReader::read_members() {
     CalibrationSpec& calibration = reading_.calibration;
     for (EventSpec& event : calibration.events) read_event(event);
     for (const auto& [event, entries] : own_)
@@ -292,7 +293,7 @@ void Reader::read_members() {
     calibration.study.scene.clear();
 }
 
-void Reader::check() {
+void CalibrationReader::check() {
     CalibrationSpec& calibration = reading_.calibration;
     Problems& problems = reading_.problems;
     const bool names_scene = std::any_of(seen_.begin(), seen_.end(), [](const std::string& name) {
@@ -318,7 +319,7 @@ void Reader::check() {
                       "Write coarse = 1, or refine = 100"});
 }
 
-void Reader::read(const std::vector<IniEntry>& entries) {
+void CalibrationReader::read(const std::vector<IniEntry>& entries) {
     for (const IniEntry& entry : entries) add(entry);
     for (const auto& [event, entry] : observed_)
         add_observation(event, entry.name.substr(entry.name.find('.') + 1), entry);
@@ -348,7 +349,7 @@ CalibrationReading read_calibration(const std::string& path) {
     CalibrationReading reading;
     reading.label = path;
     const fs::path absolute = fs::absolute(path).lexically_normal();
-    Reader(reading, absolute.parent_path().string()).read(read_ini(path));
+    CalibrationReader(reading, absolute.parent_path().string()).read(read_ini(path));
     return reading;
 }
 

@@ -115,9 +115,9 @@ const std::vector<RegionKey>& region_keys() {
 }
 
 /// Reads what only regions have; the other entries are left for the reader of studies.
-class Reader {
+class RegionReader {
   public:
-    Reader(const std::string& label, RegionSpec& region, Problems& problems)
+    RegionReader(const std::string& label, RegionSpec& region, Problems& problems)
         : label_(label), region_(region), problems_(problems), parameters_(scene_parameters()) {}
 
     /// Returns the entry of a study that it stands for; none: it was read.
@@ -200,7 +200,7 @@ StudyReading read_region(const std::string& path) {
     RegionSpec region;
     Problems problems;
     std::vector<IniEntry> entries{{"study.per-polygon", "on"}};
-    Reader reader(path, region, problems);
+    RegionReader reader(path, region, problems);
     for (const IniEntry& entry : read_ini(path))
         if (auto of_study = reader.add(entry)) entries.push_back(*of_study);
     StudyReading reading = read_study_entries(entries, path);

@@ -149,9 +149,9 @@ const std::vector<StudyKey>& study_keys() {
 }
 
 /// Reads the entries of one study file.
-class Reader {
+class StudyReader {
   public:
-    Reader(StudyReading& reading, std::string folder)
+    StudyReader(StudyReading& reading, std::string folder)
         : reading_(reading), folder_(std::move(folder)), parameters_(scene_parameters()) {}
 
     void add(const IniEntry& entry);
@@ -176,7 +176,7 @@ class Reader {
     std::set<std::string> seen_;
 };
 
-void Reader::add(const IniEntry& entry) {
+void StudyReader::add(const IniEntry& entry) {
     if (!seen_.insert(entry.name).second) {
         refuse("is given more than once", entry, "", "Keep one of the lines");
         return;
@@ -197,7 +197,7 @@ void Reader::add(const IniEntry& entry) {
            "also [objective] and [event NAME]");
 }
 
-void Reader::add_study_key(const std::string& key, const IniEntry& entry) {
+void StudyReader::add_study_key(const std::string& key, const IniEntry& entry) {
     std::vector<std::string> names;
     for (const StudyKey& one : study_keys()) {
         names.push_back(std::string("study.") + one.name);
@@ -211,7 +211,7 @@ void Reader::add_study_key(const std::string& key, const IniEntry& entry) {
            nearest.empty() ? "Known are " + joined(names, ", ") : "Did you mean " + nearest + "?");
 }
 
-const Parameter* Reader::known_key(const std::string& name, const IniEntry& entry) {
+const Parameter* StudyReader::known_key(const std::string& name, const IniEntry& entry) {
     const Parameter* const parameter = find_parameter(parameters_, name);
     if (parameter != nullptr) return parameter;
     const std::string nearest = nearest_name(name, names_of(parameters_));
@@ -220,7 +220,7 @@ const Parameter* Reader::known_key(const std::string& name, const IniEntry& entr
     return nullptr;
 }
 
-void Reader::add_setting(const std::string& key, const IniEntry& entry) {
+void StudyReader::add_setting(const std::string& key, const IniEntry& entry) {
     const std::string name = present_name(key);
     const Parameter* const parameter = known_key(name, entry);
     if (parameter == nullptr) return;
@@ -231,7 +231,7 @@ void Reader::add_setting(const std::string& key, const IniEntry& entry) {
         reading_.study.set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value, folder_));
 }
 
-void Reader::add_variation(const std::string& key, const IniEntry& entry) {
+void StudyReader::add_variation(const std::string& key, const IniEntry& entry) {
     const std::string name = present_name(key);
     const Parameter* const parameter = known_key(name, entry);
     if (parameter == nullptr) return;
@@ -253,7 +253,7 @@ void Reader::add_variation(const std::string& key, const IniEntry& entry) {
     reading_.study.vary.push_back({name, std::move(distribution)});
 }
 
-void Reader::add_correlation(const std::string& keys, const IniEntry& entry) {
+void StudyReader::add_correlation(const std::string& keys, const IniEntry& entry) {
     const std::vector<std::string> words = words_of(keys);
     const auto rho = number_from_text(entry.value);
     if (words.size() != 2 || words[0] == words[1])
@@ -267,13 +267,13 @@ void Reader::add_correlation(const std::string& keys, const IniEntry& entry) {
     all.push_back(one);
 }
 
-const Variation* Reader::variation_of(const std::string& key) const {
+const Variation* StudyReader::variation_of(const std::string& key) const {
     const auto& all = reading_.study.vary;
     const auto found = std::find_if(all.begin(), all.end(), [&](const Variation& one) { return one.key == key; });
     return found == all.end() ? nullptr : &*found;
 }
 
-void Reader::check() const {
+void StudyReader::check() const {
     const StudySpec& study = reading_.study;
     Problems& problems = reading_.problems;
     if (study.scene.empty())
@@ -309,7 +309,7 @@ void Reader::check() const {
     check_sampling();
 }
 
-void Reader::check_per_polygon() const {
+void StudyReader::check_per_polygon() const {
     for (const std::string& name : seen_) {
         const bool of_sampling = name.starts_with("vary.") || name.starts_with("correlate.") ||
                                  name == "study.samples" || name == "study.sampling" || name == "study.seed" ||
@@ -320,7 +320,7 @@ void Reader::check_per_polygon() const {
     }
 }
 
-void Reader::check_sampling() const {
+void StudyReader::check_sampling() const {
     const StudySpec& study = reading_.study;
     Problems& problems = reading_.problems;
     const std::string where = reading_.where("study.sampling"), name = name_of(study.sampling);
@@ -367,7 +367,7 @@ StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std:
     reading.label = label;
     const fs::path absolute = fs::absolute(label).lexically_normal();
     reading.study.file = absolute.string();
-    Reader reader(reading, absolute.parent_path().string());
+    StudyReader reader(reading, absolute.parent_path().string());
     for (const IniEntry& entry : entries) reader.add(entry);
     reader.check();
     return reading;

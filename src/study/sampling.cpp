@@ -20,14 +20,14 @@
 namespace frana::study {
 namespace {
 
-constexpr double k_seeds = 9007199254740992.0;  // 2^53: every place in [0, 1) is a seed of its own
+constexpr double k_member_seeds = 9007199254740992.0;  // 2^53: every place in [0, 1) is a seed of its own
 
 /// A value as text, and as a number for statistics.
 using Value = std::pair<std::string, double>;
 
 Value nominal_value(const Distribution& distribution, double place) {
     if (distribution.law == Law::gaussian_field) {
-        const auto seed = static_cast<std::int64_t>(place * k_seeds);
+        const auto seed = static_cast<std::int64_t>(place * k_member_seeds);
         return {shortest_text(distribution.numbers[0]) + ", " + shortest_text(distribution.numbers[1]) + ", " +
                     std::to_string(seed),
                 place};

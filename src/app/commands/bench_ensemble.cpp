@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *k_csv = "ensemble.csv", *k_picture = "ensemble.png";
+constexpr const char *k_sampling_csv = "ensemble.csv", *k_sampling_picture = "ensemble.png";
 
 struct Method {
     const char* name;
@@ -260,7 +260,8 @@ render::Image picture(const std::vector<Row>& rows) {
             if (row.method == &method) series.points.push_back({row.seconds, row.error});
         panel.series.push_back(std::move(series));
     }
-    return render::draw_chart({"Sampling of a study", "against a large reference", k_csv, 1, {panel}}, 1600, 1200);
+    return render::draw_chart({"Sampling of a study", "against a large reference", k_sampling_csv, 1, {panel}}, 1600,
+                              1200);
 }
 
 }  // namespace
@@ -275,7 +276,8 @@ int bench_ensemble(const std::string& file, const boost::program_options::variab
         throw Error(ErrorKind::input,
                     Problem{"has no distributions to draw from", input.reading.where("study.sampling"), "", "",
                             "Use a study with [vary]"});
-    const auto out = bench_output(values, {k_csv, k_picture}, {input.reading.study.file, input.reading.study.scene});
+    const auto out = bench_output(values, {k_sampling_csv, k_sampling_picture},
+                                  {input.reading.study.file, input.reading.study.scene});
     const auto say = [&](const std::string& text) {
         if (!quiet) std::cerr << text << '\n';
     };
@@ -305,8 +307,8 @@ int bench_ensemble(const std::string& file, const boost::program_options::variab
     compare_with_plain(rows);
     if (out) {
         out->begin();
-        write_text_file(out->path(k_csv), csv_text(rows));
-        render::write_png(out->path(k_picture), picture(rows));
+        write_text_file(out->path(k_sampling_csv), csv_text(rows));
+        render::write_png(out->path(k_sampling_picture), picture(rows));
         out->list();
     }
     return print_bench(values, "ensemble", text + table_text(rows) + verdict(rows, extent.samples.back()),

@@ -21,7 +21,7 @@
 namespace frana::app {
 namespace {
 
-constexpr const char* k_csv = "estimate.csv";
+constexpr const char* k_estimate_csv = "estimate.csv";
 
 /// Estimates from all levels up to one, and true changes against the finest.
 struct LevelCheck {
@@ -116,7 +116,7 @@ int bench_estimate(const std::string& file, const boost::program_options::variab
     RunLog log(quiet);
     Prepared prepared = prepare(reading, log);
     prepared.scene.time.frame_interval = 0;
-    const auto out = bench_output(values, {k_csv}, input_files(prepared.spec));
+    const auto out = bench_output(values, {k_estimate_csv}, input_files(prepared.spec));
     catch_stop_signals();
     AccuracyRecord record = begin_record(prepared);
     for (const double size : coarse_cell_sizes(prepared)) {
@@ -133,7 +133,7 @@ int bench_estimate(const std::string& file, const boost::program_options::variab
     const std::vector<LevelCheck> checks = check_levels(record, finest);
     if (out) {
         out->begin();
-        write_text_file(out->path(k_csv), csv_text(checks, finest));
+        write_text_file(out->path(k_estimate_csv), csv_text(checks, finest));
         out->list();
     }
     return print_bench(values, "estimate",

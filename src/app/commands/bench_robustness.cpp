@@ -17,7 +17,7 @@
 namespace frana::app {
 namespace {
 
-constexpr const char *k_csv = "robustness.csv", *k_json = "robustness.json";
+constexpr const char *k_robustness_csv = "robustness.csv", *k_robustness_json = "robustness.json";
 
 std::uint64_t seed_of(const boost::program_options::variables_map& values) {
     const std::string text = text_option(values, "seed").value_or("1");
@@ -36,7 +36,7 @@ int bench_robustness(const std::string& scene, const boost::program_options::var
     options.only = text_options(values, "case");
     SceneVariants variants(scene, text_options(values, "set"), thread_count(values), quiet);
     const SceneSpec spec = variants.read({}).spec;
-    const auto out = bench_output(values, {k_csv, k_json}, input_files(spec));
+    const auto out = bench_output(values, {k_robustness_csv, k_robustness_json}, input_files(spec));
     options.threshold = spec.output.trace_threshold;
     options.scene = [&](const std::vector<std::string>& overrides) { return variants.read(overrides).scene; };
     options.run = [&](const Scene& changed) { return variants.run(changed); };
@@ -48,8 +48,8 @@ int bench_robustness(const std::string& scene, const boost::program_options::var
     if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     if (out) {
         out->begin();
-        write_text_file(out->path(k_csv), bench::robustness_csv(rows));
-        write_text_file(out->path(k_json), bench::robustness_json(rows, options, spec.file));
+        write_text_file(out->path(k_robustness_csv), bench::robustness_csv(rows));
+        write_text_file(out->path(k_robustness_json), bench::robustness_json(rows, options, spec.file));
         out->list();
     }
     const bool whole =

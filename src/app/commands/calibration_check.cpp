@@ -9,7 +9,6 @@
 #include "app/calibrate/event_survey.h"
 #include "app/commands/json_output.h"
 #include "app/commands/study_check.h"
-#include "app/process/terminal.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
@@ -17,10 +16,6 @@
 
 namespace frana::app {
 namespace {
-
-void line(const std::string& name, const std::string& value) {
-    std::fputs(fact_line(name, value, output_width()).c_str(), stdout);
-}
 
 /// Expected resources of all members.
 struct CalibrationForecast {
@@ -52,20 +47,20 @@ CalibrationForecast forecast(const CalibrationInput& input, int threads) {
 }
 
 void print_keys(const std::vector<study::Variation>& vary, const std::string& of) {
-    for (const study::Variation& one : vary) line(one.key + of, one.distribution.text);
+    for (const study::Variation& one : vary) print_fact(one.key + of, one.distribution.text);
 }
 
 void print_event(const CalibrationInput& input, std::size_t e) {
     const study::EventSpec& event = input.spec().events[e];
-    line(event.name, event.members.study.scene);
+    print_fact(event.name, event.members.study.scene);
     std::string measures;
     for (const study::Weight& one : input.spec().objective)
         if (has_evidence(input.own[e].base, event, row_of(one.measure).needs))
             measures += (measures.empty() ? "" : ", ") + std::string(row_of(one.measure).name) + " " +
                         shortest_text(one.weight);
-    line("", "compared by " + measures);
-    line("", "cells of " + shortest_text(input.coarse[e].base.scene.grid.cell_size) + " m, then " +
-                 shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
+    print_fact("", "compared by " + measures);
+    print_fact("", "cells of " + shortest_text(input.coarse[e].base.scene.grid.cell_size) + " m, then " +
+                       shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
 }
 
 void print_calibration(const CalibrationInput& input, const CalibrationForecast& expected, int threads,
@@ -77,21 +72,22 @@ void print_calibration(const CalibrationInput& input, const CalibrationForecast&
     print_keys(calibration.study.vary, "");
     for (const study::EventSpec& event : calibration.events) print_keys(event.vary, " of " + event.name);
     for (const study::Correlation& one : calibration.study.correlate)
-        line(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
+        print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
     std::printf("\nMembers\n");
-    line("members", std::to_string(input.design.size()) + " on coarse cells, then " +
-                        std::to_string(calibration.refine) + ", each for " + std::to_string(input.events()) +
-                        (input.events() == 1 ? " event" : " events") + "; sampling " +
-                        study::name_of(calibration.study.sampling) + ", seed " +
-                        std::to_string(calibration.study.seed));
-    line("estimated time", std::string(expected.trial ? "about " : "at least ") +
-                               duration_text(expected.seconds / threads) + ", " + std::to_string(threads) +
-                               " at a time, engine alone");
-    line("memory", bytes_text(static_cast<double>(expected.peak_bytes)));
-    line("disk", "about " + bytes_text(static_cast<double>(expected.disk_bytes)) +
-                     " for the members until the result is complete");
+    print_fact("members", std::to_string(input.design.size()) + " on coarse cells, then " +
+                              std::to_string(calibration.refine) + ", each for " + std::to_string(input.events()) +
+                              (input.events() == 1 ? " event" : " events") + "; sampling " +
+                              study::name_of(calibration.study.sampling) + ", seed " +
+                              std::to_string(calibration.study.seed));
+    print_fact("estimated time", std::string(expected.trial ? "about " : "at least ") +
+                                     duration_text(expected.seconds / threads) + ", " + std::to_string(threads) +
+                                     " at a time, engine alone");
+    print_fact("memory", bytes_text(static_cast<double>(expected.peak_bytes)));
+    print_fact("disk", "about " + bytes_text(static_cast<double>(expected.disk_bytes)) +
+                           " for the members until the result is complete");
     const std::string target = result_path(directory);
-    line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
+    print_fact("result",
+               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
     std::fflush(stdout);
 }
 

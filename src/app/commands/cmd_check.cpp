@@ -25,7 +25,6 @@
 #include "app/input/thickness_volume.h"
 #include "app/input/thin_release.h"
 #include "app/process/machine_memory.h"
-#include "app/process/terminal.h"
 #include "app/publish/publish_pictures.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_place.h"
@@ -55,10 +54,6 @@ CommandForm check_form() {
 }
 
 namespace {
-
-void line(const std::string& name, const std::string& value) {
-    std::fputs(fact_line(name, value, output_width()).c_str(), stdout);
-}
 
 /// Rounds to two significant digits, for values of no higher accuracy.
 double two_digits(std::int64_t count) {
@@ -95,9 +90,9 @@ void print_site(const Scene& scene) {
             least = std::min(least, value);
             greatest = std::max(greatest, value);
         });
-        line(zone.what, number_text(least, 4) + " to " + number_text(greatest, 4) + " " +
-                            (key->unit.empty() ? "(coefficient)" : key->unit) + " on " + grouped(cells) + " cells" +
-                            (raster->values.is_tiled() ? " looked at so far" : ""));
+        print_fact(zone.what, number_text(least, 4) + " to " + number_text(greatest, 4) + " " +
+                                  (key->unit.empty() ? "(coefficient)" : key->unit) + " on " + grouped(cells) +
+                                  " cells" + (raster->values.is_tiled() ? " looked at so far" : ""));
     }
     if (!scene.walls) return;
     std::int64_t walls = 0;
@@ -116,40 +111,45 @@ void print_levels(const Prepared& prepared, const std::optional<TimeEstimate>& t
         sizes += number_text(size) + ", ";
         cost += std::pow(own / size, 3);
     }
-    line("accuracy", percent_text(*prepared.spec.numerics.accuracy) +
-                         (sizes.empty() ? ": the release is too small for coarser cells; no estimate of error"
-                                        : ": cells of " + sizes + "then at most " + number_text(own) + " m"));
+    print_fact("accuracy", percent_text(*prepared.spec.numerics.accuracy) +
+                               (sizes.empty() ? ": the release is too small for coarser cells; no estimate of error"
+                                              : ": cells of " + sizes + "then at most " + number_text(own) + " m"));
     if (trial && !sizes.empty())
-        line("", "the coarser ones take about " + number_text(cost * trial->engine_seconds, 2) +
-                     " s in all; the estimated time is that of " + number_text(own) + " m");
+        print_fact("", "the coarser ones take about " + number_text(cost * trial->engine_seconds, 2) +
+                           " s in all; the estimated time is that of " + number_text(own) + " m");
 }
 
 void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,
                int threads, const std::string& directory) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
-    line("released", words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
-    if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
-    line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
-                                                        : "is the bed: the release lies on top of it");
-    if (prepared.release.ground) line("release", ground_sentence(*prepared.release.ground).text());
-    if (trial && trial->path) line("path", ground_sentence(*trial->path).text() + ", of the trial");
+    print_fact("released",
+               words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
+    if (expected.inflow > 0) print_fact("flows in", grouped(expected.inflow) + " m3 until the end");
+    print_fact("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
+                                                              : "is the bed: the release lies on top of it");
+    if (prepared.release.ground) print_fact("release", ground_sentence(*prepared.release.ground).text());
+    if (trial && trial->path) print_fact("path", ground_sentence(*trial->path).text() + ", of the trial");
     const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes per ";
     if (expected.particles == 0) {
-        line("fields", node_bytes + "cell");
+        print_fact("fields", node_bytes + "cell");
     } else {
-        line("particles",
-             grouped(expected.particles) +
-                 (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
-        line("fields", std::to_string(expected.bytes_per_particle) + " bytes per particle, " + node_bytes + "node");
+        print_fact(
+            "particles",
+            grouped(expected.particles) +
+                (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
+        print_fact("fields",
+                   std::to_string(expected.bytes_per_particle) + " bytes per particle, " + node_bytes + "node");
     }
-    line("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
-                           shortest_text(prepared.scene.time.end) + " s at most");
-    line("estimated time", time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
+    print_fact("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
+                                 shortest_text(prepared.scene.time.end) + " s at most");
+    print_fact("estimated time",
+               time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     print_levels(prepared, trial);
-    for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
+    for (std::size_t i = 0; i < expected.terms.size(); ++i) print_fact(i == 0 ? "terms" : "", expected.terms[i]);
     const std::string place = result_path(directory);
-    line("result", place + (has_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));
+    print_fact("result",
+               place + (has_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));
 }
 
 }  // namespace

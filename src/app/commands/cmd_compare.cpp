@@ -141,7 +141,7 @@ void refuse_too_large(const Simulated& simulated, const std::string& where) {
                        std::to_string(drawing.page.width) + "x" + std::to_string(drawing.page.height));
 }
 
-std::string make_folder(const std::string& folder) {
+std::string make_comparison_folder(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
@@ -154,7 +154,7 @@ std::string make_folder(const std::string& folder) {
 /// Compares and writes to a folder, which is made only after the values are computed.
 Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
     Comparison comparison = compare_with_survey(simulated.input, log);
-    make_folder(folder);
+    make_comparison_folder(folder);
     begin_own(folder, comparison.statistics ? comparison_files(folder)
                                             : std::vector<std::string>{comparison_files(folder).front()});
     if (comparison.statistics) begin_own(folder, comparison_pictures(simulated.source.style, folder));
@@ -222,7 +222,7 @@ int compare_probability(const Pair& pair, const std::optional<double>& threshold
     RunLog log(false);
     const Survey survey = read_survey(pair.scar, std::nullopt, map.source.release, map.values, log);
     const ProbabilityScores scores = compare_with_survey(map, survey, log);
-    make_folder(pair.folder);
+    make_comparison_folder(pair.folder);
     const std::vector<std::string> files = files_of(pair, map.source.style);
     begin_own(pair.folder, files);
     write_probability_comparison(scores, map, survey, pair.folder);

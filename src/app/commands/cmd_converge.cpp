@@ -218,7 +218,7 @@ std::vector<std::string> files_of(const fs::path& folder) {
     return files;
 }
 
-fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& spec) {
+fs::path make_convergence_folder(const std::string& name, bool overwrite, const SceneSpec& spec) {
     fs::path folder = fs::absolute(name);
     KeptFiles kept;
     for (const std::string& file : input_files(spec)) kept.add(file);
@@ -274,8 +274,8 @@ int cmd_converge(const Arguments& arguments) {
     const SceneSpec spec = scenes.front().spec;
     render::vtk();  // for the chart: better missed before the runs than after them
     const fs::path folder =
-        make_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
-                    values->count("overwrite") > 0, spec);
+        make_convergence_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
+                                values->count("overwrite") > 0, spec);
     const double finest = scenes.front().scene.grid.cell_size;
     for (int k = 1; k < count; ++k) {
         scenes.push_back(variants.read({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));

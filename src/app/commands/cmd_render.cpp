@@ -133,7 +133,7 @@ void refuse_too_large(const Values& values, const Request& request, Size page, S
                        std::to_string(size.width) + "x" + std::to_string(size.height));
 }
 
-void make_folder(const std::string& folder) {
+void make_picture_folder(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
@@ -163,7 +163,7 @@ void prepare_place(const Place& place, const std::vector<std::string>& files, co
     problems.throw_if_any();  // one problem per file
     check_own(place.folder, files, place.option, place.reads, problems);
     problems.throw_if_any();
-    make_folder(place.folder);
+    make_picture_folder(place.folder);
     begin_own(place.folder, files);
 }
 

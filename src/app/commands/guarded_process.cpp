@@ -57,9 +57,9 @@ void forbid_internet_sockets() {
 
 /// Returns FRANA_READ_SECONDS, or five minutes.
 double seconds_to_read() {
-    constexpr double k_default = 300, k_most = 1e6;
+    constexpr double k_usual = 300, k_most = 1e6;
     const char* const text = std::getenv("FRANA_READ_SECONDS");
-    if (text == nullptr) return k_default;
+    if (text == nullptr) return k_usual;
     const auto seconds = number_from_text(text);
     if (!seconds || !(*seconds > 0 && *seconds <= k_most))
         throw Error(ErrorKind::input, Problem{"is not a time in seconds", "FRANA_READ_SECONDS", text,

@@ -18,10 +18,6 @@ namespace {
 
 constexpr std::size_t k_listed = 30;  // a screen; members.csv has all
 
-void line(const std::string& name, const std::string& value) {
-    std::printf("  %-16s %s\n", name.c_str(), value.c_str());
-}
-
 SlopePlan plan_of(const StudyInput& input, std::size_t member) {
     const Slope& slope = input.slopes[member];
     SlopePlan plan{area(slope.outline), std::nullopt, slope.problem};
@@ -59,7 +55,7 @@ void print_scenarios(const StudyInput& input) {
     }
     std::string text;
     for (const std::string& one : scenarios) text += (text.empty() ? "" : ", ") + one;
-    if (!text.empty()) line("scenarios", text);
+    if (!text.empty()) print_fact("scenarios", text);
 }
 
 }  // namespace
@@ -87,28 +83,29 @@ void print_region(const StudyInput& input, const std::vector<SlopePlan>& plans, 
     const auto fails = [](const SlopePlan& plan) { return !plan.problem.empty(); };
     for (std::size_t i = 0; i < std::min(k_listed, plans.size()); ++i)
         if (!fails(plans[i]))
-            line(label_of(input, i), grouped(plans[i].area) + " m2 on " + window_text(plans[i], cell));
-    if (plans.size() > k_listed) line("...", "and " + std::to_string(plans.size() - k_listed) + " more");
+            print_fact(label_of(input, i), grouped(plans[i].area) + " m2 on " + window_text(plans[i], cell));
+    if (plans.size() > k_listed) print_fact("...", "and " + std::to_string(plans.size() - k_listed) + " more");
     const auto failing = std::count_if(plans.begin(), plans.end(), fails);
     if (failing > 0) std::printf("\nSlopes that fail\n");
     for (std::size_t i = 0; i < plans.size(); ++i)
-        if (fails(plans[i])) line(label_of(input, i), plans[i].problem);
+        if (fails(plans[i])) print_fact(label_of(input, i), plans[i].problem);
     std::printf("\nAll\n");
-    line("slopes",
-         std::to_string(plans.size()) + (failing == 0 ? "" : ", of which " + std::to_string(failing) + " fail"));
+    print_fact("slopes",
+               std::to_string(plans.size()) + (failing == 0 ? "" : ", of which " + std::to_string(failing) + " fail"));
     print_scenarios(input);
-    for (const study::RegionSpec::Column& one : study.region->columns) line(one.key, "column " + one.column);
+    for (const study::RegionSpec::Column& one : study.region->columns) print_fact(one.key, "column " + one.column);
     if (const auto& exposed = input.base.extra.exposure)
-        line("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
-    line("estimated time", std::string(forecast.trial ? "about " : "at least ") +
-                               duration_text(region_seconds(plans, forecast, threads)) +
-                               ", engine alone, by the areas: " + duration_text(forecast.member_seconds()) +
-                               " for the largest slope on one thread, " + std::to_string(threads) + " at a time");
-    line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which the largest slope takes " +
-                       bytes_text(static_cast<double>(forecast.worker_bytes)));
-    line("disk", "at most about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
-                     " for the slopes until the result is complete");
-    line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
+        print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
+    print_fact("estimated time", std::string(forecast.trial ? "about " : "at least ") +
+                                     duration_text(region_seconds(plans, forecast, threads)) +
+                                     ", engine alone, by the areas: " + duration_text(forecast.member_seconds()) +
+                                     " for the largest slope on one thread, " + std::to_string(threads) + " at a time");
+    print_fact("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which the largest slope takes " +
+                             bytes_text(static_cast<double>(forecast.worker_bytes)));
+    print_fact("disk", "at most about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
+                           " for the slopes until the result is complete");
+    print_fact("result",
+               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
     std::fflush(stdout);
 }
 

@@ -11,7 +11,6 @@
 #include "app/input/check_exposure.h"
 #include "app/input/memory_bound.h"
 #include "app/process/machine_memory.h"
-#include "app/process/terminal.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
@@ -28,10 +27,6 @@ constexpr std::int64_t k_window_bytes = 256'000'000, k_rasters_at_once = 16;
 // Particles split where the flow spreads thin.
 constexpr double k_growth = 2;
 
-void line(const std::string& name, const std::string& value) {
-    std::fputs(fact_line(name, value, output_width()).c_str(), stdout);
-}
-
 /// The levels of a multilevel study with the members of its pilot, which decides how many follow.
 void print_levels(const StudyInput& input) {
     for (std::size_t l = 0; l < input.levels.size(); ++l) {
@@ -39,11 +34,11 @@ void print_levels(const StudyInput& input) {
         for (const study::SampleTable::LevelRun& run : input.table.level_runs)
             pilot += run.level == l && !run.is_coarse ? 1 : 0;
         const double cost = input.levels[l].expected_cost + (l > 0 ? input.levels[l - 1].expected_cost : 0);
-        line("level " + std::to_string(l),
-             "cells of " + number_text(input.levels[l].cell_size) + " m" +
-                 (l > 0 ? " with those of " + number_text(input.levels[l - 1].cell_size) + " m" : "") + ": " +
-                 std::to_string(pilot) + " members first, each " + number_text(100 * cost, 2) +
-                 " % of a run on the scene's own cells; the others by their variance");
+        print_fact("level " + std::to_string(l),
+                   "cells of " + number_text(input.levels[l].cell_size) + " m" +
+                       (l > 0 ? " with those of " + number_text(input.levels[l - 1].cell_size) + " m" : "") + ": " +
+                       std::to_string(pilot) + " members first, each " + number_text(100 * cost, 2) +
+                       " % of a run on the scene's own cells; the others by their variance");
     }
 }
 
@@ -73,29 +68,31 @@ std::size_t members_of(const StudyInput& input) {
 void print_study(const StudyInput& input, const StudyForecast& forecast, int threads, const std::string& directory) {
     const study::StudySpec& study = input.reading.study;
     std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
-    for (const study::Variation& one : study.vary) line(one.key, one.distribution.text);
+    for (const study::Variation& one : study.vary) print_fact(one.key, one.distribution.text);
     if (study.vary.empty())
         for (const std::string& key : input.table.keys)
-            line(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
+            print_fact(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
     for (const study::TableColumn& column : input.table.columns)
-        if (column.use != study::TableColumn::Use::key) line(column.name, use_of(column.use));
+        if (column.use != study::TableColumn::Use::key) print_fact(column.name, use_of(column.use));
     for (const study::Correlation& one : study.correlate)
-        line(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
+        print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
     std::printf("\nMembers\n");
     const auto members = members_of(input);
-    line("members", (input.levels.empty() ? "" : "as much work as ") + std::to_string(members) +
-                        (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
-                        (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
+    print_fact("members", (input.levels.empty() ? "" : "as much work as ") + std::to_string(members) +
+                              (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
+                              (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
     print_levels(input);
     if (const auto& exposed = input.base.extra.exposure)
-        line("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
-    line("estimated time", time_text(forecast, members, threads) + ", engine alone");
-    line("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which each member that runs takes " +
-                       bytes_text(static_cast<double>(forecast.worker_bytes)));
-    line("disk", "about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
-                     " for the members until the result is complete");
+        print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
+    print_fact("estimated time", time_text(forecast, members, threads) + ", engine alone");
+    print_fact("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) +
+                             ", of which each member that runs takes " +
+                             bytes_text(static_cast<double>(forecast.worker_bytes)));
+    print_fact("disk", "about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
+                           " for the members until the result is complete");
     const std::string target = result_path(directory);
-    line("result", target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
+    print_fact("result",
+               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
     std::fflush(stdout);
 }
 

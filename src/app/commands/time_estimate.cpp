@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_trial_seconds = 1.5;  // wall, each
 // With fewer cells across, the flow of a release differs too much.
-constexpr double k_least_cells = 9;
+constexpr double k_large_cells = 9;
 // Smaller cells let thin fronts spread further: growth of particle-steps scaled to the same cells, per halving, in the
 // sample and the shared examples.
 constexpr double k_usual_growth = 1.3;
@@ -61,7 +61,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     if (prepared.scene.structured) return std::nullopt;                 // it counts particle steps
     if (prepared.scene.terrain.values.is_tiled()) return std::nullopt;  // larger cells would cover the whole DTM
     const GridSpec& grid = prepared.scene.grid;
-    const bool large = prepared.release.area_m2 >= k_least_cells * 64 * grid.cell_area();
+    const bool large = prepared.release.area_m2 >= k_large_cells * 64 * grid.cell_area();
     const int factor = large ? 4 : 2;
     const Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
     const Trial fine = try_coarse(reading, grid, factor, threads);

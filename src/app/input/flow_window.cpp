@@ -20,7 +20,7 @@ namespace {
 
 constexpr double k_caution = 0.8;          // of the friction: the front runs ahead of the mass it belongs to
 constexpr double k_least_friction = 0.01;  // with less, the energy line bounds nothing
-constexpr int k_samples = 400;             // along each side of what is looked at
+constexpr int k_side_samples = 400;        // along each side of what is looked at
 
 Bounds united(const Bounds& a, const Bounds& b) {
     return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east), std::max(a.north, b.north)};
@@ -182,7 +182,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
     if (!origins) return std::nullopt;
 
     const auto sample = [&](const Bounds& window) {
-        return gis::sample_elevations(dtm, working_crs, window, k_samples, scene.terrain.vertical_unit,
+        return gis::sample_elevations(dtm, working_crs, window, k_side_samples, scene.terrain.vertical_unit,
                                       scene.terrain.nodata_value);
     };
     const gis::CrsTransform to_working(working_crs.empty() ? "" : dtm.crs_wkt, working_crs, dtm.bounds);
@@ -208,7 +208,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
     };
     // Looks farther until what can be reached lies within what was looked at.
     for (;;) {
-        const double step = std::max(window.width(), window.height()) / k_samples;
+        const double step = std::max(window.width(), window.height()) / k_side_samples;
         Bounds reached = needed;
         for (const gis::ElevationSample& s : sample(window)) {
             if (within_reach(s)) reached = united(reached, {s.place.x, s.place.y, s.place.x, s.place.y});

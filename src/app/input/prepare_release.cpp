@@ -21,8 +21,6 @@
 namespace frana::app {
 namespace {
 
-using Kind = ThicknessSpec::Kind;
-
 /// Returns the depth of solids and fluid together; keeps the solids' fraction. A missing depth counts as zero; callers
 /// have checked that none is negative.
 Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
@@ -77,7 +75,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                                        RunLog& log, Problems& problems) {
     const std::string where = reading.where("release.thickness");
     // A thickness has its own unit; the others contain elevations.
-    const bool elevations = spec.kind != Kind::raster && spec.kind != Kind::phases;
+    const bool elevations = spec.kind != ThicknessSpec::Kind::raster && spec.kind != ThicknessSpec::Kind::phases;
     const std::string unit = elevations ? reading.scene.terrain.vertical_unit : "auto";
     const std::optional<double> nodata = elevations ? reading.scene.terrain.nodata_value : std::nullopt;
     std::vector<std::string> names{spec.raster};
@@ -114,7 +112,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             release.rasters.push_back(info);
             files.push_back(used_raster(worded("Release thickness"), info, read));
             if (ground->on_demand) do_not_count_nodata(files.back());
-            if (ground->on_demand && spec.kind == Kind::phases)
+            if (ground->on_demand && spec.kind == ThicknessSpec::Kind::phases)
                 read.raster = phase_on_demand(ground->terrain.grid, unread.back(), info, where);
             rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
@@ -122,12 +120,13 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
         }
     }
     if (rasters.size() != names.size()) return std::nullopt;
-    if (ground->on_demand && spec.kind == Kind::phases) return sum_of_phases(rasters[0], rasters[1], release);
-    if (ground->on_demand && spec.kind == Kind::difference)
+    if (ground->on_demand && spec.kind == ThicknessSpec::Kind::phases)
+        return sum_of_phases(rasters[0], rasters[1], release);
+    if (ground->on_demand && spec.kind == ThicknessSpec::Kind::difference)
         release.before = raster_values_on_demand(ground->terrain.grid, unread[0], [](double z) { return z; });
     if (ground->on_demand) return thickness_on_demand(spec.kind, ground->terrain.grid, unread, ground->on_demand);
-    if (spec.kind == Kind::raster) return std::move(rasters.front());
-    if (spec.kind == Kind::phases) {
+    if (spec.kind == ThicknessSpec::Kind::raster) return std::move(rasters.front());
+    if (spec.kind == ThicknessSpec::Kind::phases) {
         for (std::size_t i = 0; i < names.size(); ++i) {
             const double least =
                 *std::min_element(rasters[i].values.begin(), rasters[i].values.end(),
@@ -139,14 +138,14 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
         }
         return sum_of_phases(rasters[0], rasters[1], release);
     }
-    const Raster& above = spec.kind == Kind::difference ? rasters[0] : ground->terrain;
-    const Raster& below = spec.kind == Kind::difference ? rasters[1] : rasters[0];
+    const Raster& above = spec.kind == ThicknessSpec::Kind::difference ? rasters[0] : ground->terrain;
+    const Raster& below = spec.kind == ThicknessSpec::Kind::difference ? rasters[1] : rasters[0];
     Raster thickness(above.grid);
     for (std::size_t i = 0; i < thickness.values.size(); ++i) {
         const double lowered = above.values[i] - below.values[i];
         thickness.values[i] = std::isnan(lowered) ? k_no_data : std::max(lowered, 0.0);
     }
-    if (spec.kind == Kind::difference) release.before = std::move(rasters[0]);
+    if (spec.kind == ThicknessSpec::Kind::difference) release.before = std::move(rasters[0]);
     return thickness;
 }
 
@@ -205,7 +204,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         if (ground->on_demand && spec.by_raster() && !release.areas.empty())
             files.back().checksum.add(*release.areas.front().thickness_raster);
         // Interpolated at its edge, a raster would lose volume; the released volume is that of the file.
-        if (problems.empty() && spec.kind == Kind::raster && !reading.scene.release.volume)
+        if (problems.empty() && spec.kind == ThicknessSpec::Kind::raster && !reading.scene.release.volume)
             match_file_volume(release, ground->terrain.grid, files.back());
     }
     return release;

@@ -23,8 +23,6 @@
 namespace frana::app {
 namespace {
 
-using Kind = SourceSpec::Kind;
-
 /// A key of [structured] whose value may vary from place to place, and the raster that was read for it.
 struct Property {
     std::string key;
@@ -44,7 +42,7 @@ std::vector<Property> properties(const StructuredSpec& spec, bool solids) {
     return list;
 }
 
-bool has_kind(const Property& property, Kind kind) {
+bool has_kind(const Property& property, SourceSpec::Kind kind) {
     return *property.source && (*property.source)->kind == kind;
 }
 
@@ -131,7 +129,7 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
 /// Limits the fluid's place and depth.
 void bound_initial_fluid(const std::optional<SourceSpec>& source, const Raster& terrain,
                          const std::optional<Raster>& walls, StructuredMaterial& m) {
-    if (source && source->kind == Kind::number && source->number > 0)
+    if (source && source->kind == SourceSpec::Kind::number && source->number > 0)
         m.initial_fluid = Raster(terrain.grid, source->number);
     if (!m.initial_fluid) return;
     m.initial_fluid->values.change_each_stored([&](std::size_t cell, double& depth) {
@@ -184,8 +182,8 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
     std::vector<Property> list = properties(spec, material->solids);
     const gis::PolygonLayer* layer = nullptr;
     std::optional<gis::PolygonLayer> own;
-    const auto asking =
-        std::find_if(list.begin(), list.end(), [](const Property& p) { return has_kind(p, Kind::attribute); });
+    const auto asking = std::find_if(list.begin(), list.end(),
+                                     [](const Property& p) { return has_kind(p, SourceSpec::Kind::attribute); });
     try {
         if (asking != list.end()) layer = polygons(reading, ground, release, *asking, own, files, log, problems);
     } catch (const Error& error) {
@@ -193,9 +191,9 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
     }
     for (Property& property : list) {
         try {
-            if (has_kind(property, Kind::attribute) && layer != nullptr && ground != nullptr)
+            if (has_kind(property, SourceSpec::Kind::attribute) && layer != nullptr && ground != nullptr)
                 burn(reading, *layer, ground->terrain.grid, property, problems);
-            if (has_kind(property, Kind::raster))
+            if (has_kind(property, SourceSpec::Kind::raster))
                 property.raster = property_raster(reading, ground, released, property, files, log, problems);
         } catch (const Error& error) {
             problems.add(error);

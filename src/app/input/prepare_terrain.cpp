@@ -33,7 +33,7 @@ double addresses_per_cell(const SceneSpec& scene) {
     return scene.material.model == "structured" ? 400 : 320;
 }
 // A large DTM is looked at in so many places along each side before a run.
-constexpr int k_samples = 16;
+constexpr int k_coarse_samples = 16;
 // A grid of this many cells already takes 3 GB for each of its rasters.
 constexpr double k_most_cells = 4e8;
 // Terrain, bed, release and five results as real numbers of 8 bytes, two more while files are written.
@@ -112,12 +112,12 @@ void check_size(const SceneReading& reading, const GridSpec& grid, bool on_deman
 /// Samples of a large DTM on a grid of their own, which covers all of it. Throws Error(input) where there is none.
 Raster samples_of(const TerrainSpec& spec, const gis::RasterInfo& file, const GridSpec& grid) {
     GridSpec coarse = grid;
-    coarse.cell_size =
-        grid.cell_size * static_cast<double>((std::max(grid.columns, grid.rows) + k_samples - 1) / k_samples);
-    coarse.columns = coarse.rows = k_samples;
+    coarse.cell_size = grid.cell_size * static_cast<double>((std::max(grid.columns, grid.rows) + k_coarse_samples - 1) /
+                                                            k_coarse_samples);
+    coarse.columns = coarse.rows = k_coarse_samples;
     Raster raster(coarse, k_no_data);
-    for (const gis::ElevationSample& s :
-         gis::sample_elevations(file, grid.crs_wkt, grid.bounds(), k_samples, spec.vertical_unit, spec.nodata_value)) {
+    for (const gis::ElevationSample& s : gis::sample_elevations(file, grid.crs_wkt, grid.bounds(), k_coarse_samples,
+                                                                spec.vertical_unit, spec.nodata_value)) {
         const auto column = static_cast<std::int64_t>((s.place.x - coarse.west) / coarse.cell_size),
                    row = static_cast<std::int64_t>((coarse.north - s.place.y) / coarse.cell_size);
         if (column >= 0 && row >= 0 && column < coarse.columns && row < coarse.rows)

@@ -14,8 +14,6 @@
 namespace frana::app {
 namespace {
 
-using Kind = ThicknessSpec::Kind;
-
 /// The text or number of the first of these attributes that a polygon has, in any case; empty without one.
 std::string attribute_of(const PolygonFeature& feature, const std::vector<std::string>& wanted) {
     const auto lower = [](std::string word) {
@@ -138,7 +136,7 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
         ReleaseArea area;
         area.outline = layer.features[i].parts;
         area.thickness = spec.metres;
-        if (spec.kind == Kind::attribute) {
+        if (spec.kind == ThicknessSpec::Kind::attribute) {
             const SourceSpec source{SourceSpec::Kind::attribute, 0, spec.attribute};
             const auto thickness = value_of(reading, "release.thickness", source, layer, i, problems);
             if (!thickness) continue;

@@ -7,17 +7,15 @@
 
 namespace frana::app {
 
-using Kind = ThicknessSpec::Kind;
-
-Raster thickness_on_demand(Kind kind, const GridSpec& grid,
+Raster thickness_on_demand(ThicknessSpec::Kind kind, const GridSpec& grid,
                            const std::vector<std::shared_ptr<const gis::RasterOnDemand>>& files,
                            const std::shared_ptr<const gis::RasterOnDemand>& ground) {
     CellValues::Source source;
-    if (kind == Kind::raster) {
+    if (kind == ThicknessSpec::Kind::raster) {
         source = [file = files[0]](const CellWindow& window, double* values) { file->read(window, values); };
     } else {
-        const auto above = kind == Kind::difference ? files[0] : ground;
-        const auto below = kind == Kind::difference ? files[1] : files[0];
+        const auto above = kind == ThicknessSpec::Kind::difference ? files[0] : ground;
+        const auto below = kind == ThicknessSpec::Kind::difference ? files[1] : files[0];
         source = [above, below](const CellWindow& window, double* values) {
             std::vector<double> lower(static_cast<std::size_t>(window.rows * window.columns));
             above->read(window, values);

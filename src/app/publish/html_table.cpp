@@ -54,4 +54,8 @@ std::string HtmlTable::html(const std::string& kind) const {
            "</tbody>\n</table>\n";
 }
 
+std::string small_print(const std::string& text) {
+    return "<p class=\"small\">" + escaped_markup(text) + "</p>\n";
+}
+
 }  // namespace frana::app

@@ -28,4 +28,7 @@ class HtmlTable {
     std::string head_, rows_;
 };
 
+/// Returns a paragraph in small letters; the text is escaped here.
+std::string small_print(const std::string& text);
+
 }  // namespace frana::app

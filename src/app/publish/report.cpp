@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/publish/html_page.h"
+#include "app/publish/html_table.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/report_answer.h"
 #include "app/publish/report_charts.h"
@@ -23,10 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string small(const std::string& text) {
-    return "<p class=\"small\">" + escaped_markup(text) + "</p>\n";
-}
-
 std::string headed(const std::string& heading, const std::string& html) {
     return "<div>\n<h3>" + escaped_markup(heading) + "</h3>\n" + html + "</div>\n";
 }
@@ -40,10 +37,10 @@ void add_maps(HtmlPage& page, const ReportInput& input, const std::vector<Report
     const Words& words = input.words;
     page.add_heading("maps", words("Maps"));
     if (maps.empty())
-        page.add(small(input.prepared.spec.output.maps.front() == "off"
-                           ? words("The scene asks for no maps.")
-                           : words("No map could be drawn; see the warnings.")));
-    if (maps.size() == 1) page.add(small(words("The only map is on the first page.")));
+        page.add(small_print(input.prepared.spec.output.maps.front() == "off"
+                                 ? words("The scene asks for no maps.")
+                                 : words("No map could be drawn; see the warnings.")));
+    if (maps.size() == 1) page.add(small_print(words("The only map is on the first page.")));
     for (std::size_t i = 1; i < maps.size(); ++i) page.add_picture(maps[i].file, maps[i].caption, maps[i].alt);
     if (!input.hazard.empty())
         page.add(
@@ -67,8 +64,9 @@ void add_details(HtmlPage& page, const ReportInput& input) {
 void add_keys(HtmlPage& page, const ReportInput& input) {
     const Words& words = input.words;
     page.add_heading("parameters", words("Keys used"));
-    page.add(small(words("Bold: given in the scene, on the command line or by the material preset. Keys that the scene "
-                         "does not use are left out.")) +
+    page.add(small_print(
+                 words("Bold: given in the scene, on the command line or by the material preset. Keys that the scene "
+                       "does not use are left out.")) +
              parameters_table(input.prepared, true, words) + "<details>\n<summary>" +
              escaped_markup(words("All keys")) + "</summary>\n" + parameters_table(input.prepared, false, words) +
              "</details>\n");

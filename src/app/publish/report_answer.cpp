@@ -23,7 +23,7 @@
 namespace frana::app {
 namespace {
 
-constexpr std::size_t k_gauges = 4, k_name_letters = 30;
+constexpr std::size_t k_gauges = 4, k_gauge_letters = 30;
 constexpr const char* k_cell_error = "cell error";
 const std::string k_error_of = "error of ";
 
@@ -37,7 +37,7 @@ std::string arrivals(const ReportInput& input) {
     const std::vector<GaugeAnswer> gauges = gauge_answers(input);
     std::vector<std::string> told;
     for (std::size_t i = 0; i < std::min(k_gauges, gauges.size()); ++i) {
-        const std::string name = elided(valid_utf8(gauges[i].name), k_name_letters);
+        const std::string name = elided(valid_utf8(gauges[i].name), k_gauge_letters);
         told.push_back(gauges[i].arrival ? words("{1} after {2} s", {name, number(*gauges[i].arrival, 3)})
                                          : words("{1} is not reached", {name}));
     }

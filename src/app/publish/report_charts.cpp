@@ -12,7 +12,7 @@ namespace frana::app {
 namespace {
 
 constexpr int k_width = 380, k_height = 200;
-constexpr std::size_t k_curves = 8, k_name_letters = 30;
+constexpr std::size_t k_curves = 8, k_curve_letters = 30;
 
 std::string figure(const std::string& svg, const std::string& alt) {
     // The element, a picture by its role, gets a name for those who cannot see it.
@@ -76,7 +76,7 @@ std::string series_charts(const ReportInput& input) {
     const auto named = [](const auto& places) {
         std::vector<render::ChartSeries> series;
         for (const auto& place : places)
-            series.push_back({elided(valid_utf8(place.name), k_name_letters), render::k_chart_colours[0], {}});
+            series.push_back({elided(valid_utf8(place.name), k_curve_letters), render::k_chart_colours[0], {}});
         return series;
     };
     const auto add_places = [&](const std::string& label, std::vector<render::ChartSeries> series) {

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t k_names = 3, k_name_letters = 40;
+constexpr std::size_t k_names = 3, k_area_letters = 40;
 
 /// Names of the keys of laws; of the structured model, those that a reader asks for first.
 struct KeyName {
@@ -66,7 +66,7 @@ std::string name_of(const std::string& key, const Words& words) {
     return name;
 }
 
-std::string with_unit(const std::string& value, const std::string& unit) {
+std::string value_with_unit(const std::string& value, const std::string& unit) {
     static const std::map<std::string, std::string> k_units{
         {"degrees", "°"}, {"m/s2", " m/s²"}, {"kg/m3", " kg/m³"}, {"m3", " m³"}};
     if (unit.empty()) return value;
@@ -79,13 +79,13 @@ std::string value_of(const Parameter& key, const SceneSpec& spec, const Words& w
     const std::string text = key.write(spec).value_or("");
     const std::size_t colon = text.find(':');
     if (colon != std::string::npos) return fs::path(text.substr(colon + 1)).filename().string();
-    return number_from_text(text) ? with_unit(words.number(text), key.unit) : text;
+    return number_from_text(text) ? value_with_unit(words.number(text), key.unit) : text;
 }
 
 std::string names_of_areas(const std::vector<ReleasedArea>& areas) {
     std::vector<std::string> names;
     for (const ReleasedArea& area : areas)
-        if (!area.name.empty()) names.push_back(elided(valid_utf8(area.name), k_name_letters));
+        if (!area.name.empty()) names.push_back(elided(valid_utf8(area.name), k_area_letters));
     if (names.empty()) return "";
     const std::size_t all = names.size();
     names.resize(std::min(all, k_names));
@@ -114,10 +114,11 @@ std::string by_place(const ReportInput& input, const std::string& key, const Wor
         const auto& source = spec.zones.*(zone.source);
         const bool is_raster = source && source->kind == SourceSpec::Kind::raster;
         const std::string file = is_raster ? source->name : spec.terrain.friction_zones.value_or("");
-        return words("{1} {2} by place (zones of {3})",
-                     {name_of(key, words),
-                      with_unit(least == greatest ? shown(least) : shown(least) + " – " + shown(greatest), zone.unit),
-                      fs::path(file).filename().string()});
+        return words(
+            "{1} {2} by place (zones of {3})",
+            {name_of(key, words),
+             value_with_unit(least == greatest ? shown(least) : shown(least) + " – " + shown(greatest), zone.unit),
+             fs::path(file).filename().string()});
     }
     return "";
 }

@@ -32,10 +32,6 @@ namespace {
 
 constexpr std::size_t k_most_rows = 20;  // of hundreds, the files of the result have the rest
 
-std::string small(const std::string& text) {
-    return "<p class=\"small\">" + escaped_markup(text) + "</p>\n";
-}
-
 /// The separate flows of a result, if it has several.
 std::string flows_table(const std::vector<Runout>& run_outs, const Words& words) {
     if (run_outs.size() < 2) return "";
@@ -119,9 +115,10 @@ std::string high_values_table(const ReportInput& input) {
                    value(high[i].p99)});
     }
     return table.html() +
-           small(words("The greatest value is that of a single cell; 99.9 % and 99 % of the area deeper than {1} m do "
-                       "not exceed the others, with the maximum over time in each cell.",
-                       {number(input.prepared.spec.output.trace_threshold)})) +
+           small_print(
+               words("The greatest value is that of a single cell; 99.9 % and 99 % of the area deeper than {1} m do "
+                     "not exceed the others, with the maximum over time in each cell.",
+                     {number(input.prepared.spec.output.trace_threshold)})) +
            flows_table(input.facts.statistics.run_outs, words) + gauges_table(input) + sections_table(input);
 }
 
@@ -196,7 +193,7 @@ std::string numerics_table(const ReportInput& input) {
 std::string terms_note(const ReportInput& input) {
     std::vector<std::string> terms;
     for (const std::string& term : input.result.terms) terms.push_back(term_in(term, input.words));
-    return small(input.words("Computed: {1}", {joined(terms, "; ")}));
+    return small_print(input.words("Computed: {1}", {joined(terms, "; ")}));
 }
 
 std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {
@@ -246,7 +243,7 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
            escaped_markup(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also "
                                 "depends on its frequency.",
                                 {scheme_title(*spec.hazard.scheme, words), words(scheme->source)})) +
-           "</p>\n" + table.html() + small(class_label(scheme->minimum_label(), words));
+           "</p>\n" + table.html() + small_print(class_label(scheme->minimum_label(), words));
 }
 
 std::string inputs_table(const Prepared& p, const Words& words) {
@@ -267,7 +264,7 @@ std::string inputs_table(const Prepared& p, const Words& words) {
     for (const std::string& text : paragraphs_of(preset_comments(p.spec))) remarks.push_back(words(text));
     if (!remarks.empty())
         html += "<h3>" + escaped_markup(words("Material preset {1}", {p.spec.material.preset.value_or("")})) +
-                "</h3>\n" + small(joined(remarks, " "));
+                "</h3>\n" + small_print(joined(remarks, " "));
     return html;
 }
 

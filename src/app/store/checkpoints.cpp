@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t k_kept = 2;
-constexpr const char *k_beginning = "step_", *k_ending = ".frana";
+constexpr std::size_t k_checkpoints_kept = 2;
+constexpr const char *k_step_beginning = "step_", *k_step_ending = ".frana";
 
 // Enough digits that names sort in the order of steps.
 std::string file_name(std::int64_t step) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%015lld", static_cast<long long>(step));
-    return std::string(k_beginning) + digits + k_ending;
+    return std::string(k_step_beginning) + digits + k_step_ending;
 }
 
 // Does not create folders above it: a result's folder that was moved away is not created again.
@@ -41,7 +41,7 @@ std::vector<std::string> checkpoints_in(const std::string& directory) {
     std::vector<std::string> files;
     for (const fs::directory_entry& entry : folder_entries(fs::path(directory) / k_checkpoint_folder)) {
         const std::string name = entry.path().filename().string();
-        if (name.size() == file_name(0).size() && name.starts_with(k_beginning) && name.ends_with(k_ending))
+        if (name.size() == file_name(0).size() && name.starts_with(k_step_beginning) && name.ends_with(k_step_ending))
             files.push_back(entry.path().string());
     }
     std::sort(files.rbegin(), files.rend());
@@ -104,7 +104,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
                   number_text(watch.seconds(), 2) + " s");
         const std::vector<std::string> all = checkpoints_in(directory_);
         std::error_code ignored;
-        for (std::size_t i = k_kept; i < all.size(); ++i) fs::remove(all[i], ignored);
+        for (std::size_t i = k_checkpoints_kept; i < all.size(); ++i) fs::remove(all[i], ignored);
     } catch (const Error& error) {
         warn_once(error);
     }

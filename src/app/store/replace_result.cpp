@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* k_kept = ".kept-";
+constexpr const char* k_kept_mark = ".kept-";
 
 /// Moves to the given name, or to another if it is in use.
 std::error_code move_to_free(const fs::path& from, const fs::path& to) {
@@ -37,7 +37,7 @@ std::error_code move_to_free(const fs::path& from, const fs::path& to) {
 std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const fs::path& extension, fs::path& to) {
     for (int number = 1;; ++number) {
         to = stem;
-        to += k_kept + std::to_string(number);
+        to += k_kept_mark + std::to_string(number);
         to += extension;
         const std::error_code error = move_to_free(from, to);
         if (error != std::errc::file_exists) return error;

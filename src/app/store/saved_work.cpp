@@ -15,13 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *k_beginning = "record_", *k_ending = ".frana";
+constexpr const char *k_record_beginning = "record_", *k_record_ending = ".frana";
 
 }  // namespace
 
 std::string record_file(const std::string& folder, std::size_t member) {
     char name[40];
-    std::snprintf(name, sizeof name, "%s%07zu%s", k_beginning, member, k_ending);
+    std::snprintf(name, sizeof name, "%s%07zu%s", k_record_beginning, member, k_record_ending);
     return (fs::path(folder) / k_record_folder / name).string();
 }
 
@@ -32,7 +32,7 @@ std::vector<std::string> records_in(const std::string& folder) {
         if (entry.is_directory())
             for (std::string& file : records_in(entry.path().string())) files.push_back(std::move(file));
         const bool partial = name.find(".partial") != std::string::npos;
-        if (name.starts_with(k_beginning) && name.ends_with(k_ending) && !partial)
+        if (name.starts_with(k_record_beginning) && name.ends_with(k_record_ending) && !partial)
             files.push_back(entry.path().string());
     }
     std::sort(files.begin(), files.end());

@@ -2,9 +2,11 @@
 #include "app/text/text_table.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <numeric>
 #include <sstream>
 
+#include "app/process/terminal.h"
 #include "app/text/display_width.h"
 
 namespace frana::app {
@@ -114,6 +116,10 @@ std::string fact_line(const std::string& name, const std::string& value, std::si
         end_line(line, text);
     }
     return text;
+}
+
+void print_fact(const std::string& name, const std::string& value) {
+    std::fputs(fact_line(name, value, output_width()).c_str(), stdout);
 }
 
 std::string folded(const std::string& text, std::size_t width) {

@@ -36,6 +36,8 @@ class TextTable {
 
 /// Returns "  name   value", the value wrapped beside the name.
 std::string fact_line(const std::string& name, const std::string& value, std::size_t width);
+/// Prints it, as wide as the output is.
+void print_fact(const std::string& name, const std::string& value);
 
 /// Returns a text whose lines wider than this are wrapped, under their own indentation and two columns more.
 std::string folded(const std::string& text, std::size_t width);

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_accuracy_words = std::to_array<WordRow>({
     {"the result is on cells of {1} m, the scene's own", "il risultato è su celle di {1} m, quelle della scena",
      "das Ergebnis hat Zellen von {1} m, die der Szene", "le résultat est sur des mailles de {1} m, celles de la scène",
      "el resultado es en celdas de {1} m, las de la escena"},
@@ -67,7 +67,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> accuracy_words() {
-    return k_rows;
+    return k_accuracy_words;
 }
 
 }  // namespace frana

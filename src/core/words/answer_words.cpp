@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_answer_words = std::to_array<WordRow>({
     {"Scenario and answer", "Scenario e risposta", "Szenario und Antwort", "Scénario et réponse",
      "Escenario y respuesta"},
     {"What fails.", "Che cosa frana.", "Was bricht los.", "Ce qui part.", "Qué falla."},
@@ -254,7 +254,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> answer_words() {
-    return k_rows;
+    return k_answer_words;
 }
 
 }  // namespace frana

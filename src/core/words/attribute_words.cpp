@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_attribute_words = std::to_array<WordRow>({
     {"length [m]", "lunghezza [m]", "Länge [m]", "longueur [m]", "longitud [m]"},
     {"thickness [m]", "spessore [m]", "Mächtigkeit [m]", "épaisseur [m]", "espesor [m]"},
     {"depth on 99.9 % of the area [m]", "profondità sul 99,9 % dell’area [m]", "Fließtiefe auf 99,9 % der Fläche [m]",
@@ -31,7 +31,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> attribute_words() {
-    return k_rows;
+    return k_attribute_words;
 }
 
 }  // namespace frana

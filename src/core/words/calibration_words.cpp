@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_calibration_words = std::to_array<WordRow>({
     // The report of a calibration: src/app/calibrate/calibration_report.cpp.
     {"{1}: calibration", "{1}: calibrazione", "{1}: Kalibrierung", "{1}\u202F: calage", "{1}: calibración"},
     {"Values and answer", "Valori e risposta", "Werte und Antwort", "Valeurs et réponse", "Valores y respuesta"},
@@ -197,7 +197,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> calibration_words() {
-    return k_rows;
+    return k_calibration_words;
 }
 
 }  // namespace frana

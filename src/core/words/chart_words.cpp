@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_chart_words = std::to_array<WordRow>({
     {"no values", "nessun valore", "keine Werte", "aucune valeur", "sin valores"},
     {"distance along the line [m]", "distanza lungo la linea [m]", "Distanz entlang der Linie [m]",
      "distance le long de la ligne [m]", "distancia a lo largo de la línea [m]"},
@@ -104,7 +104,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> chart_words() {
-    return k_rows;
+    return k_chart_words;
 }
 
 }  // namespace frana

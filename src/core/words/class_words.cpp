@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_class_words = std::to_array<WordRow>({
     // Hazard schemes: src/analysis/hazard.cpp.
     {"Intensity of one scenario, not a hazard level", "Intensità di uno scenario, non un livello di pericolo",
      "Intensität eines Szenarios, keine Gefahrenstufe", "Intensité d’un scénario, pas un degré de danger",
@@ -63,7 +63,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> class_words() {
-    return k_rows;
+    return k_class_words;
 }
 
 }  // namespace frana

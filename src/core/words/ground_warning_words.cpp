@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_ground_warning_words = std::to_array<WordRow>({
     // Terrain: src/app/input/check_terrain.cpp, prepare_terrain.cpp.
     {"{1} (row {2}, column {3})", "{1} (riga {2}, colonna {3})", "{1} (Zeile {2}, Spalte {3})",
      "{1} (ligne {2}, colonne {3})", "{1} (fila {2}, columna {3})"},
@@ -166,7 +166,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> ground_warning_words() {
-    return k_rows;
+    return k_ground_warning_words;
 }
 
 }  // namespace frana

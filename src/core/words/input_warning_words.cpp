@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_input_warning_words = std::to_array<WordRow>({
     // How warnings are put together.
     {"{1}: {2}", "{1}: {2}", "{1}: {2}", "{1}\u202F: {2}", "{1}: {2}"},
     {"{1}; {2}", "{1}; {2}", "{1}; {2}", "{1}\u202F; {2}", "{1}; {2}"},
@@ -297,7 +297,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> input_warning_words() {
-    return k_rows;
+    return k_input_warning_words;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_input_words = std::to_array<WordRow>({
     {"DTM", "DTM", "DGM", "MNT", "MDT"},
     {"Release thickness", "Spessore del distacco", "Anrissmächtigkeit", "Épaisseur au départ", "Espesor del inicio"},
     {"Release perimeter", "Perimetro del distacco", "Anrissumriss", "Contour de la zone de départ",
@@ -59,7 +59,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> input_words() {
-    return k_rows;
+    return k_input_words;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_key_words_absent = std::to_array<WordRow>({
     {"required", "obbligatoria", "erforderlich", "obligatoire", "obligatoria"},
     {"the file's own", "quello del file", "das der Datei", "celui du fichier", "el del archivo"},
     {"the DTM's own", "quella del DTM", "die des DGM", "celle du MNT", "el del MDT"},
@@ -105,7 +105,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> key_words_absent() {
-    return k_rows;
+    return k_key_words_absent;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_key_words_material = std::to_array<WordRow>({
     {"A material of `frana materials` to start from; keys given in the scene override it.",
      "Un materiale di `frana materials` da cui partire; le chiavi date nella scena prevalgono.",
      "Ein Material aus `frana materials` als Ausgangspunkt; Schlüssel der Szene gehen vor.",
@@ -178,7 +178,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> key_words_material() {
-    return k_rows;
+    return k_key_words_material;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_key_words_method = std::to_array<WordRow>({
     {"Numerical scheme: frana's own, or the method as published.",
      "Schema numerico: quello di frana, o il metodo come pubblicato.",
      "Numerisches Schema: das von frana oder das Verfahren wie veröffentlicht.",
@@ -170,7 +170,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> key_words_method() {
-    return k_rows;
+    return k_key_words_method;
 }
 
 }  // namespace frana

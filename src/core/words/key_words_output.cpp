@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_key_words_output = std::to_array<WordRow>({
     {"Result directory; --out overrides it.", "Cartella dei risultati; --out prevale.",
      "Ordner des Ergebnisses; --out geht vor.", "Dossier des résultats\u202F; --out prime.",
      "Carpeta de resultados; --out prevalece."},
@@ -183,7 +183,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> key_words_output() {
-    return k_rows;
+    return k_key_words_output;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_key_words_pictures = std::to_array<WordRow>({
     {"Size of maps, views and charts, in pixels or as a page.",
      "Dimensione di mappe, vedute e grafici, in pixel o come pagina.",
      "Größe von Karten, Ansichten und Diagrammen, in Pixeln oder als Seite.",
@@ -137,7 +137,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> key_words_pictures() {
-    return k_rows;
+    return k_key_words_pictures;
 }
 
 }  // namespace frana

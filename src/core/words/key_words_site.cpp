@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_key_words_site = std::to_array<WordRow>({
     {"Format of the file, written into a result's scene.ini.",
      "Formato del file, scritto nello scene.ini di un risultato.",
      "Format der Datei; steht in der scene.ini eines Ergebnisses.",
@@ -218,7 +218,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> key_words_site() {
-    return k_rows;
+    return k_key_words_site;
 }
 
 }  // namespace frana

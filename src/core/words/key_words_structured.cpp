@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_key_words_structured = std::to_array<WordRow>({
     {"Content of the release: fluid alone, or blocks of solids with confined fluid.",
      "Contenuto del distacco: solo fluido, o blocchi di solidi con fluido confinato.",
      "Inhalt des Anrisses: nur Fluid oder Blöcke aus Feststoffen mit gebundenem Fluid.",
@@ -236,7 +236,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> key_words_structured() {
-    return k_rows;
+    return k_key_words_structured;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_map_words = std::to_array<WordRow>({
     // Furniture of a page. Letters: east and west, north and south.
     {"EW", "EO", "EW", "EO", "EO"},
     {"true north {1}° east of grid north", "nord geografico {1}° a est del nord di quadrettatura",
@@ -156,7 +156,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> map_words() {
-    return k_rows;
+    return k_map_words;
 }
 
 }  // namespace frana

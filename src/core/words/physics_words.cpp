@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_physics_words = std::to_array<WordRow>({
     {"preset", "preset", "Voreinstellung", "préréglage", "ajuste predefinido"},
     {"preset {1}", "preset {1}", "Voreinstellung {1}", "préréglage {1}", "ajuste predefinido {1}"},
     {"scene file", "file di scena", "Szenendatei", "fichier de scène", "archivo de escena"},
@@ -114,7 +114,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> physics_words() {
-    return k_rows;
+    return k_physics_words;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_preset_words = std::to_array<WordRow>({
     {"Bindo-Cortenova (Lombardy), landslide of December 2002, about 1.2 million m3.",
      "Bindo-Cortenova (Lombardia), frana del dicembre 2002, circa 1,2 milioni di m³.",
      "Bindo-Cortenova (Lombardei), Rutschung vom Dezember 2002, etwa 1,2 Millionen m³.",
@@ -338,7 +338,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> preset_words() {
-    return k_rows;
+    return k_preset_words;
 }
 
 }  // namespace frana

@@ -7,7 +7,7 @@ namespace frana {
 namespace {
 
 // The titles of src/params/keys/result_rasters.cpp, where {} is {1} here, and of particles.
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_raster_words = std::to_array<WordRow>({
     {"Maximum depth", "Profondità massima", "Maximale Fließtiefe", "Hauteur d’écoulement maximale",
      "Profundidad máxima"},
     {"Maximum velocity", "Velocità massima", "Maximale Fließgeschwindigkeit", "Vitesse maximale", "Velocidad máxima"},
@@ -95,7 +95,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> raster_words() {
-    return k_rows;
+    return k_raster_words;
 }
 
 }  // namespace frana

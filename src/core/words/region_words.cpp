@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_region_words = std::to_array<WordRow>({
     // Maps of regions.
     {"Maximum dynamic pressure of all sources", "Pressione dinamica massima di tutte le sorgenti",
      "Maximaler dynamischer Druck aller Anrissgebiete", "Pression dynamique maximale de toutes les zones de départ",
@@ -111,7 +111,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> region_words() {
-    return k_rows;
+    return k_region_words;
 }
 
 }  // namespace frana

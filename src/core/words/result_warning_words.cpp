@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_result_warning_words = std::to_array<WordRow>({
     // Of a run: src/app/publish/publish.cpp.
     {"release area {1}", "area di distacco {1}", "Anrissfläche {1}", "zone de départ {1}", "área de inicio {1}"},
     {"release area {1} '{2}'", "area di distacco {1} “{2}”", "Anrissfläche {1} „{2}“", "zone de départ {1} « {2} »",
@@ -323,7 +323,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> result_warning_words() {
-    return k_rows;
+    return k_result_warning_words;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_score_words = std::to_array<WordRow>({
     {"Simulated against observed area", "Area simulata e osservata", "Simulierte und beobachtete Fläche",
      "Surface simulée et observée", "Área simulada y observada"},
     {"Map of the comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
@@ -97,7 +97,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> score_words() {
-    return k_rows;
+    return k_score_words;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_study_report_words = std::to_array<WordRow>({
     // Titles and headings.
     {"{1}: a range of runs", "{1}: una serie di simulazioni", "{1}: viele Läufe", "{1}\u202F: une série de calculs",
      "{1}: una serie de simulaciones"},
@@ -176,7 +176,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> study_report_words() {
-    return k_rows;
+    return k_study_report_words;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_study_words = std::to_array<WordRow>({
     {"Outlines", "Perimetri", "Umrisse", "Contours", "Contornos"},
     {"Zones of intensity", "Zone di intensità", "Intensitätszonen", "Zones d’intensité", "Zonas de intensidad"},
     {"{1} over time", "{1} nel tempo", "{1} im Zeitverlauf", "{1} au cours du temps", "{1} a lo largo del tiempo"},
@@ -205,7 +205,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> study_words() {
-    return k_rows;
+    return k_study_words;
 }
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_table_words = std::to_array<WordRow>({
     {"Values in detail", "Valori in dettaglio", "Werte im Einzelnen", "Valeurs en détail", "Valores en detalle"},
     {"High values", "Valori alti", "Hohe Werte", "Valeurs élevées", "Valores altos"},
     {"greatest", "massimo", "größter Wert", "maximum", "máximo"},
@@ -159,7 +159,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> table_words() {
-    return k_rows;
+    return k_table_words;
 }
 
 }  // namespace frana

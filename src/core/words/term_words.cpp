@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr auto k_rows = std::to_array<WordRow>({
+constexpr auto k_term_words = std::to_array<WordRow>({
     {"hydrostatic pressure", "pressione idrostatica", "hydrostatischer Druck", "pression hydrostatique",
      "presión hidrostática"},
     {"bed slope", "pendenza del fondo", "Sohlneigung", "pente du lit", "pendiente del lecho"},
@@ -66,7 +66,7 @@ constexpr auto k_rows = std::to_array<WordRow>({
 }  // namespace
 
 std::span<const WordRow> term_words() {
-    return k_rows;
+    return k_term_words;
 }
 
 }  // namespace frana

@@ -9,7 +9,7 @@
 namespace frana {
 namespace {
 
-using Kind = ResultRaster::Kind;
+using RasterKind = ResultRaster::Kind;
 
 constexpr bool k_progressive = true, k_even = false;
 
@@ -24,14 +24,14 @@ class Table {
         command_ = command;
         when(sentence, nullptr);
     }
-    ResultRaster& add(const char* name, Kind kind, const char* title, const char* description, const char* unit,
+    ResultRaster& add(const char* name, RasterKind kind, const char* title, const char* description, const char* unit,
                       const char* palette, bool progressive) {
         return rows.emplace_back(
             ResultRaster{name, kind, title, description, unit, palette, progressive, command_, when_, is_produced_by_});
     }
     ResultRaster& flow(const char* name, const char* title, const char* description, const char* unit,
                        const char* palette, bool progressive) {
-        return add(name, Kind::flow, title, description, unit, palette, progressive);
+        return add(name, RasterKind::flow, title, description, unit, palette, progressive);
     }
 
     std::vector<ResultRaster> rows;
@@ -126,10 +126,10 @@ void add_region(Table& table) {
                 "Number of the source of scenario {} that causes the greatest depth", "-", "", k_even);
     of_scenario("scenario_intensity", "Intensity, scenario {}", "Greatest class of intensity in scenario {}", "",
                 "depth", k_even)
-        .kind = Kind::classes;
+        .kind = RasterKind::classes;
     table.by("batch", "by `frana batch` with `region.return-period`");
-    table.add("hazard_degree", Kind::classes, "Degree of hazard", "Degree of hazard from intensity and return period",
-              "", "depth", k_even);
+    table.add("hazard_degree", RasterKind::classes, "Degree of hazard",
+              "Degree of hazard from intensity and return period", "", "depth", k_even);
 }
 
 /// Rasters without classes of their own have those of the first quantity with their unit.
@@ -154,13 +154,15 @@ std::vector<ResultRaster> make_table() {
     table.flow("arrival_time", "Arrival time", "Time at which the flow first arrived", "s", "time", k_even);
     table.flow("max_pressure", "Maximum dynamic pressure", "Maximum over time of density times speed squared", "kPa",
                "velocity", k_progressive);
-    table.add("release", Kind::given, "Thickness released", "Thickness released, vertical", "m", "depth", k_progressive)
+    table
+        .add("release", RasterKind::given, "Thickness released", "Thickness released, vertical", "m", "depth",
+             k_progressive)
         .is_surface = true;
-    table.add("dtm", Kind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
-    table.add("bed", Kind::given, "Bed", "Sliding surface", "m", "", k_even);
+    table.add("dtm", RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
+    table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
-    table.add("hazard", Kind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
+    table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
     table.when("with a hazard scheme that uses it",
                [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table
@@ -215,18 +217,20 @@ std::vector<ResultRaster> make_table() {
           k_progressive);
 
     table.by("compare", "with a surveyed outline");
-    table.add("comparison", Kind::classes, "Comparison with the survey",
+    table.add("comparison", RasterKind::classes, "Comparison with the survey",
               "Simulated trace against the observed outline: 1 hit, 2 false alarm, 3 miss", "", "depth", k_even);
 
     table.by("run", "with `output.frames = on`");
-    table.add("depth", Kind::frame, "Flow depth", "Flow depth at one instant, vertical", "m", "depth", k_progressive)
+    table
+        .add("depth", RasterKind::frame, "Flow depth", "Flow depth at one instant, vertical", "m", "depth",
+             k_progressive)
         .is_surface = true;
-    table.add("velocity", Kind::frame, "Flow velocity", "Flow speed at one instant, along the bed", "m/s", "velocity",
-              k_even);
+    table.add("velocity", RasterKind::frame, "Flow velocity", "Flow speed at one instant, along the bed", "m/s",
+              "velocity", k_even);
     add_study(table);
     add_region(table);
     table.by("converge", "after `frana converge`");
-    table.add("uncertainty", Kind::flow, "Estimated error of the maximum depth",
+    table.add("uncertainty", RasterKind::flow, "Estimated error of the maximum depth",
               "Estimated discretisation error of the maximum depth", "m", "velocity", k_progressive);
     table.rows.back().classes = "error";
     set_classes_by_unit(table.rows);
@@ -264,7 +268,7 @@ std::string raster_of_map(const std::string& map) {
 std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
-        const bool shows_flow = one.kind == Kind::flow || one.kind == Kind::classes;
+        const bool shows_flow = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
         if (shows_flow && one.command == "run") names.push_back(one.name);
     }
     for (const ResultRaster& one : result_rasters())
@@ -275,7 +279,7 @@ std::vector<std::string> usual_maps() {
 std::vector<std::string> map_names() {
     std::vector<std::string> names = usual_maps();
     for (const ResultRaster& one : result_rasters())
-        if (one.kind == Kind::given && one.is_drawn()) names.push_back(one.name);
+        if (one.kind == RasterKind::given && one.is_drawn()) names.push_back(one.name);
     return names;
 }
 

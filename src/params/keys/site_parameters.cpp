@@ -16,7 +16,7 @@ using declare::on_off;
 using declare::Range;
 using declare::source;
 using declare::text;
-using Kind = SourceSpec::Kind;
+using Given = SourceSpec::Kind;
 
 Parameter bounds_parameter() {
     Parameter result =
@@ -151,7 +151,7 @@ void add_terrain(std::vector<Parameter>& list) {
         "polygons", text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
                          "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none"))));
     list.push_back(source("terrain.obstacle-height", FRANA_MEMBER(terrain.obstacle_height), "m", Range{0, 1000, true},
-                          {Kind::number, Kind::attribute}, "Height of the obstacles above the DTM.",
+                          {Given::number, Given::attribute}, "Height of the obstacles above the DTM.",
                           "required with terrain.obstacles"));
     list.push_back(on_map(holds(
         "polygons", text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
@@ -173,19 +173,20 @@ void add_release(std::vector<Parameter>& list) {
                           "on: the DTM is the ground before the failure, and the bed lies under the release; off: the "
                           "release lies on top of the DTM."));
     list.push_back(source(
-        "release.volume", FRANA_MEMBER(release.volume), "m3", Range{0, 1e12, true}, {Kind::number, Kind::attribute},
+        "release.volume", FRANA_MEMBER(release.volume), "m3", Range{0, 1e12, true}, {Given::number, Given::attribute},
         "Volume of the release: thicknesses are scaled so that the whole release, or each polygon, has this volume.",
         "from the thickness"));
     list.push_back(source("release.start", FRANA_MEMBER(release.start), "s", Range{0, 1e6},
-                          {Kind::number, Kind::attribute}, "Time of failure.", "0"));
+                          {Given::number, Given::attribute}, "Time of failure.", "0"));
     list.push_back(source("release.velocity", FRANA_MEMBER(release.velocity), "m/s", Range{0, 200},
-                          {Kind::number, Kind::attribute}, "Initial speed along the bed.", "0"));
-    list.push_back(source(
-        "release.direction", FRANA_MEMBER(release.direction), "degrees", Range{0, 360}, {Kind::number, Kind::attribute},
-        "Azimuth of the initial velocity, clockwise from grid north.", "down the mean slope of each polygon"));
+                          {Given::number, Given::attribute}, "Initial speed along the bed.", "0"));
+    list.push_back(source("release.direction", FRANA_MEMBER(release.direction), "degrees", Range{0, 360},
+                          {Given::number, Given::attribute},
+                          "Azimuth of the initial velocity, clockwise from grid north.",
+                          "down the mean slope of each polygon"));
     list.push_back(source(
         "release.slip-depth", FRANA_MEMBER(release.slip_depth), "m", Range{0, 1000, true},
-        {Kind::number, Kind::attribute},
+        {Given::number, Given::attribute},
         "Greatest depth of a fitted slip surface below the surface that spans the perimeter; this or release.volume.",
         "from release.volume"));
     list.push_back(choice("release.slip-shape", FRANA_MEMBER(release.slip_shape), {"auto", "ellipsoid", "base-level"},
@@ -210,7 +211,7 @@ void add_zones(std::vector<Parameter>& list) {
     for (const ZoneKey& key : zone_keys())
         list.push_back(source(
             key.name, [member = key.source](auto& scene) -> auto& { return scene.zones.*member; }, key.unit, key.range,
-            {Kind::attribute, Kind::raster}, key.meaning, "the material's own everywhere"));
+            {Given::attribute, Given::raster}, key.meaning, "the material's own everywhere"));
     list.push_back(
         choice("zones.beyond-dtm", FRANA_MEMBER(zones.beyond_dtm), {"stop", "clip"},
                "Zone polygons that reach beyond the working grid: refuse them, or use the part on the grid."));

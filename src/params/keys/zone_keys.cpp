@@ -5,11 +5,11 @@ namespace frana {
 namespace {
 
 using declare::Range;
-using Words = std::vector<std::string>;
+using ColumnNames = std::vector<std::string>;
 using Zones = ZonesSpec;
 
 ZoneKey zone(const std::string& key, std::optional<SourceSpec> ZonesSpec::*source, const std::string& what,
-             const std::string& unit, Range range, const Words& columns, const std::string& meaning) {
+             const std::string& unit, Range range, const ColumnNames& columns, const std::string& meaning) {
     return {"zones." + key, source, what, unit, range, columns, meaning};
 }
 
@@ -18,15 +18,15 @@ ZoneKey zone(const std::string& key, std::optional<SourceSpec> ZonesSpec::*sourc
 const std::vector<ZoneKey>& zone_keys() {
     static const std::vector<ZoneKey> keys{
         zone("friction-angle", &Zones::friction_angle, "friction", "degrees", Range{0, 60},
-             Words{"friction_angle", "phi"}, "Bed friction angle by place; this or friction-coefficient."),
+             ColumnNames{"friction_angle", "phi"}, "Bed friction angle by place; this or friction-coefficient."),
         zone("friction-coefficient", &Zones::friction_coefficient, "friction", "", Range{0, 2},
-             Words{"friction_coefficient", "mu"}, "Bed friction coefficient by place."),
-        zone("turbulence", &Zones::turbulence, "turbulence", "m/s2", Range{0, 1e9, true}, Words{"turbulence", "xi"},
-             "Voellmy turbulence coefficient xi by place."),
-        zone("cohesion", &Zones::cohesion, "cohesion", "Pa", Range{0, 1e6}, Words{"cohesion"},
+             ColumnNames{"friction_coefficient", "mu"}, "Bed friction coefficient by place."),
+        zone("turbulence", &Zones::turbulence, "turbulence", "m/s2", Range{0, 1e9, true},
+             ColumnNames{"turbulence", "xi"}, "Voellmy turbulence coefficient xi by place."),
+        zone("cohesion", &Zones::cohesion, "cohesion", "Pa", Range{0, 1e6}, ColumnNames{"cohesion"},
              "Bed cohesion by place."),
-        zone("erodible-depth", &Zones::erodible_depth, "erodible depth", "m", Range{0, 1000}, Words{"erodible_depth"},
-             "Erodible depth by place, vertical.")};
+        zone("erodible-depth", &Zones::erodible_depth, "erodible depth", "m", Range{0, 1000},
+             ColumnNames{"erodible_depth"}, "Erodible depth by place, vertical.")};
     return keys;
 }
 
