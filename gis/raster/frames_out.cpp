@@ -123,7 +123,8 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
         }
         return array;
     };
-    p.depth = field("depth", "flow depth, vertical", "m");
+    const auto direction = metadata.find(k_depth_item);
+    p.depth = field("depth", "flow depth, " + (direction == metadata.end() ? "vertical" : direction->second), "m");
     p.velocity = field("velocity", "flow speed along the bed", "m s-1");
 }
 

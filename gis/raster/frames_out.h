@@ -18,7 +18,8 @@ enum class StackFormat { netcdf, zarr };
 /// only one.
 class FrameStack {
   public:
-    /// Creates the file or folder. `times` [s] of all frames to come. Throws Error(environment).
+    /// Creates the file or folder. `times` [s] of all frames to come; k_depth_item among `metadata`: the direction of
+    /// depths. Throws Error(environment).
     FrameStack(std::string path, StackFormat format, const GridSpec& grid, const std::vector<double>& times,
                const std::map<std::string, std::string>& metadata);
     ~FrameStack();

@@ -9,6 +9,9 @@
 
 namespace frana::gis {
 
+/// Item of metadata: the direction in which depths are measured, "vertical" or "normal to the bed".
+inline constexpr const char* k_depth_item = "DEPTH";
+
 /// A class of a raster: its value, its label (the value if there is none), its colour.
 struct NamedClass {
     int value = 0;

@@ -8,6 +8,47 @@
 #include "core/error.h"
 
 namespace frana {
+namespace {
+
+/// Returns the difference quotient of the existing neighbours; 0 without any.
+double gradient(double before, double here, double after, double cell_size) {
+    if (!std::isnan(before) && !std::isnan(after)) return (after - before) / (2 * cell_size);
+    if (!std::isnan(after)) return (after - here) / cell_size;
+    return std::isnan(before) ? 0 : (here - before) / cell_size;
+}
+
+/// 1 over the cosine of the slope.
+double secant(const Raster& bed, std::int64_t row, std::int64_t column) {
+    const GridSpec& grid = bed.grid;
+    const auto at = [&](std::int64_t r, std::int64_t c) {
+        return r < 0 || c < 0 || r >= grid.rows || c >= grid.columns ? k_no_data : bed.at(r, c);
+    };
+    const double here = at(row, column);
+    const double east = gradient(at(row, column - 1), here, at(row, column + 1), grid.cell_size);
+    const double north = gradient(at(row + 1, column), here, at(row - 1, column), grid.cell_size);
+    return std::isnan(here) ? 1 : std::sqrt(1 + east * east + north * north);
+}
+
+template <class Change>
+Raster with_slope(const Raster& depth, const Raster& bed, const Change& change) {
+    Raster changed(depth.grid, k_no_data);
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value)) return;
+        const auto place = static_cast<std::int64_t>(cell);
+        changed.values[cell] = change(value, secant(bed, place / depth.grid.columns, place % depth.grid.columns));
+    });
+    return changed;
+}
+
+}  // namespace
+
+Raster normal_depth(const Raster& vertical, const Raster& bed) {
+    return with_slope(vertical, bed, [](double depth, double secant) { return depth / secant; });
+}
+
+Raster vertical_depth(const Raster& normal, const Raster& bed) {
+    return with_slope(normal, bed, [](double depth, double secant) { return depth * secant; });
+}
 
 double slope_deg(const Raster& terrain, std::int64_t row, std::int64_t column) {
     const GridSpec& grid = terrain.grid;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/shortest_text.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::facade {
 namespace {
@@ -64,6 +65,7 @@ Recording recording_of(const Scene::Data& data, const SceneSpec& spec, const Gri
         for (const Point& p : section.line) own.line.push_back({p.x, p.y});
     }
     recording.interval = spec.output.sample_interval.value_or(0);
+    recording.normal_depth = spec.output.depth == k_normal_depth;
     return recording;
 }
 

@@ -17,6 +17,33 @@ namespace py = pybind11;
 using namespace pybind11::literals;
 
 namespace frana::python {
+
+/// Takes an object only if it was constructed: for one made by __new__ alone pybind11 passes raw memory.
+template <class T>
+struct ConstructedCaster : py::detail::type_caster_base<T> {
+    bool load(py::handle source, bool convert) {
+        if (py::isinstance<T>(source)) {
+            auto* const object = reinterpret_cast<py::detail::instance*>(source.ptr());
+            if (!object->get_value_and_holder().holder_constructed()) return false;
+        }
+        return py::detail::type_caster_base<T>::load(source, convert);
+    }
+};
+
+}  // namespace frana::python
+
+namespace pybind11::detail {
+
+template <class T>
+requires std::is_same_v<T, frana::Scene> || std::is_same_v<T, frana::Result> || std::is_same_v<T, frana::Frame> ||
+    std::is_same_v<T, frana::RasterInfo> || std::is_same_v<T, frana::Problem> ||
+    std::is_same_v<T, frana::python::PythonRun>
+struct type_caster<T> : frana::python::ConstructedCaster<T> {
+};
+
+}  // namespace pybind11::detail
+
+namespace frana::python {
 namespace {
 
 using Array = py::array_t<double, py::array::c_style>;

@@ -7,12 +7,16 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/ground_statistics.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/flow.h"
 #include "simulation/particle_table.h"
+#include "simulation/release.h"
 #include "simulation/result_cells.h"
 #include "simulation/step_statistics.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
+#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {
@@ -159,6 +163,37 @@ void add_jumps_to(const Scene& scene, const Flow& flow, RunResult& result) {
 
 void add_jumps_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its material stays on the bed
 
+void add_claims_to(const Scene& scene, const Flow& flow, RunResult& result) {
+    const ParticleSet& particles = flow.particles();
+    const GridSpec& grid = scene.grid;
+    const Raster depth = cell_depth(particles, grid);
+    Raster claimed(grid, 0);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Cell c = cell_of(grid, {particles[Field::x][p], particles[Field::y][p]});
+        claimed.at(c.row, c.column) += particles[Field::area][p] / grid.cell_area();
+    }
+    depth.values.for_each_stored([&](std::size_t cell, double deep) {
+        if (!(deep > k_claimed_depth)) return;
+        const double share = std::as_const(claimed).values[cell];
+        const auto place = static_cast<std::int64_t>(cell);
+        if (!result.most_claimed || share > result.most_claimed->share)
+            result.most_claimed = {share, deep, grid.cell_centre(place / grid.columns, place % grid.columns)};
+    });
+}
+
+void add_claims_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its solids are particles of fixed size
+
+double volume_of(const Raster& depth) {
+    double sum = 0;
+    depth.values.for_each_stored([&](std::size_t, double value) { sum += std::isnan(value) ? 0 : value; });
+    return sum * depth.grid.cell_area();
+}
+
+void make_normal(std::vector<NamedRaster>& rasters, const Raster& bed) {
+    for (NamedRaster& raster : rasters)
+        if (find_result_raster(raster.name)->is_flow_depth) raster.values = normal_depth(raster.values, bed);
+}
+
 double pressure_factor(const Flow& flow) {
     return flow.laws().stress.wave_factor;
 }
@@ -237,6 +272,10 @@ void FlowRun<AnyFlow>::write_frame_now() {
         hide_non_finite(arrived.depth);
         hide_non_finite(arrived.velocity);
         for (NamedRaster& raster : arrived.more) hide_non_finite(raster.values);
+    }
+    if (scene_.recording.normal_depth) {
+        arrived.depth = normal_depth(arrived.depth, scene_.terrain);
+        make_normal(arrived.more, scene_.terrain);
     }
     options_.on_frame(arrived);
     engine_.start();
@@ -368,6 +407,13 @@ RunResult FlowRun<AnyFlow>::finish() {
     read_ground_under(flow_.nodes(), scene_.terrain, release_.bed);
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);
+    result.volume_shown = volume_of(result.final_depth);
+    result.depth_is_normal = scene_.recording.normal_depth;
+    if (result.depth_is_normal) {
+        for (Raster* raster : {&result.max_depth, &result.final_depth, &result.max_flux})
+            if (!raster->values.empty()) *raster = normal_depth(*raster, result.bed);
+        make_normal(result.more, result.bed);
+    }
     for (const InflowSource& source : arrivals_.sources())
         for (const Point place : source.places()) result.inflow_places.push_back(scene_.grid.map_from_local(place));
     result.settling = settling_.last();
@@ -385,6 +431,7 @@ RunResult FlowRun<AnyFlow>::finish() {
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
     add_exchanges_to(scene_, flow_, result);
     add_jumps_to(scene_, flow_, result);
+    if (finite) add_claims_to(scene_, flow_, result);
     engine_.stop();
     result.engine_seconds = engine_.seconds();
     return std::move(result);

@@ -205,6 +205,16 @@ struct PhaseBudget {
         0;  ///< between the velocities of both phases where both are, weighted by fluid, at the end [m/s]
 };
 
+/// Thinner cells claim more than they fill by design, since a film's particles are wide.
+inline constexpr double k_claimed_depth = 1;
+
+/// A cell and what its particles claim of it at the end.
+struct ClaimedCell {
+    double share = 0;  ///< sum of their areas over the cell's: about 1 where material lies as it should
+    double depth = 0;  ///< their volume over the cell's area [m]
+    Point place;       ///< its centre in map coordinates
+};
+
 /// The result of a run: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
     Raster bed;                        ///< sliding surface [m]
@@ -218,6 +228,8 @@ struct RunResult {
     Raster max_flux;                   ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
     Raster max_head;                   ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
     std::vector<NamedRaster> more;     ///< further rasters of the model at the end, with the names of Frame::more
+    /// Depths of rasters and frames, and depth times speed, are measured normal to the bed, not vertically.
+    bool depth_is_normal = false;
     std::vector<SeriesRow> series;
     std::vector<GaugeRow> gauges;
     std::vector<SectionRow> sections;
@@ -233,6 +245,7 @@ struct RunResult {
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
     double volume_entered = 0;                                     ///< total: initial, released later, flowed in [m3]
     double volume_inflow = 0;                                      ///< of which flowed in through lines [m3]
+    double volume_shown = 0;                                       ///< of the vertical depths of final_depth [m3]
     std::optional<PhaseBudget> phases;     ///< of solids and fluid in the structured model; none without solids
     std::vector<ReleasedArea> released;    ///< in the order of Scene::release
     bool exchanges = false;                ///< whether the scene erodes or deposits; the next lines are empty otherwise
@@ -254,6 +267,8 @@ struct RunResult {
     Raster jump_height;          ///< greatest height above the ground [m], NaN where nothing flew; empty without jumps
     /// Greatest rise of energy not explained by gravity and dissipation (EnergyWatch); none if unknown.
     std::optional<double> energy_error;
+    /// The cell with the greatest share of those deeper than k_claimed_depth; none without such cells, or with solids.
+    std::optional<ClaimedCell> most_claimed;
     HardEvents hard_events;
     std::vector<RunProblem> run_problems;  ///< of the run's last step
     std::vector<std::string> terms;        ///< physics and numerics of the run

@@ -22,17 +22,11 @@ RunStatistics run_statistics(const RunResult& result, double threshold, const Ra
     const Raster trace = trace_mask(depth, threshold);
     return {high_values(depth, trace), high_values(part_inside(result.max_velocity, inside), trace), masked_area(trace),
             runouts(separate_flows(result), result.bed, result.release, trace).front().horizontal_m,
-            result.volume_final > 0 ? shown_volume(result) / result.volume_final : k_no_data};
+            result.volume_final > 0 ? result.volume_shown / result.volume_final : k_no_data};
 }
 
 SeparateFlows separate_flows(const RunResult& result) {
     return {result.release, result.max_depth, result.inflow_places};
-}
-
-double shown_volume(const RunResult& result) {
-    double sum = 0;
-    result.final_depth.values.for_each_stored([&](std::size_t, double depth) { sum += std::isnan(depth) ? 0 : depth; });
-    return sum * result.final_depth.grid.cell_area();
 }
 
 }  // namespace frana

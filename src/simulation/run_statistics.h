@@ -50,7 +50,4 @@ RunStatistics run_statistics(const RunResult& result, double threshold, const Ra
 /// Returns the flows of a result that never met.
 SeparateFlows separate_flows(const RunResult& result);
 
-/// Returns the volume in the raster of final depth [m3]: less than the flow's where particles are crowded.
-double shown_volume(const RunResult& result);
-
 }  // namespace frana

@@ -7,6 +7,7 @@
 
 #include "analysis/flow_path.h"
 #include "analysis/trace.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/run_check.h"
 #include "simulation/run_statistics.h"
 #include "simulation/simulation.h"
@@ -58,7 +59,7 @@ Json volume_json(const RunResult& result) {
                 {"entered_m3", result.volume_entered},
                 {"inflow_m3", result.volume_inflow},
                 {"final_m3", result.volume_final},
-                {"final_depth_raster_m3", shown_volume(result)},
+                {"final_depth_raster_m3", result.volume_shown},
                 {"greatest_thin_fraction", result.thin_fraction},
                 {"left_domain_m3", result.volume_left}};
     if (result.exchanges) {
@@ -189,6 +190,10 @@ void add_flow(Json& json, const RunResult& result, const SceneSpec& spec) {
                          {"thickness_scaled_by", area.scaled},
                          {"failed", area.failed}});
     if (result.energy_error) json["energy_error"] = *result.energy_error;
+    json["depth_direction"] = result.depth_is_normal ? k_normal : k_vertical;
+    if (const auto& cell = result.most_claimed)
+        json["greatest_claimed_share"] = {
+            {"share", cell->share}, {"depth_m", cell->depth}, {"x", cell->place.x}, {"y", cell->place.y}};
     add_peak_places(json, result);
 }
 

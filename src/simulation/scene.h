@@ -184,8 +184,9 @@ struct CrossSection {
 struct Recording {
     std::vector<Gauge> gauges;
     std::vector<CrossSection> sections;
-    double interval = 0;     ///< between rows of gauges and sections [s]; 0: every step
-    bool intensity = false;  ///< maxima of depth times speed and of the energy head
+    double interval = 0;        ///< between rows of gauges and sections [s]; 0: every step
+    bool intensity = false;     ///< maxima of depth times speed and of the energy head
+    bool normal_depth = false;  ///< RunResult::depth_is_normal
 };
 
 /// Everything the engine needs, validated, in SI units; constant from here on.

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <utility>
 
+#include "analysis/ground_statistics.h"
 #include "core/archive.h"
 #include "core/error.h"
 #include "core/file_aside.h"
@@ -150,7 +151,9 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     add_cells(result, record);
     if (extras.pressure) record.pressure = values_at(record, result.max_pressure);
     if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
-    if (extras.final_depth) record.final_depth = values_at(record, result.final_depth);
+    if (extras.final_depth)
+        record.final_depth = values_at(
+            record, result.depth_is_normal ? vertical_depth(result.final_depth, result.bed) : result.final_depth);
     return record;
 }
 

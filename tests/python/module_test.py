@@ -250,6 +250,16 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             scene.add_release(2.0, outline=5)
 
+    def test_an_object_that_was_not_constructed_is_refused(self):
+        for kind in (frana.Scene, frana.Result, frana.Frame, frana.RasterInfo, frana.Problem, frana.Run):
+            empty = kind.__new__(kind)
+            names = [name for name in dir(kind) if isinstance(getattr(kind, name), property)]
+            for name in names:
+                with self.assertRaises(TypeError, msg=f"{kind.__name__}.{name}"):
+                    getattr(empty, name)
+        with self.assertRaises(TypeError):
+            frana.Scene.__new__(frana.Scene).check()
+
     def test_numbers_are_read_by_the_rule_of_files(self):
         for arguments in ({"volume": 1e300}, {"volume": float("nan")}, {"thickness": float("nan")}, {"thickness": 1e300}):
             scene = frana.Scene(slope(), cell_size=CELL)

@@ -21,6 +21,7 @@ namespace {
 struct CalibrationForecast {
     double seconds = 0;  ///< wall time of all members on one thread
     std::int64_t peak_bytes = 0, disk_bytes = 0;
+    WritingForecast writing;
     bool trial = true;  ///< for all events
 
     void add(const StudyForecast& one, double members, double table_size) {
@@ -28,6 +29,10 @@ struct CalibrationForecast {
         peak_bytes = std::max(peak_bytes, one.peak_bytes);
         disk_bytes += static_cast<std::int64_t>(static_cast<double>(one.disk_bytes) * members / table_size);
         trial = trial && one.trial.has_value();
+    }
+    void write(const WritingForecast& one) {
+        writing.seconds += one.seconds;
+        writing.disk_bytes += one.disk_bytes;
     }
 };
 
@@ -38,6 +43,7 @@ CalibrationForecast forecast(const CalibrationInput& input, int threads) {
         const StudyForecast coarse = forecast_study(input.coarse[e], threads, true);
         refuse_study_beyond_memory(input.coarse[e], coarse, threads);
         all.add(coarse, size, size);
+        all.write(forecast_event_writing(input.own[e].base, coarse.member));
         if (input.spec().refine == 0) continue;
         const StudyForecast own = forecast_study(input.own[e], threads, true);
         refuse_study_beyond_memory(input.own[e], own, threads);
@@ -80,11 +86,12 @@ void print_calibration(const CalibrationInput& input, const CalibrationForecast&
                               study::name_of(calibration.study.sampling) + ", seed " +
                               std::to_string(calibration.study.seed));
     print_fact("estimated time", std::string(expected.trial ? "about " : "at least ") +
-                                     duration_text(expected.seconds / threads) + ", " + std::to_string(threads) +
-                                     " at a time, engine alone");
+                                     duration_text(expected.seconds / threads + expected.writing.seconds) + ", " +
+                                     std::to_string(threads) + " at a time, of which " +
+                                     duration_text(expected.writing.seconds) + " of writing and drawing");
     print_fact("memory", bytes_text(static_cast<double>(expected.peak_bytes)));
-    print_fact("disk", "about " + bytes_text(static_cast<double>(expected.disk_bytes)) +
-                           " for the members until the result is complete");
+    print_fact("disk", "about " + bytes_text(expected.writing.disk_bytes) + "; until it is complete " +
+                           bytes_text(static_cast<double>(expected.disk_bytes)) + " more for the members");
     const std::string target = result_path(directory);
     print_fact("result",
                target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
@@ -115,10 +122,11 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
     json["members"] = input.design.size();
     json["members_on_own_cells"] = calibration.refine;
     json["run"] = {{"threads", threads},
-                   {"estimated_seconds", expected.seconds / threads},
+                   {"estimated_seconds", expected.seconds / threads + expected.writing.seconds},
                    {"estimate_is_lower_bound", !expected.trial},
                    {"memory_bytes", expected.peak_bytes},
-                   {"disk_bytes", expected.disk_bytes}};
+                   {"disk_bytes", expected.writing.disk_bytes},
+                   {"members_disk_bytes", expected.disk_bytes}};
     const std::string target = result_path(directory);
     json["result"] = {{"folder", target}, {"exists", has_files(target)}};
     return json;

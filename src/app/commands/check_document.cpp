@@ -58,13 +58,16 @@ Json check_document(const CheckedScene& checked) {
                        {"dtm_contains_release", prepared.scene.terrain_contains_release},
                        {"ground", ground_json(prepared.release.ground)}};
     const auto& trial = checked.trial;
+    const double engine = trial ? trial->engine_seconds : expected.wall_seconds;
     json["run"] = {{"particles", expected.particles},
                    {"particles_at_most", trial ? Json(trial->particles_peak) : Json()},
                    {"memory_bytes", checked.memory_bytes},
                    {"first_step_s", expected.first_step_seconds},
                    {"end_s", prepared.scene.time.end},
                    {"threads", checked.threads},
-                   {"estimated_seconds", trial ? trial->engine_seconds : expected.wall_seconds},
+                   {"estimated_seconds", engine + checked.writing.seconds},
+                   {"engine_seconds", engine},
+                   {"disk_bytes", checked.writing.disk_bytes},
                    {"estimate_is_lower_bound", !trial.has_value()},
                    {"path", trial ? ground_json(trial->path) : Json()},
                    {"terms", expected.terms}};

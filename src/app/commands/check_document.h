@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands/time_estimate.h"
+#include "app/commands/writing_forecast.h"
 #include "app/input/prepare.h"
 #include "core/json.h"
 
@@ -15,6 +16,7 @@ struct CheckedScene {
     const Prepared& prepared;
     const RunEstimate& expected;
     const std::optional<TimeEstimate>& trial;
+    const WritingForecast& writing;
     std::int64_t memory_bytes;
     int threads;
     std::string result;  ///< folder

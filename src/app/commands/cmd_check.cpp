@@ -18,13 +18,16 @@
 #include "app/commands/memory_limit.h"
 #include "app/commands/study_check.h"
 #include "app/commands/time_estimate.h"
+#include "app/commands/writing_forecast.h"
 #include "app/input/check_exposure.h"
 #include "app/input/check_ground.h"
+#include "app/input/memory_bound.h"
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
 #include "app/input/thickness_volume.h"
 #include "app/input/thin_release.h"
 #include "app/process/machine_memory.h"
+#include "app/process/stopwatch.h"
 #include "app/publish/publish_pictures.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_place.h"
@@ -62,14 +65,20 @@ double two_digits(std::int64_t count) {
 }
 
 /// Trial runs predict splitting and later speeds within a factor of about two.
-std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
+double engine_seconds(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
+    return trial ? trial->engine_seconds : expected.wall_seconds;
+}
+
+std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial, double rest, int threads) {
+    const double engine = engine_seconds(expected, trial), all = engine + rest;
+    const std::string parts = ": " + number_text(engine, 2) + " s of computing on " + std::to_string(threads) +
+                              " threads, " + number_text(rest, 2) + " s of reading, writing and drawing";
     if (!trial)
-        return "at least " + number_text(expected.wall_seconds, 2) + " s, more where the flow spreads" +
+        return "at least " + number_text(all, 2) + " s" + parts + "; more where the flow spreads" +
                (expected.particles > 0 ? " and particles split" : "");
-    const double seconds = trial->engine_seconds;
-    return "about " + number_text(seconds, 2) + " s (" + number_text(seconds / 2, 2) + " to " +
-           number_text(2 * seconds, 2) + " s), from a trial on cells " + std::to_string(trial->coarsening) +
-           " times as large" + (trial->cut_short ? ", which reached " + number_text(trial->trial_end, 2) + " s" : "");
+    return "about " + number_text(all, 2) + " s (" + number_text(all / 2, 2) + " to " + number_text(2 * all, 2) +
+           " s)" + parts + ". From a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
+           (trial->cut_short ? ", which reached " + number_text(trial->trial_end, 2) + " s" : "");
 }
 
 /// Prints obstacles and zones on the working grid.
@@ -120,7 +129,7 @@ void print_levels(const Prepared& prepared, const std::optional<TimeEstimate>& t
 }
 
 void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,
-               int threads, const std::string& directory) {
+               const WritingForecast& writing, int threads, const std::string& directory) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
     print_fact("released",
@@ -143,8 +152,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     }
     print_fact("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
                                  shortest_text(prepared.scene.time.end) + " s at most");
-    print_fact("estimated time",
-               time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
+    print_fact("estimated time", time_text(expected, trial, writing.seconds, threads));
+    print_fact("disk", "about " + bytes_text(writing.disk_bytes));
     print_levels(prepared, trial);
     for (std::size_t i = 0; i < expected.terms.size(); ++i) print_fact(i == 0 ? "terms" : "", expected.terms[i]);
     const std::string place = result_path(directory);
@@ -180,20 +189,24 @@ int cmd_check(const Arguments& arguments) {
     const std::string directory = out.value_or(output_directory(reading.scene));
     const std::optional<Problem> place_problem = check_result_directory(
         directory, true, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
+    const Stopwatch input_watch;
     const Prepared prepared = prepare(reading, place_problem, log);
+    const double input_seconds = input_watch.seconds();
     // The libraries that draw are loaded by a run alone, unless their addresses count: where the shell limits these.
     const bool loads = std::isfinite(address_room());
     if (loads) load_drawing(prepared.spec);
     const std::int64_t in_use = resident_memory() + (loads ? 0 : drawing_library_bytes(prepared.spec));
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
+    WritingForecast writing = forecast_writing(prepared, expected, trial);
+    writing.seconds += input_seconds;
     const std::int64_t memory = memory_of_run(prepared, in_use, expected, trial);
     refuse_run_of(memory, reading, prepared);
     if (!json) {
         std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
         std::printf("\n%s", input_table(prepared, memory).c_str());
         print_site(prepared.scene);
-        print_run(prepared, expected, trial, threads, directory);
+        print_run(prepared, expected, trial, writing, threads, directory);
         std::fflush(stdout);
     }
     compare_volumes(prepared.release.file_volume, expected.volume, log);
@@ -201,7 +214,9 @@ int cmd_check(const Arguments& arguments) {
     if (trial && trial->path) warn_of_path_ground(*trial->path, log);
     if (const auto& exposed = prepared.extra.exposure)
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
-    if (json) print_document(check_document({prepared, expected, trial, memory, threads, directory, log.warnings()}));
+    if (json)
+        print_document(
+            check_document({prepared, expected, trial, writing, memory, threads, directory, log.warnings()}));
     return static_cast<int>(ExitCode::done);
 }
 

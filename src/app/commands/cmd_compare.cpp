@@ -99,7 +99,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
             input.release = result.raster("release");
             input.inflows = flow_tops(read_main_statistics(result.directory()));
         }
-        if (result.has("final_depth.tif")) input.final_depth = result.raster("final_depth");
+        if (result.has("final_depth.tif")) input.final_depth = result.vertical_raster("final_depth");
         simulated.source = result.map_source();
         usual_threshold =
             result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", usual_threshold));

@@ -72,7 +72,7 @@ double region_seconds(const std::vector<SlopePlan>& plans, const StudyForecast& 
         largest = std::max(largest, plan.area);
         if (plan.problem.empty()) all += plan.area;
     }
-    return largest > 0 ? forecast.member_seconds() * all / largest / threads : 0;
+    return forecast.writing.seconds + (largest > 0 ? forecast.member_seconds() * all / largest / threads : 0);
 }
 
 void print_region(const StudyInput& input, const std::vector<SlopePlan>& plans, const StudyForecast& forecast,
@@ -98,12 +98,13 @@ void print_region(const StudyInput& input, const std::vector<SlopePlan>& plans, 
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
     print_fact("estimated time", std::string(forecast.trial ? "about " : "at least ") +
                                      duration_text(region_seconds(plans, forecast, threads)) +
-                                     ", engine alone, by the areas: " + duration_text(forecast.member_seconds()) +
-                                     " for the largest slope on one thread, " + std::to_string(threads) + " at a time");
+                                     ", by the areas: " + duration_text(forecast.member_seconds()) +
+                                     " for the largest slope on one thread, " + std::to_string(threads) +
+                                     " at a time, and " + duration_text(forecast.writing.seconds) +
+                                     " of writing and drawing");
     print_fact("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which the largest slope takes " +
                              bytes_text(static_cast<double>(forecast.worker_bytes)));
-    print_fact("disk", "at most about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
-                           " for the slopes until the result is complete");
+    print_fact("disk", disk_text(forecast));
     print_fact("result",
                target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
     std::fflush(stdout);

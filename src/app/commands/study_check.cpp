@@ -54,11 +54,15 @@ const char* use_of(study::TableColumn::Use use) {
     return "a value of an earlier study, not used";
 }
 
+double study_seconds(const StudyForecast& forecast, std::size_t members, int threads) {
+    return forecast.member_seconds() * static_cast<double>(members) / threads + forecast.writing.seconds;
+}
+
 std::string time_text(const StudyForecast& forecast, std::size_t members, int threads) {
-    const double all = forecast.member_seconds() * static_cast<double>(members) / threads;
-    return std::string(forecast.trial ? "about " : "at least ") + duration_text(all) + ": " +
-           duration_text(forecast.member_seconds()) + " a member on one thread, " + std::to_string(threads) +
-           " at a time";
+    return std::string(forecast.trial ? "about " : "at least ") +
+           duration_text(study_seconds(forecast, members, threads)) + ": " + duration_text(forecast.member_seconds()) +
+           " a member on one thread, " + std::to_string(threads) + " at a time, and " +
+           duration_text(forecast.writing.seconds) + " of writing and drawing";
 }
 
 std::size_t members_of(const StudyInput& input) {
@@ -84,12 +88,11 @@ void print_study(const StudyInput& input, const StudyForecast& forecast, int thr
     print_levels(input);
     if (const auto& exposed = input.base.extra.exposure)
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
-    print_fact("estimated time", time_text(forecast, members, threads) + ", engine alone");
+    print_fact("estimated time", time_text(forecast, members, threads));
     print_fact("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) +
                              ", of which each member that runs takes " +
                              bytes_text(static_cast<double>(forecast.worker_bytes)));
-    print_fact("disk", "about " + bytes_text(static_cast<double>(forecast.disk_bytes)) +
-                           " for the members until the result is complete");
+    print_fact("disk", disk_text(forecast));
     const std::string target = result_path(directory);
     print_fact("result",
                target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
@@ -97,6 +100,11 @@ void print_study(const StudyInput& input, const StudyForecast& forecast, int thr
 }
 
 }  // namespace
+
+std::string disk_text(const StudyForecast& forecast) {
+    return "about " + bytes_text(forecast.writing.disk_bytes) + "; until it is complete " +
+           bytes_text(static_cast<double>(forecast.disk_bytes)) + " more for the members";
+}
 
 double StudyForecast::member_seconds() const noexcept {
     return trial ? trial->engine_seconds : member.wall_seconds;
@@ -124,6 +132,7 @@ StudyForecast forecast_study(const StudyInput& input, int threads, bool with_tri
     const auto records = input.levels.empty() ? static_cast<std::int64_t>(input.table.size())
                                               : input.reading.study.samples << (input.levels.size() - 1);
     forecast.disk_bytes = records * (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
+    forecast.writing = forecast_study_writing(input, forecast.member, forecast.trial, threads);
     return forecast;
 }
 
@@ -167,13 +176,13 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     json["keys"] = input.table.keys;
     for (const study::TableColumn& column : input.table.columns)
         json["columns"].push_back({{"name", column.name}, {"use", use_of(column.use)}});
-    json["run"] = {
-        {"threads", threads},
-        {"estimated_seconds", study.region ? region_seconds(plans, forecast, threads)
-                                           : forecast.member_seconds() * static_cast<double>(members) / threads},
-        {"estimate_is_lower_bound", !forecast.trial.has_value()},
-        {"memory_bytes", forecast.peak_bytes},
-        {"disk_bytes", forecast.disk_bytes}};
+    json["run"] = {{"threads", threads},
+                   {"estimated_seconds", study.region ? region_seconds(plans, forecast, threads)
+                                                      : study_seconds(forecast, members, threads)},
+                   {"estimate_is_lower_bound", !forecast.trial.has_value()},
+                   {"memory_bytes", forecast.peak_bytes},
+                   {"disk_bytes", forecast.writing.disk_bytes},
+                   {"members_disk_bytes", forecast.disk_bytes}};
     if (study.region) json["slopes"] = slopes_json(input, plans);
     if (const auto& exposed = input.base.extra.exposure) json["exposed_features"] = exposed->features.size();
     const std::string target = result_path(directory);

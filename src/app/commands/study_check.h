@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/commands/time_estimate.h"
+#include "app/commands/writing_forecast.h"
 #include "app/ensemble/study_input.h"
 #include "core/json.h"
 
@@ -19,9 +20,14 @@ struct StudyForecast {
     std::int64_t peak_bytes = 0;        ///< memory of all together, and of combining them
     std::int64_t disk_bytes = 0;        ///< of the records, until the result is complete
 
+    WritingForecast writing;  ///< what is left when the members have run
+
     /// Wall time of one member on one thread [s]; a lower bound without a trial.
     [[nodiscard]] double member_seconds() const noexcept;
 };
+
+/// The line about the disk, of a study and of a region.
+std::string disk_text(const StudyForecast& forecast);
 
 /// @param with_trial also makes a trial run, for time and memory
 StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial);

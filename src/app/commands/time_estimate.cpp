@@ -23,6 +23,7 @@ struct Trial {
     double particle_steps = 0;
     double steps = 0;
     double particles_peak = 0;
+    double reached_cells = 0;
     double seconds_per_particle_step = 0;
     double reached = 0;  ///< simulated time [s]
     bool cut_short = false;
@@ -50,6 +51,8 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     trial.steps = static_cast<double>(result.steps) * factor * rest;
     trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
     trial.path = ground_where(prepared.scene.terrain, result.max_depth, reading.scene.output.trace_threshold);
+    result.max_depth.values.for_each_stored(
+        [&](std::size_t, double depth) { trial.reached_cells += std::isnan(depth) ? 0 : squared; });
     trial.seconds_per_particle_step = result.engine_seconds / steps;
     return trial;
 }
@@ -83,6 +86,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
         start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);
     estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
                               std::min(start_cost, fine.seconds_per_particle_step);
+    estimate.reached_cells = std::max(fine.reached_cells, coarse.reached_cells);
     estimate.steps = std::max(fine.steps, coarse.steps);
     estimate.particles_peak = std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
     if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;

@@ -15,6 +15,7 @@ struct TimeEstimate {
     double engine_seconds = 0;
     std::int64_t particles_peak = 0;
     double steps = 0;
+    double reached_cells = 0;              ///< of the scene's size, that the trial's flow came to
     int coarsening = 1;                    ///< cells of the trial, in cells of the scene
     double trial_end = 0;                  ///< simulated time of the trial [s]
     bool cut_short = false;                ///< the trial was stopped before its end, the rest is extrapolated

@@ -24,7 +24,7 @@ struct ComparisonInput {
     std::optional<Raster> bed;  ///< for the run-outs; none: not compared
     std::optional<Raster> release;
     std::vector<Point> inflows;         ///< places where material flows in, or of flows that have such a place
-    std::optional<Raster> final_depth;  ///< for the deposit; none: not compared
+    std::optional<Raster> final_depth;  ///< vertical, for the deposit; none: not compared
     std::map<std::string, std::string> metadata;
     Words words{};  ///< of the style
 };

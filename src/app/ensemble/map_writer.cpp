@@ -14,10 +14,7 @@ namespace frana::app {
 
 MapWriter::MapWriter(const Prepared& base, const ResultDirectory& directory)
 
-    : directory_(directory),
-      metadata_(provenance(base)),
-      classes_(base.spec.output.classes),
-      words_(words_of(base.spec)) {}
+    : directory_(directory), metadata_(provenance(base)), output_(base.spec.output), words_(words_of(base.spec)) {}
 
 void MapWriter::write(const std::string& name, const Raster& raster) const {
     write(name, {band_of(name, raster)});
@@ -40,7 +37,7 @@ void MapWriter::write_probability(const std::string& name, const Raster& probabi
 
 gis::RasterBand MapWriter::band_of(const std::string& name, const Raster& raster) const {
     const ResultRaster& row = *find_result_raster(name);
-    return {raster, {name, text_for(row, row.description, name), row.unit, metadata_}};
+    return {raster, {name, description_of(row, name, output_), row.unit, metadata_}};
 }
 
 void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand>& bands) const {
@@ -48,7 +45,7 @@ void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand
     const std::string file = directory_.path(name + ".tif");
     gis::write_geotiff(file, bands);
     if (!row.is_drawn()) return;
-    const std::vector<double> bounds = class_bounds(row, classes_, maximum(bands.front().raster));
+    const std::vector<double> bounds = class_bounds(row, output_.classes, maximum(bands.front().raster));
     gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, words_, row.zero_is_blank),
                       row.unit, gis::StyleKind::classed, raster_title(row, name, words_));
 }

@@ -28,7 +28,7 @@ class MapWriter {
 
     const ResultDirectory& directory_;
     std::map<std::string, std::string> metadata_;
-    ClassSpec classes_;
+    OutputSpec output_;
     Words words_;
 };
 

@@ -175,7 +175,7 @@ void write_member(const StudyInput& input, std::size_t member, const study::Memb
         if (record.runs.empty()) continue;
         const ResultRaster& row = *find_result_raster(name);
         gis::write_geotiff(path(std::string(name) + ".tif"), record.raster(quantity, grid),
-                           {row.name, row.description, row.unit, provenance(input.base)});
+                           {row.name, description_of(row, row.name, scene.output), row.unit, provenance(input.base)});
     }
 }
 

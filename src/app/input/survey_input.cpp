@@ -9,6 +9,7 @@
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
 #include "core/words/words.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 namespace {
@@ -176,6 +177,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     extra.recording.interval = output.sample_interval.value_or(0);
     // Depth times speed and the energy head are recorded for the schemes that use them.
     const HazardSpec& hazard = reading.scene.hazard;
+    extra.recording.normal_depth = output.depth == k_normal_depth;
     extra.recording.intensity =
         hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();
     const auto attempt = [&](const auto& read) {

@@ -32,13 +32,14 @@ void hide_zeros(Raster& raster) {
 }
 
 /// Sets title and colours of a raster of the table; returns false for others.
-bool set_from_table(const std::string& name, const ClassSpec& classes, const Words& words, MapLayer& layer) {
+bool set_from_table(const std::string& name, const ClassSpec& classes, const Words& words, const std::string& direction,
+                    MapLayer& layer) {
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
     layer.title = raster_title(*row, name, words);
     // On steep ground vertical and normal depths differ by half; those used to other programs think of normal ones.
-    if (row->unit == "m" && row->description.find("vertical") != std::string::npos)
-        layer.legend_title = layer.title + ", " + words("vertical");
+    if (!direction.empty()) layer.legend_title = layer.title + ", " + words(direction);
+    layer.is_normal_depth = direction == k_normal;
     layer.palette = row->palette;
     layer.classes = class_bounds(*row, classes, maximum(layer.values));
     if (row->zero_is_blank) hide_zeros(layer.values);
@@ -119,8 +120,9 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
         std::filesystem::exists(file.parent_path() / raster_file("jump_height")))
         layer.notes.push_back(words("Nothing shown below flights"));
     const auto probability = probability_of(text);
-    const bool is_known = probability ? set_from_table(*probability, classes, words, layer)
-                                      : !foreign && set_from_table(kind, classes, words, layer);
+    const std::string direction = depth_direction(text.description);
+    const bool is_known = probability ? set_from_table(*probability, classes, words, direction, layer)
+                                      : !foreign && set_from_table(kind, classes, words, direction, layer);
     if (!is_known) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;
@@ -133,6 +135,9 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
         layer.notes = class_areas(layer, words);
         if (kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_"))
             add_scheme(kind, text.metadata, words, layer);
+        if (const auto depth = text.metadata.find(gis::k_depth_item);
+            depth != text.metadata.end() && kind != "comparison")
+            layer.notes.push_back(words.labelled(words("Flow depth"), words(depth->second)));
     }
     return layer;
 }
@@ -148,7 +153,8 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassS
             greatest = std::fmax(greatest, value);  // a number takes precedence over nodata
         });
     }
-    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), classes, words, layer);
+    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), classes, words,
+                   depth_direction(gis::read_raster_text(paths.front()).description), layer);
     layer.time.reset();
     return layer;
 }

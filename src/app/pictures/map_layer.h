@@ -14,9 +14,10 @@ namespace frana::app {
 
 /// A raster of a file, ready to be drawn: nothing is computed from it.
 struct MapLayer {
-    std::string name;            ///< of the picture's file: "max_depth", "depth_t12.5"
-    std::string title;           ///< "Maximum depth"
-    std::string legend_title{};  ///< "Maximum depth, vertical"; empty: the title
+    std::string name;              ///< of the picture's file: "max_depth", "depth_t12.5"
+    std::string title;             ///< "Maximum depth"
+    std::string legend_title{};    ///< "Maximum depth, vertical" (or "normal to the bed"); empty: the title
+    bool is_normal_depth = false;  ///< measured normal to the bed: it does not give the surface
     std::string unit;
     std::string palette = "depth";
     std::vector<double> classes;                 ///< bounds, the last may be infinite; empty: from the values

@@ -273,7 +273,7 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     spec.camera = source.style.camera;
     spec.sky = source.style.sky;
     std::erase_if(spec.outlines, [](const render::Outline& one) { return one.polygons.empty() && one.lines.empty(); });
-    if (layer.is_surface) spec.thickness = spec.layer;
+    if (layer.is_surface && !layer.is_normal_depth) spec.thickness = spec.layer;
     return spec;
 }
 

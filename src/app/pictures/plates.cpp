@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/scene_spec.h"
 #include "render/map/plate.h"
 
 namespace frana::app {
@@ -93,7 +94,8 @@ MapLayer normal_stress(const MapLayer& depth, double density, double gravity, do
 /// Returns density [kg/m3] and gravity [m/s2] of the run; none for a mixture, whose density varies from place to place.
 /// Throws Error(input) if the result does not contain them.
 std::optional<std::pair<double, double>> column_weight(const ResultReader& result) {
-    if (result.scene_value("material.model") == "structured") return std::nullopt;
+    if (result.scene_value("material.model") == "structured" || result.scene_value("output.depth") == k_normal_depth)
+        return std::nullopt;
     const auto number = [&](const std::string& key) {
         const auto text = result.scene_value(key);
         if (const auto value = text ? number_from_text(*text) : std::nullopt) return *value;

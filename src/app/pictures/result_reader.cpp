@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "analysis/ground_statistics.h"
 #include "app/pictures/exposure_marks.h"
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/require_cells.h"
@@ -125,6 +126,10 @@ bool ResultReader::is_of_study() const {
 
 void ResultReader::require(const std::string& name) const {
     if (!has(name)) throw Error(ErrorKind::input, Problem{"is missing in the result", path(name), "", "", ""});
+}
+
+Raster ResultReader::vertical_raster(const std::string& name) const {
+    return scene_value("output.depth") == k_normal_depth ? vertical_depth(raster(name), raster("bed")) : raster(name);
 }
 
 Raster ResultReader::raster(const std::string& name) const {

@@ -30,6 +30,8 @@ class ResultReader {
     [[nodiscard]] Raster raster(const std::string& name) const;
     /// The same. Throws Error(input) also if its cells differ from the grid's.
     [[nodiscard]] Raster raster_on(const GridSpec& grid, const std::string& name) const;
+    /// Returns the vertical depths of NAME.tif, whatever output.depth chose. Throws Error(input) if it is missing.
+    [[nodiscard]] Raster vertical_raster(const std::string& name) const;
     /// Returns a value of the result's scene.ini as text, if there is one.
     [[nodiscard]] std::optional<std::string> scene_value(const std::string& key) const;
     /// The same as a number, or a default.

@@ -44,7 +44,7 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
     input.bed = result.raster("bed");
     input.release = result.raster("release");
     input.inflows = flow_tops(read_main_statistics(directory));
-    input.final_depth = result.raster("final_depth");
+    input.final_depth = result.vertical_raster("final_depth");
     return compare_with_survey(input, log);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
 #include "app/compare/comparison.h"
 #include "app/compare/comparison_input.h"
@@ -43,6 +44,7 @@ constexpr double k_high_step = 30;         // of the surface of a release betwee
 constexpr double k_steep_step = 1.75;      // and its slope: 60 degrees
 constexpr double k_stout = 0.5;            // mean thickness of a release, of its width
 constexpr std::int64_t k_few_particles = 300;
+constexpr double k_claimed_share = 2;  // of a deep cell at the end, without a warning
 
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
@@ -51,7 +53,8 @@ ComparisonInput comparison_input(const Finished& run) {
     input.bed = run.result.bed;
     input.release = run.result.release;
     input.inflows = run.result.inflow_places;
-    input.final_depth = run.result.final_depth;
+    input.final_depth =
+        run.result.depth_is_normal ? vertical_depth(run.result.final_depth, run.result.bed) : run.result.final_depth;
     return input;
 }
 
@@ -306,6 +309,22 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 
 }  // namespace
 
+namespace {
+
+/// Crowded particles at rest keep areas that add up to more than their cell: their pressure is then that of a shallower
+/// flow.
+void warn_of_claims(const RunResult& result, RunLog& log) {
+    if (!result.most_claimed || result.most_claimed->share <= k_claimed_share) return;
+    const ClaimedCell& cell = *result.most_claimed;
+    log.warn(
+        worded("at E {1}, N {2} the particles of a cell claim {3} times its area at the end, with {4} m of material "
+               "in it: the pile does not feel its whole weight and may stand too high beside its surroundings",
+               {numeral(grouped(cell.place.x)), numeral(grouped(cell.place.y)), numeral(number_text(cell.share, 2)),
+                numeral(number_text(cell.depth, 3))}));
+}
+
+}  // namespace
+
 void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& log) {
     compare_volumes(prepared.release.file_volume, released_volume(result), log);
     note_volumes(result, log);
@@ -323,7 +342,8 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     warn_of_empty_trace(prepared, result, log);
     warn_of_release(result, log);
     warn_of_energy(result, log);
-    const double shown = shown_volume(result);
+    warn_of_claims(result, log);
+    const double shown = result.volume_shown;
     if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
         log.warn(worded(
             "the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are crowded, in "

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
 #include "app/input/scene_language.h"
 #include "app/store/layers.h"
@@ -22,13 +23,6 @@ namespace {
 bool has_format(const SceneSpec& spec, const char* format) {
     const std::vector<std::string>& formats = spec.output.formats;
     return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
-/// Returns the difference quotient of the existing neighbours; NaN without any.
-double gradient(double before, double here, double after, double cell_size) {
-    if (!std::isnan(before) && !std::isnan(after)) return (after - before) / (2 * cell_size);
-    if (!std::isnan(after)) return (after - here) / cell_size;
-    return (here - before) / cell_size;
 }
 
 /// Zero where there is ground but no flow, as in AvaFrame's own files.
@@ -51,25 +45,6 @@ void write_peak_style(const std::string& path, const Raster& raster, const PeakF
 
 }  // namespace
 
-Raster normal_thickness(const Raster& depth, const Raster& bed) {
-    const GridSpec& grid = depth.grid;
-    Raster normal(grid, k_no_data);
-    const auto bed_at = [&](std::int64_t row, std::int64_t column) {
-        const bool outside = row < 0 || column < 0 || row >= grid.rows || column >= grid.columns;
-        return outside ? k_no_data : bed.at(row, column);
-    };
-    depth.values.for_each_stored([&](std::size_t cell, double value) {
-        if (std::isnan(value)) return;
-        const std::int64_t row = static_cast<std::int64_t>(cell) / grid.columns,
-                           column = static_cast<std::int64_t>(cell) % grid.columns;
-        const double here = bed_at(row, column);
-        const double east = gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
-        const double north = gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
-        normal.values[cell] = value / std::sqrt(1 + east * east + north * north);
-    });
-    return normal;
-}
-
 std::string avaframe_name(const std::string& scene, const std::string& hash) {
     std::string release = shortened_name(scene), digits;
     std::replace(release.begin(), release.end(), '_', '-');
@@ -85,7 +60,7 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
     const auto origin = provenance(prepared);
     const std::string name =
         std::string(k_peak_folder) + "/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
-    const Raster thickness = normal_thickness(result.max_depth, result.bed);
+    const Raster thickness = result.depth_is_normal ? result.max_depth : normal_depth(result.max_depth, result.bed);
     const bool large = result.max_depth.values.is_tiled(), text_files = has_format(prepared.spec, "ascii");
     if (text_files && large)
         log.warn(worded(

@@ -10,10 +10,6 @@
 
 namespace frana::app {
 
-/// Returns the thickness normal to the slope [m]: vertical depth times the cosine of the bed's slope (central
-/// differences of the bed; one-sided at its edges). NaN where depth or slope is unknown.
-Raster normal_thickness(const Raster& depth, const Raster& bed);
-
 /// Returns AvaFrame's name of a simulation: RELEASE_HASH_C_null_dfa, where no part may contain an underscore.
 std::string avaframe_name(const std::string& scene, const std::string& hash);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/publish_rasters.h"
 
+#include <cmath>
+
+#include "analysis/ground_statistics.h"
 #include "analysis/high_values.h"
 #include "analysis/trace.h"
 #include "app/input/scene_language.h"
@@ -11,21 +14,24 @@
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "core/colour.h"
+#include "core/inside_test.h"
 #include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
 
 void write(const ResultDirectory& directory, const ResultRaster& row, const Raster& raster,
-           const std::map<std::string, std::string>& origin, const ClassSpec& classes, const Words& words) {
+           const std::map<std::string, std::string>& origin, const OutputSpec& output, const Words& words) {
     const std::string file = directory.path(row.name + ".tif");
-    gis::write_geotiff(file, raster, {row.name, row.description, row.unit, origin});
+    gis::write_geotiff(file, raster, {row.name, description_of(row, row.name, output), row.unit, origin});
     if (row.is_drawn())
         gis::write_styles(
-            file, gis::class_stops(palette(row.palette), class_bounds(row, classes, maximum(raster)), row.unit, words),
+            file,
+            gis::class_stops(palette(row.palette), class_bounds(row, output.classes, maximum(raster)), row.unit, words),
             row.unit, gis::StyleKind::classed, words(row.title));
     else  // elevations
         gis::write_style(file, gis::relief_style(row.name, words(row.title)));
@@ -38,6 +44,34 @@ PolygonFeature feature(MultiPolygon parts, double threshold) {
     return result;
 }
 
+/// The mean thickness of a released area in both directions.
+void add_thickness(const ReleaseArea& area, const ReleasedArea& released, const RunResult& result,
+                   PolygonFeature& outline) {
+    if (!(released.area > 0)) return;
+    const double vertical = released.volume / released.area;
+    double normal = area.thickness * released.scaled;
+    if (area.thickness_raster || !area.normal_to_bed) {
+        const InsideTest inside(area.outline);
+        const GridSpec& grid = result.release.grid;
+        Raster ones(grid, k_no_data);
+        result.release.values.for_each_stored([&](std::size_t cell, double thickness) {
+            const auto place = static_cast<std::int64_t>(cell);
+            if (thickness > 0 && inside(grid.cell_centre(place / grid.columns, place % grid.columns)))
+                ones.values[cell] = 1;
+        });
+        double cosines = 0;
+        std::int64_t cells = 0;
+        normal_depth(ones, result.bed).values.for_each_stored([&](std::size_t, double cosine) {
+            if (std::isnan(cosine)) return;
+            cosines += cosine;
+            ++cells;
+        });
+        normal = cells > 0 ? vertical * cosines / static_cast<double>(cells) : k_no_data;
+    }
+    outline.numbers["thickness_vertical_m"] = vertical;
+    if (!std::isnan(normal)) outline.numbers["thickness_normal_m"] = normal;
+}
+
 /// Returns one layer with one feature, or an empty layer if there is no area to outline.
 gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold, const RunResult& result,
                           const Runout& run_out) {
@@ -45,9 +79,10 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     MultiPolygon parts = gis::polygonise(mask);
     if (parts.empty()) return {name, {}};
     PolygonFeature area = feature(std::move(parts), threshold);
+    const Raster vertical = result.depth_is_normal ? vertical_depth(depth, result.bed) : depth;
     double volume = 0;
     mask.values.for_each_stored([&](std::size_t cell, double inside) {
-        if (inside != 0) volume += depth.values[cell] * result.bed.grid.cell_area();
+        if (inside != 0) volume += vertical.values[cell] * result.bed.grid.cell_area();
     });
     area.numbers["volume_m3"] = volume;
     const PeakValues high = high_values(depth, mask);
@@ -71,11 +106,11 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
     const std::map<std::string, std::string> origin = provenance(prepared);
     for (const ResultRaster& row : result_rasters())
         if (const Raster* raster = find_raster(result, row))
-            write(directory, row, *raster, origin, prepared.spec.output.classes, words_of(prepared.spec));
+            write(directory, row, *raster, origin, prepared.spec.output, words_of(prepared.spec));
 }
 
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
-    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared), {},
+    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared), prepared.spec.output,
           words_of(prepared.spec));
 }
 
@@ -99,7 +134,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
         const ReleaseArea& area = prepared.scene.release[i];
         const ReleasedArea& released = result.released[i];
         PolygonFeature release = release_outline(area, i);
-        if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness * released.scaled;
+        add_thickness(area, released, result, release);
         release.numbers["volume_m3"] = released.volume;
         release.numbers["start_s"] = released.start;
         layers[0].features.push_back(std::move(release));

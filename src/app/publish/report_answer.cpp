@@ -17,6 +17,7 @@
 #include "core/markup.h"
 #include "core/utf8.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/run_statistics.h"
 #include "simulation/simulation.h"
 
@@ -77,14 +78,16 @@ std::string strength_sentence(const ReportInput& input) {
     const auto when =
         std::max_element(input.result.series.begin(), input.result.series.end(),
                          [](const SeriesRow& a, const SeriesRow& b) { return a.max_depth < b.max_depth; });
-    const double normal = greatest(depth) * std::cos(cell->slope_deg * std::numbers::pi / 180);
+    const double cosine = std::cos(cell->slope_deg * std::numbers::pi / 180);
+    const bool is_normal = input.result.depth_is_normal;
+    const double vertical = is_normal ? greatest(depth) / cosine : greatest(depth), normal = vertical * cosine;
+    const std::string depth_text = number(depth.p999, 3) + " m (" + words(is_normal ? k_normal : k_vertical) + ")";
     return words(
-        "But for a thousandth of that area the flow is at most {1} m deep, vertically, and {2} m/s fast (one cell: {3} "
-        "m "
-        "vertical, {4} m normal to a bed of {5}°, after {6} s at E {7}, N {8}; one cell: {9} m/s).",
-        {number(depth.p999, 3), number(speed.p999, 3), number(greatest(depth), 3), number(normal, 3),
-         number(cell->slope_deg, 2), number(when->time, 3), number.grouped(cell->place.x),
-         number.grouped(cell->place.y), number(greatest(speed), 3)});
+        "But for a thousandth of that area the flow is at most {1} deep and {2} m/s fast (one cell: {3} m vertical, "
+        "{4} m normal to a bed of {5}°, after {6} s at E {7}, N {8}; one cell: {9} m/s).",
+        {depth_text, number(speed.p999, 3), number(vertical, 3), number(normal, 3), number(cell->slope_deg, 2),
+         number(when->time, 3), number.grouped(cell->place.x), number.grouped(cell->place.y),
+         number(greatest(speed), 3)});
 }
 
 std::string where_sentences(const ReportInput& input) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/frame_store.h"
-#include "app/store/result_files.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -30,11 +29,18 @@ std::string list_file(const std::string& folder) {
     return (fs::path(folder) / fs::path(k_frame_list).filename()).string();
 }
 
-gis::BandText band_text(const std::string& what) {
+std::string direction_in(const std::map<std::string, std::string>& metadata) {
+    const auto item = metadata.find(gis::k_depth_item);
+    return item == metadata.end() ? k_vertical : item->second;
+}
+
+gis::BandText band_text(const std::string& what, const std::map<std::string, std::string>& metadata) {
     const ResultRaster* const row = find_result_raster(what);
-    if (row == nullptr) return {what, what, "", {}};
-    const bool of_frames = row->kind == ResultRaster::Kind::frame;
-    return {what, of_frames ? row->description : row->title + " at one instant", row->unit, {}};
+    if (row == nullptr) return {what, what, "", metadata};
+    std::string text = row->title + " at one instant";
+    if (row->kind == ResultRaster::Kind::frame || row->is_flow_depth)
+        text = directed_description(*row, what, direction_in(metadata));
+    return {what, text, row->unit, metadata};
 }
 
 const Raster& raster_of(const Frame& frame, const std::string& what) {
@@ -107,8 +113,7 @@ void FrameWriter::write(const FrameFile& file, const Job& job) const {
         for (std::size_t p = 0; p < heights.size(); ++p) heights[p] = (*bed)[p] + (*depth)[p];
         render::write_vtk_points(path, table, heights, frame.time);
     } else {
-        gis::BandText text = band_text(file.what);
-        text.metadata = metadata_;
+        gis::BandText text = band_text(file.what, metadata_);
         text.metadata["TIME_S"] = shortest_text(frame.time);
         gis::write_geotiff(path, raster_of(frame, file.what), text, gis::RasterUse::frame);
     }

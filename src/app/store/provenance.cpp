@@ -6,7 +6,9 @@
 #include "app/text/text_hash.h"
 #include "app/text/version.h"
 #include "core/utf8.h"
+#include "gis/raster/raster_text.h"
 #include "params/grammar/absolute_path.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 #include "params/scene/write_scene.h"
 
@@ -57,6 +59,7 @@ std::map<std::string, std::string> provenance(const Prepared& prepared) {
             {"VERSION", k_version},
             {"SCENE", valid_utf8(scene_name(prepared.spec))},
             {"SCENE_HASH", text_hash(echoed_scene_without_places(prepared))},
+            {gis::k_depth_item, prepared.spec.output.depth == k_normal_depth ? k_normal : k_vertical},
             {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}};
 }
 

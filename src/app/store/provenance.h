@@ -8,7 +8,8 @@
 
 namespace frana::app {
 
-/// Returns the provenance in every raster: PROGRAM, VERSION, SCENE, SCENE_HASH, TIFFTAG_SOFTWARE.
+/// Returns the provenance in every raster: PROGRAM, VERSION, SCENE, SCENE_HASH, DEPTH (gis::k_depth_item),
+/// TIFFTAG_SOFTWARE.
 std::map<std::string, std::string> provenance(const Prepared& prepared);
 
 /// Returns the scene as in the result's scene.ini: its paths are relative to the result's folder, so that both can be

@@ -64,20 +64,18 @@ constexpr auto k_answer_words = std::to_array<WordRow>({
      "Die größte Fließtiefe ist {1} m, die größte Geschwindigkeit {2} m/s.",
      "La hauteur maximale est de {1} m, la vitesse maximale de {2} m/s.",
      "La profundidad máxima es de {1} m y la velocidad máxima de {2} m/s."},
-    {"But for a thousandth of that area the flow is at most {1} m deep, vertically, and {2} m/s fast (one cell: {3} m "
-     "vertical, {4} m normal to a bed of {5}°, after {6} s at E {7}, N {8}; one cell: {9} m/s).",
-     "Salvo su un millesimo di quell’area il flusso è profondo al massimo {1} m, in verticale, e veloce {2} m/s (una "
-     "cella: {3} m in verticale, {4} m normali a un letto di {5}°, dopo {6} s a E {7}, N {8}; una cella: {9} m/s).",
-     "Außer auf einem Tausendstel dieser Fläche ist der Strom höchstens {1} m tief, lotrecht, und {2} m/s schnell "
-     "(eine "
-     "Zelle: {3} m lotrecht, {4} m senkrecht zu einem Bett von {5}°, nach {6} s bei E {7}, N {8}; eine Zelle: {9} "
-     "m/s).",
-     "Sauf sur un millième de cette surface l’écoulement a au plus {1} m de hauteur verticale et {2} m/s de vitesse "
-     "(une maille\u202F: {3} m verticaux, {4} m normaux à un lit de {5}°, après {6} s à E {7}, N {8}\u202F; une "
+    {"But for a thousandth of that area the flow is at most {1} deep and {2} m/s fast (one cell: {3} m vertical, "
+     "{4} m normal to a bed of {5}°, after {6} s at E {7}, N {8}; one cell: {9} m/s).",
+     "Salvo su un millesimo di quell’area il flusso è profondo al massimo {1} e veloce {2} m/s (una cella: {3} m in "
+     "verticale, {4} m normali a un letto di {5}°, dopo {6} s a E {7}, N {8}; una cella: {9} m/s).",
+     "Außer auf einem Tausendstel dieser Fläche ist der Strom höchstens {1} tief und {2} m/s schnell (eine Zelle: {3} "
+     "m lotrecht, {4} m senkrecht zu einem Bett von {5}°, nach {6} s bei E {7}, N {8}; eine Zelle: {9} m/s).",
+     "Sauf sur un millième de cette surface l’écoulement a au plus {1} de hauteur et {2} m/s de vitesse (une "
+     "maille\u202F: {3} m verticaux, {4} m normaux à un lit de {5}°, après {6} s à E {7}, N {8}\u202F; une "
      "maille\u202F: {9} m/s).",
-     "Salvo en una milésima de esa superficie el flujo tiene como máximo {1} m de profundidad vertical y {2} m/s de "
-     "velocidad (una celda: {3} m en vertical, {4} m normales a un lecho de {5}°, a los {6} s en E {7}, N {8}; una "
-     "celda: {9} m/s)."},
+     "Salvo en una milésima de esa superficie el flujo tiene como máximo {1} de profundidad y {2} m/s de velocidad "
+     "(una celda: {3} m en vertical, {4} m normales a un lecho de {5}°, a los {6} s en E {7}, N {8}; una celda: {9} "
+     "m/s)."},
     {"{1} flows never met; the run-out is that of the longest.",
      "{1} colate non si sono mai unite; la distanza di propagazione è quella della più lunga.",
      "{1} Ströme trafen sich nie; die Auslauflänge ist die des längsten.",

@@ -8,7 +8,11 @@ namespace {
 
 constexpr auto k_attribute_words = std::to_array<WordRow>({
     {"length [m]", "lunghezza [m]", "Länge [m]", "longueur [m]", "longitud [m]"},
-    {"thickness [m]", "spessore [m]", "Mächtigkeit [m]", "épaisseur [m]", "espesor [m]"},
+    {"mean thickness, vertical [m]", "spessore medio, verticale [m]", "mittlere Mächtigkeit, vertikal [m]",
+     "épaisseur moyenne, verticale [m]", "espesor medio, vertical [m]"},
+    {"mean thickness, normal to the bed [m]", "spessore medio, normale al letto [m]",
+     "mittlere Mächtigkeit, normal zum Bett [m]", "épaisseur moyenne, normale au lit [m]",
+     "espesor medio, normal al lecho [m]"},
     {"depth on 99.9 % of the area [m]", "profondità sul 99,9 % dell’area [m]", "Fließtiefe auf 99,9 % der Fläche [m]",
      "hauteur sur 99,9\u202F% de la surface [m]", "profundidad en el 99,9 % del área [m]"},
     {"speed on 99.9 % of the area [m/s]", "velocità sul 99,9 % dell’area [m/s]",

@@ -36,6 +36,7 @@ constexpr auto k_chart_words = std::to_array<WordRow>({
     {"along the bed", "lungo il letto", "entlang der Sohle", "le long du lit", "a lo largo del lecho"},
     {"Greatest depth", "Profondità massima", "Größte Fließtiefe", "Hauteur maximale", "Profundidad máxima"},
     {"vertical", "verticale", "vertikal", "verticale", "vertical"},
+    {"normal to the bed", "normale al letto", "normal zum Bett", "normale au lit", "normal al lecho"},
     {"Front", "Fronte", "Front", "Front", "Frente"},
     {"distance [m]", "distanza [m]", "Distanz [m]", "distance [m]", "distancia [m]"},
     {"farthest particle from the release's centroid", "particella più lontana dal baricentro del distacco",

@@ -46,6 +46,16 @@ constexpr auto k_key_words_output = std::to_array<WordRow>({
      "Hauteur au-delà de laquelle le terrain compte comme couvert dans les contours, la surface couverte et la "
      "distance de propagation.",
      "Profundidad a partir de la cual el terreno cuenta como cubierto en contornos, área cubierta y alcance."},
+    {"Direction in which the flow's depth is measured in rasters, maps, classes and thresholds: vertical, or normal to "
+     "the bed. Gauges and cross-sections are always vertical.",
+     "Direzione in cui si misura la profondità della colata in raster, mappe, classi e soglie: verticale o normale al "
+     "letto. Punti di misura e sezioni sono sempre verticali.",
+     "Richtung, in der die Fließtiefe in Rastern, Karten, Klassen und Schwellen gemessen wird: vertikal oder normal "
+     "zum Bett. Messpunkte und Querschnitte sind immer vertikal.",
+     "Direction dans laquelle la hauteur d’écoulement est mesurée dans les rasters, cartes, classes et seuils\u202F: "
+     "verticale ou normale au lit. Les points de mesure et les sections sont toujours verticaux.",
+     "Dirección en que se mide la profundidad del flujo en rásteres, mapas, clases y umbrales: vertical o normal al "
+     "lecho. Los puntos de medición y las secciones son siempre verticales."},
     {"avaframe: also write peakFiles/ with pressure, thickness normal to the slope and speed under AvaFrame's names.",
      "avaframe: scrivere anche peakFiles/ con pressione, spessore normale al versante e velocità con i nomi di "
      "AvaFrame.",

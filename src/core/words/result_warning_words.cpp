@@ -99,6 +99,16 @@ constexpr auto k_result_warning_words = std::to_array<WordRow>({
      "incomplète\u202F; utiliser un MNT plus grand, ou fixer terrain.nodata-policy à wall ou fill",
      "el cálculo terminó porque el flujo alcanzó terreno sin cota: el mapa está incompleto; use un MDT mayor, o fije "
      "terrain.nodata-policy en wall o fill"},
+    {"at E {1}, N {2} the particles of a cell claim {3} times its area at the end, with {4} m of material in it: the "
+     "pile does not feel its whole weight and may stand too high beside its surroundings",
+     "a E {1}, N {2} le particelle di una cella occupano alla fine {3} volte la sua area, con {4} m di materiale: il "
+     "cumulo non sente tutto il suo peso e può restare troppo alto rispetto ai dintorni",
+     "bei E {1}, N {2} beanspruchen die Partikel einer Zelle am Ende das {3}-Fache ihrer Fläche, mit {4} m Material: "
+     "der Haufen spürt nicht sein ganzes Gewicht und kann zu hoch neben seiner Umgebung stehen",
+     "en E {1}, N {2} les particules d’une maille occupent à la fin {3} fois sa surface, avec {4} m de matériau\u202F: "
+     "l’amas ne sent pas tout son poids et peut rester trop haut à côté de son entourage",
+     "en E {1}, N {2} las partículas de una celda ocupan al final {3} veces su área, con {4} m de material: el "
+     "montón no siente todo su peso y puede quedar demasiado alto junto a su entorno"},
     {"the computation had numerical events that do not occur in a good run; see hard_events in summary.json",
      "il calcolo ha avuto eventi numerici che non si verificano in un buon calcolo; vedi hard_events in summary.json",
      "die Rechnung hatte numerische Ereignisse, die in einer guten Rechnung nicht vorkommen; siehe hard_events in "

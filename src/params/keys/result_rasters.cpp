@@ -56,10 +56,11 @@ void add_study(Table& table) {
     };
     table.by("calibrate", "by `frana calibrate`, for each event");
     probability("posterior", "Posterior probability, {}",
-                "Probability under the posterior that the maximum depth exceeds the survey's threshold, event {}");
+                "Probability under the posterior that the maximum depth, vertical, exceeds the survey's threshold, "
+                "event {}");
     table.by("ensemble", "by `frana ensemble`");
     probability("probability_depth", "Probability of more than {} m",
-                "Probability that the maximum depth exceeds {} m");
+                "Probability that the maximum depth, vertical, exceeds {} m");
     probability("probability_velocity", "Probability of more than {} m/s",
                 "Probability that the maximum speed exceeds {} m/s");
     probability("probability_pressure", "Probability of more than {} kPa",
@@ -78,10 +79,10 @@ void add_study(Table& table) {
                             const char* palette, bool progressive) {
         table.flow(name, title, description, unit, palette, progressive).zero_is_blank = true;
     };
-    of_all("mean_max_depth", "Mean maximum depth", "Mean of the maximum depth, 0 where a run did not arrive", "m",
-           "depth", k_progressive);
-    of_all("deviation_max_depth", "Deviation of the maximum depth", "Standard deviation of the maximum depth", "m",
-           "depth", k_progressive);
+    of_all("mean_max_depth", "Mean maximum depth", "Mean of the maximum depth, vertical, 0 where a run did not arrive",
+           "m", "depth", k_progressive);
+    of_all("deviation_max_depth", "Deviation of the maximum depth", "Standard deviation of the maximum depth, vertical",
+           "m", "depth", k_progressive);
     of_all("mean_max_velocity", "Mean maximum velocity", "Mean of the maximum speed, 0 where a run did not arrive",
            "m/s", "velocity", k_even);
     of_all("deviation_max_velocity", "Deviation of the maximum velocity", "Standard deviation of the maximum speed",
@@ -138,6 +139,13 @@ void set_classes_by_unit(std::vector<ResultRaster>& rows) {
         for (const QuantityClasses& quantity : quantity_classes())
             if (row.is_drawn() && row.classes.empty() && !row.unit.empty() && quantity.unit == row.unit)
                 row.classes = quantity.name;
+}
+
+/// The flow's depths, whose direction output.depth chooses; what is released, eroded and deposited stays vertical.
+void set_flow_depths(std::vector<ResultRaster>& rows) {
+    for (ResultRaster& row : rows)
+        row.is_flow_depth = row.kind != RasterKind::given && !depth_direction(row.description).empty() &&
+                            !row.name.starts_with("eroded") && !row.name.starts_with("deposited");
 }
 
 std::vector<ResultRaster> make_table() {
@@ -231,9 +239,10 @@ std::vector<ResultRaster> make_table() {
     add_region(table);
     table.by("converge", "after `frana converge`");
     table.add("uncertainty", RasterKind::flow, "Estimated error of the maximum depth",
-              "Estimated discretisation error of the maximum depth", "m", "velocity", k_progressive);
+              "Estimated discretisation error of the maximum depth, vertical", "m", "velocity", k_progressive);
     table.rows.back().classes = "error";
     set_classes_by_unit(table.rows);
+    set_flow_depths(table.rows);
     return table.rows;
 }
 
@@ -258,6 +267,22 @@ std::string text_for(const ResultRaster& row, const std::string& text, const std
     std::string value = name.substr(row.name.size() + 1);
     if (value.size() == 2 && value.front() == '0') value.erase(0, 1);
     return std::string(text).replace(place, 2, value);
+}
+
+std::string directed_description(const ResultRaster& row, const std::string& name, const std::string& direction) {
+    std::string text = text_for(row, row.description, name);
+    if (row.is_flow_depth) text.replace(text.rfind(k_vertical), std::string(k_vertical).size(), direction);
+    return text;
+}
+
+std::string description_of(const ResultRaster& row, const std::string& name, const OutputSpec& output) {
+    return directed_description(row, name, output.depth == k_normal_depth ? k_normal : k_vertical);
+}
+
+std::string depth_direction(const std::string& description) {
+    for (const char* direction : {k_vertical, k_normal})
+        if (description.find(std::string(", ") + direction) != std::string::npos) return direction;
+    return "";
 }
 
 std::string raster_of_map(const std::string& map) {

@@ -6,6 +6,7 @@
 
 namespace frana {
 
+struct OutputSpec;
 struct SceneSpec;
 
 /// A raster that a result may contain as NAME.tif, or as one NAME_VALUE.tif for each of some values. The one list, from
@@ -36,6 +37,7 @@ struct ResultRaster {
     bool has_view = false;         ///< output.maps = on draws a view as well as a map
     bool by_value = false;         ///< one for each value (a threshold, a key), which takes the place of {} in texts
     bool zero_is_blank = false;    ///< 0 is a value, and nothing is drawn there
+    bool is_flow_depth = false;    ///< measured as output.depth says; its description has k_vertical
     std::vector<double> bounds{};  ///< of its classes, whatever the scene; empty: those of `classes`
     std::string classes{};         ///< row of quantity_classes() (params/keys/classes.h); empty: from its values
 
@@ -60,6 +62,16 @@ inline constexpr StudyQuantile k_study_quantiles[] = {{0.05, "05"}, {0.5, "50"},
 const ResultRaster* find_result_raster(const std::string& name);
 /// Returns the title or description of a raster of this row: {} replaced by the value in its name, 05 as 5.
 std::string text_for(const ResultRaster& row, const std::string& text, const std::string& name);
+
+/// In the description of a depth or thickness; with output.depth = normal, that of a flow's depth is the other.
+inline constexpr const char* k_vertical = "vertical";
+inline constexpr const char* k_normal = "normal to the bed";
+/// Returns text_for(row, row.description, name), with the direction in which depths are measured.
+std::string description_of(const ResultRaster& row, const std::string& name, const OutputSpec& output);
+/// The same; `direction`: k_vertical or k_normal.
+std::string directed_description(const ResultRaster& row, const std::string& name, const std::string& direction);
+/// Returns k_vertical, k_normal, or nothing for what is no depth, from the description of a band.
+std::string depth_direction(const std::string& description);
 
 /// Ending of the name of a map that is a perspective view.
 inline constexpr const char* k_view_ending = "_3d";

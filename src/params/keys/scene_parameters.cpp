@@ -155,6 +155,9 @@ void add_rest(std::vector<Parameter>& list) {
                           "Wall time between checkpoints for --resume; 0: only at the run's last step."));
     list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m", Range{1e-6, 100},
                           "Depth above which ground counts as covered in outlines, covered area and run-out."));
+    list.push_back(choice("output.depth", FRANA_MEMBER(output.depth), {"vertical", k_normal_depth},
+                          "Direction in which the flow's depth is measured in rasters, maps, classes and thresholds: "
+                          "vertical, or normal to the bed. Gauges and cross-sections are always vertical."));
     add_pictures(list);
     add_extra_output(list);
     add_hazard(list);

@@ -138,6 +138,8 @@ struct TimeSpec : TimeValues {
 
 /// output.language: that of the locale of the process that prepares the scene.
 inline constexpr const char* k_language_of_locale = "auto";
+/// Value of output.depth.
+inline constexpr const char* k_normal_depth = "normal";
 
 /// [output]
 struct OutputSpec {
@@ -148,6 +150,7 @@ struct OutputSpec {
     std::vector<std::string> formats{"geotiff"};
     double checkpoint_interval = 600;
     double trace_threshold = k_trace_threshold;
+    std::string depth = "vertical";  ///< or "normal" to the bed: of rasters, maps and classes
     std::string map_size = "1600x1200";
     std::vector<std::string> map_formats{"png"};
     std::string map_legend = "classed";
