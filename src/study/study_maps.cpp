@@ -136,6 +136,27 @@ std::vector<Raster> upper_bounds(const std::vector<Raster>& probability, const s
     return bounds;
 }
 
+std::vector<std::optional<Raster>> upper_quantiles(const FinishedMembers& closed, double open_weight, Quantity quantity,
+                                                   const GridSpec& grid) {
+    std::vector<std::optional<Raster>> bounds;
+    std::vector<double> fractions;  // of the closed runs
+    for (const StudyQuantile& quantile : k_study_quantiles) {
+        fractions.push_back(quantile.fraction / (1 - open_weight));
+        const bool is_bounded = closed.size() > 0 && fractions.back() <= 1;
+        bounds.push_back(is_bounded ? std::optional(Raster(grid, k_no_data)) : std::nullopt);
+    }
+    if (closed.size() == 0) return bounds;
+    std::vector<std::size_t> order;
+    for_each_reached_cell(closed, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        for (std::size_t q = 0; q < bounds.size(); ++q) {
+            if (!bounds[q]) continue;
+            const double value = weighted_quantile(values, closed.weights, fractions[q], order);
+            if (value > 0) bounds[q]->values[cell] = value;
+        }
+    });
+    return bounds;
+}
+
 MapError map_error(const std::vector<Raster>& errors) {
     ErrorSummary all;
     for (const Raster& raster : errors)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,13 @@ struct OpenRun {
 /// @param probability of each threshold, of the runs that count
 std::vector<Raster> upper_bounds(const std::vector<Raster>& probability, const std::vector<OpenRun>& open,
                                  Quantity quantity, const std::vector<double>& thresholds, const GridSpec& grid);
+
+/// Returns an upper bound of each of k_study_quantiles of depth or velocity: every open run exceeds everything,
+/// everywhere. None for a quantile beyond the weight of the others, which then has no bound.
+/// @param closed the runs that are not open
+/// @param open_weight of the open ones, as OpenRun::weight
+std::vector<std::optional<Raster>> upper_quantiles(const FinishedMembers& closed, double open_weight, Quantity quantity,
+                                                   const GridSpec& grid);
 
 /// Greatest and mean of the standard errors of probabilities over the cells where they are not 0.
 struct MapError {

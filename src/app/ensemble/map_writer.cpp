@@ -35,6 +35,18 @@ void MapWriter::write_probability(const std::string& name, const Raster& probabi
     write(name, bands);
 }
 
+void MapWriter::write_quantile(const std::string& name, const Raster& quantile,
+                               const std::optional<Raster>& upper) const {
+    gis::RasterBand band = band_of(name, quantile);
+    band.text.description += upper ? ", at least" : ", at least; without an upper bound";
+    std::vector<gis::RasterBand> bands{band};
+    if (upper)
+        bands.push_back({*upper,
+                         {name + "_upper", "Upper bound of the quantile: runs that were cut or failed could have come",
+                          band.text.unit, metadata_}});
+    write(name, bands);
+}
+
 gis::RasterBand MapWriter::band_of(const std::string& name, const Raster& raster) const {
     const ResultRaster& row = *find_result_raster(name);
     return {raster, {name, description_of(row, name, output_), row.unit, metadata_}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "app/input/prepare.h"
@@ -21,6 +22,9 @@ class MapWriter {
     /// With its standard error as second band; 0, not nodata, where nothing came.
     void write_probability(const std::string& name, const Raster& probability, const Raster& error,
                            const Raster* upper = nullptr) const;
+
+    /// With its upper bound as second band, NaN where it has none.
+    void write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper) const;
 
   private:
     [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;

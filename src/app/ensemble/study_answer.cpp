@@ -81,11 +81,19 @@ std::string varied(const StudyInput& input, const Words& words) {
 std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
     const ReportNumbers number(words);
     std::string text;
-    if (const auto run_out = spread_of(result, k_run_out_key))
-        text = words(
-            "In half of the runs the material comes more than {1} m far in map view, in 5 % of them less than {2} m "
-            "and in 5 % more than {3} m.",
-            {number.grouped(run_out->median), number.grouped(run_out->low), number.grouped(run_out->high)});
+    if (const auto run_out = spread_of(result, k_run_out_key)) {
+        const std::vector<std::string> numbers{number.grouped(run_out->median), number.grouped(run_out->low),
+                                               number.grouped(run_out->high)};
+        text = facts.troubles.unfinished() > 0
+                   ? words(
+                         "In at least half of the runs the material comes more than {1} m far in map view, in at most "
+                         "5 % of them less than {2} m and in at least 5 % more than {3} m.",
+                         numbers)
+                   : words(
+                         "In half of the runs the material comes more than {1} m far in map view, in 5 % of them less "
+                         "than {2} m and in 5 % more than {3} m.",
+                         numbers);
+    }
     if (facts.reached_m2.size() == std::size(k_study_quantiles))
         text += " " + words(
                           "Deeper than {1} m at some time are {2} m² with a probability of at least 95 %, {3} m² "
@@ -159,7 +167,12 @@ std::string figures_table(const StudyResult& result, const Words& words) {
     const std::vector<double>& weights = result.finished.weights;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
-        const auto quantile = [&](double q) { return number.of_any_size(figure_quantile(values, weights, q)); };
+        const auto quantile = [&](double q) {
+            const double value = figure_quantile(values, weights, q);
+            const auto upper = result.upper_quantile(f, q);
+            const bool is_bound = !upper || *upper > value;  // runs that were cut or failed may exceed it
+            return (is_bound ? "> " : "") + number.of_any_size(value);
+        };
         const study::Figure& figure = result.figures()[f];
         table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
                    number.of_any_size(weighted_mean(values, weights)), quantile(0.05), quantile(0.5), quantile(0.95)});

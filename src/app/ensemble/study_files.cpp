@@ -32,9 +32,18 @@ namespace frana::app {
 namespace {
 
 /// Quantiles and moments, of depth and velocity alone.
-void write_distribution(const study::QuantityMaps& maps, const std::string& name, const MapWriter& writer) {
-    for (std::size_t q = 0; q < maps.quantile.size(); ++q)
-        writer.write("quantile_max_" + name + "_" + k_study_quantiles[q].name, maps.quantile[q]);
+void write_distribution(const StudyResult& result, const study::QuantityMaps& maps, study::Quantity quantity,
+                        const std::string& name, const MapWriter& writer) {
+    const bool is_open = result.open_weight > 0;
+    const auto upper = is_open ? study::upper_quantiles(result.closed, result.open_weight, quantity, result.grid)
+                               : std::vector<std::optional<Raster>>{};
+    for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
+        const std::string file = "quantile_max_" + name + "_" + k_study_quantiles[q].name;
+        if (is_open)
+            writer.write_quantile(file, maps.quantile[q], upper[q]);
+        else
+            writer.write(file, maps.quantile[q]);
+    }
     writer.write("mean_max_" + name, maps.mean);
     writer.write("deviation_max_" + name, maps.deviation);
 }
@@ -137,7 +146,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
             writer.write_probability(events.rasters[t], maps.probability[t], maps.error[t],
                                      open.empty() ? nullptr : &upper[t]);
         if (events.quantity == study::Quantity::depth) {
-            write_distribution(maps, "depth", writer);
+            write_distribution(result, maps, events.quantity, "depth", writer);
             writer.write("hit_count", maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -146,7 +155,8 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                     facts.reached_m2.push_back(area_at_least(maps.probability.front(), quantile.fraction));
             }
         }
-        if (events.quantity == study::Quantity::velocity) write_distribution(maps, "velocity", writer);
+        if (events.quantity == study::Quantity::velocity)
+            write_distribution(result, maps, events.quantity, "velocity", writer);
         std::move(maps.error.begin(), maps.error.end(), std::back_inserter(errors));
     }
     const study::QuantityMaps arrival =

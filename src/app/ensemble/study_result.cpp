@@ -105,6 +105,14 @@ std::vector<double> StudyResult::figure(std::size_t index) const {
     return values;
 }
 
+std::optional<double> StudyResult::upper_quantile(std::size_t index, double q) const {
+    if (open_weight == 0) return figure_quantile(figure(index), finished.weights, q);
+    if (q / (1 - open_weight) > 1 || closed_at.empty()) return std::nullopt;
+    std::vector<double> values;
+    for (const std::size_t place : closed_at) values.push_back(members[place].figures[index].value);
+    return figure_quantile(values, closed.weights, q / (1 - open_weight));
+}
+
 const std::vector<study::Figure>& StudyResult::figures() const {
     static const std::vector<study::Figure> k_none;
     return finished_at.empty() ? k_none : members[finished_at.front()].figures;
@@ -112,6 +120,7 @@ const std::vector<study::Figure>& StudyResult::figures() const {
 
 StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count) {
     StudyResult result;
+    double open = 0, all = 0;
     for (std::size_t member = 0; member < count; ++member) {
         const std::string file = record_file(folder, member);
         auto record = own_record(input, folder, member);
@@ -120,9 +129,20 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
                                                         "--resume computes that member again"});
         result.members.push_back({member, record->failure, std::move(record->end), std::move(record->figures),
                                   record->engine_seconds, record->particle_steps, record->grid().bounds()});
-        if (record->finished() && input.level_draws.empty())
+        if (!input.level_draws.empty()) continue;
+        const MemberResult& one = result.members.back();
+        const bool is_open = one.end.is_open() || !one.failure.empty();
+        const double weight = input.table.weights[member];
+        if (one.failure.empty())
             add_finished(input, folder, member, result.members.size() - 1, result.finished, result.finished_at);
+        if (is_open)
+            open += weight;
+        else
+            add_finished(input, folder, member, result.members.size() - 1, result.closed, result.closed_at);
+        all += weight;
     }
+    if (open > 0) result.open_weight = open / all;
+    scale_weights(result.closed);
     if (input.level_draws.empty())
         scale_weights(result.finished);
     else

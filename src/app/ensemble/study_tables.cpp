@@ -159,6 +159,13 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                                                     {"q05", figure_quantile(values, weights, 0.05)},
                                                     {"q50", figure_quantile(values, weights, 0.5)},
                                                     {"q95", figure_quantile(values, weights, 0.95)}};
+        if (!(result.open_weight > 0)) continue;
+        // Runs that were cut or failed may have come farther: null is "more than q".
+        Json& upper = json["figures"][result.figures()[f].key]["upper_bound"];
+        for (const auto& [name, q] : {std::pair{"q05", 0.05}, {"q50", 0.5}, {"q95", 0.95}}) {
+            const auto bound = result.upper_quantile(f, q);
+            upper[name] = bound ? Json(*bound) : Json();
+        }
     }
     if (const auto& median = facts.median)
         json["median_member"] = {{"member", median->member},

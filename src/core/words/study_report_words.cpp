@@ -39,6 +39,18 @@ constexpr auto k_study_report_words = std::to_array<WordRow>({
     {"{1}. All other values are those of the scene {2}.", "{1}. Tutti gli altri valori sono quelli della scena {2}.",
      "{1}. Alle anderen Werte sind die der Szene {2}.", "{1}. Toutes les autres valeurs sont celles de la scène {2}.",
      "{1}. Todos los demás valores son los de la escena {2}."},
+    {"In at least half of the runs the material comes more than {1} m far in map view, in at most 5 % of them less "
+     "than "
+     "{2} m and in at least 5 % more than {3} m.",
+     "In almeno metà delle simulazioni il materiale percorre più di {1} m in pianta, al massimo nel 5 % di esse meno "
+     "di {2} m e in almeno il 5 % più di {3} m.",
+     "In mindestens der Hälfte der Läufe kommt das Material im Grundriss weiter als {1} m, in höchstens 5 % von ihnen "
+     "weniger als {2} m und in mindestens 5 % mehr als {3} m.",
+     "Dans au moins la moitié des calculs le matériau parcourt plus de {1} m en plan, dans au plus 5\u202F% d’entre "
+     "eux "
+     "moins de {2} m et dans au moins 5\u202F% plus de {3} m.",
+     "En al menos la mitad de las simulaciones el material recorre más de {1} m en planta, como máximo en el 5 % de "
+     "ellas menos de {2} m y al menos en el 5 % más de {3} m."},
     {"In half of the runs the material comes more than {1} m far in map view, in 5 % of them less than {2} m and in 5 "
      "% more than {3} m.",
      "In metà delle simulazioni il materiale percorre più di {1} m in pianta, nel 5 % di esse meno di {2} m e nel 5 % "
