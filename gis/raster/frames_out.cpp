@@ -11,6 +11,7 @@
 #include "gis/access/gdal_session.h"
 #include "gis/access/time_origin.h"
 #include "gis/raster/raster_out.h"
+#include "gis/raster/raster_text.h"
 #include "gis/raster/zarr_metadata.h"
 
 namespace frana::gis {

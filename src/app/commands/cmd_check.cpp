@@ -21,6 +21,7 @@
 #include "app/commands/writing_forecast.h"
 #include "app/input/check_exposure.h"
 #include "app/input/check_ground.h"
+#include "app/input/check_release.h"
 #include "app/input/memory_bound.h"
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
@@ -35,6 +36,7 @@
 #include "app/text/text_table.h"
 #include "core/shortest_text.h"
 #include "params/keys/zone_keys.h"
+#include "simulation/release.h"
 #include "simulation/simulation.h"
 #include "study/read_calibration.h"
 #include "study/read_region.h"
@@ -211,6 +213,10 @@ int cmd_check(const Arguments& arguments) {
     }
     compare_volumes(prepared.release.file_volume, expected.volume, log);
     warn_of_thin_release(expected, prepared.scene, log);
+    if (!prepared.scene.release.empty()) {
+        const Release release = make_release(prepared.scene);
+        warn_of_release(release.bed, release.depth, release.areas, expected.particles, log);
+    }
     if (trial && trial->path) warn_of_path_ground(*trial->path, log);
     if (const auto& exposed = prepared.extra.exposure)
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);

@@ -19,6 +19,10 @@ namespace {
 
 // A few cells suffice to locate the problem; all would hide the message.
 constexpr int k_cells_named = 5;
+constexpr double k_high_step = 30;     // of the surface of a release between two cells, without a warning [m]
+constexpr double k_steep_step = 1.75;  // and its slope: 60 degrees
+constexpr double k_stout = 0.5;        // mean thickness of a release, of its width
+constexpr std::int64_t k_few_particles = 300;
 
 /// Counts the covered cells that satisfy a test, and lists the first few by row, column and coordinates.
 struct CellList {
@@ -196,6 +200,30 @@ void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& lo
         log.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
 }
 
+/// The greatest step of a release's surface that the bed below does not have.
+struct SurfaceStep {
+    double height = 0;  ///< [m]
+    Point place;        ///< of the higher cell
+};
+
+SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
+    SurfaceStep greatest;
+    const GridSpec& grid = release.grid;
+    release.values.for_each_stored([&](std::size_t cell, double thickness) {
+        if (!(thickness > 0)) return;
+        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
+                   column = static_cast<std::int64_t>(cell) % grid.columns;
+        for (const auto& [r, c] :
+             {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
+            if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns) continue;
+            const double beside = release.at(r, c), fall = bed.values[cell] - bed.at(r, c);
+            const double height = thickness - (beside > 0 ? beside : 0) + std::min(fall, 0.0);
+            if (height > greatest.height) greatest = {height, grid.cell_centre(row, column)};
+        }
+    });
+    return greatest;
+}
+
 }  // namespace
 
 MultiPolygon all_outlines(const ReleaseInput& release) {
@@ -244,6 +272,29 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     check_map_scale(reading, outlines, problems);
     check_difference(reading, ground, release, cover, log, problems);
     check_overlap(release, ground.terrain.grid, log);
+}
+
+void warn_of_release(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
+                     std::int64_t particles, RunLog& log) {
+    const SurfaceStep step = greatest_step(bed, release);
+    if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
+        log.warn(worded(
+            "the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a raster of "
+            "thickness that lies half a cell off the DTM does that, and the first speeds come from this step",
+            {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
+    for (const ReleasedArea& area : areas) {
+        const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
+        if (thickness <= k_stout * width) continue;
+        log.warn(
+            worded("a release of {1} m2 is {2} m thick on average: the equations hold for masses much wider than "
+                   "thick",
+                   {numeral(grouped(area.area)), numeral(number_text(thickness, 3))}));
+    }
+    if (particles > 0 && particles < k_few_particles)
+        log.warn(
+            worded("the run starts with {1} particles only: area and run-out change much with smaller cells; "
+                   "reduce terrain.cell-size, and see frana converge",
+                   {std::to_string(particles)}));
 }
 
 }  // namespace frana::app

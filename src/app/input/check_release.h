@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/input/prepare_release.h"
+#include "simulation/result.h"
 
 namespace frana::app {
 
@@ -18,5 +19,11 @@ MultiPolygon all_outlines(const ReleaseInput& release);
 /// `where`: the outline's key.
 void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
                       const std::string& where, RunLog& log);
+
+/// Warns of a release that no slope has, or that is too small for its cells.
+/// @param release vertical thickness on the grid of `bed` [m]
+/// @param particles at the start; 0: it fails later
+void warn_of_release(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
+                     std::int64_t particles, RunLog& log);
 
 }  // namespace frana::app

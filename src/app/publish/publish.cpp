@@ -9,6 +9,7 @@
 #include "app/compare/comparison.h"
 #include "app/compare/comparison_input.h"
 #include "app/input/check_ground.h"
+#include "app/input/check_release.h"
 #include "app/input/scene_language.h"
 #include "app/input/thickness_volume.h"
 #include "app/input/thin_release.h"
@@ -40,11 +41,7 @@ namespace {
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 constexpr double k_energy_error = 0.005;   // greatest rise of energy without a warning, of the work of gravity
-constexpr double k_high_step = 30;         // of the surface of a release between two cells, without a warning [m]
-constexpr double k_steep_step = 1.75;      // and its slope: 60 degrees
-constexpr double k_stout = 0.5;            // mean thickness of a release, of its width
-constexpr std::int64_t k_few_particles = 300;
-constexpr double k_claimed_share = 2;  // of a deep cell at the end, without a warning
+constexpr double k_claimed_share = 2;      // of a deep cell at the end, without a warning
 
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
@@ -144,53 +141,6 @@ void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
     log.note(std::to_string(run_outs.size()) + " separate flows with run-outs from " +
              grouped(run_outs.back().horizontal_m) + " to " + grouped(run_outs.front().horizontal_m) +
              " m; maps and tables show the longest, summary.json lists all");
-}
-
-/// The greatest step of a release's surface that the bed below does not have.
-struct SurfaceStep {
-    double height = 0;  ///< [m]
-    Point place;        ///< of the higher cell
-};
-
-SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
-    SurfaceStep greatest;
-    const GridSpec& grid = release.grid;
-    release.values.for_each_stored([&](std::size_t cell, double thickness) {
-        if (!(thickness > 0)) return;
-        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
-                   column = static_cast<std::int64_t>(cell) % grid.columns;
-        for (const auto& [r, c] :
-             {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
-            if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns) continue;
-            const double beside = release.at(r, c), fall = bed.values[cell] - bed.at(r, c);
-            const double height = thickness - (beside > 0 ? beside : 0) + std::min(fall, 0.0);
-            if (height > greatest.height) greatest = {height, grid.cell_centre(row, column)};
-        }
-    });
-    return greatest;
-}
-
-/// Warns of a release that no slope has, or that is too small for its cells.
-void warn_of_release(const RunResult& result, RunLog& log) {
-    const SurfaceStep step = greatest_step(result.bed, result.release);
-    if (step.height > std::max(k_high_step, k_steep_step * result.release.grid.cell_size))
-        log.warn(worded(
-            "the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a raster of "
-            "thickness that lies half a cell off the DTM does that, and the first speeds come from this step",
-            {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
-    for (const ReleasedArea& area : result.released) {
-        const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
-        if (thickness <= k_stout * width) continue;
-        log.warn(
-            worded("a release of {1} m2 is {2} m thick on average: the equations hold for masses much wider than "
-                   "thick",
-                   {numeral(grouped(area.area)), numeral(number_text(thickness, 3))}));
-    }
-    if (result.particles_initial > 0 && result.particles_initial < k_few_particles)
-        log.warn(
-            worded("the run starts with {1} particles only: area and run-out change much with smaller cells; "
-                   "reduce terrain.cell-size, and see frana converge",
-                   {std::to_string(result.particles_initial)}));
 }
 
 void warn_of_energy(const RunResult& result, RunLog& log) {
@@ -340,7 +290,7 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     warn_of_motion(prepared, result, log);
     warn_of_thin_flow(prepared, result, log);
     warn_of_empty_trace(prepared, result, log);
-    warn_of_release(result, log);
+    warn_of_release(result.bed, result.release, result.released, result.particles_initial, log);
     warn_of_energy(result, log);
     warn_of_claims(result, log);
     const double shown = result.volume_shown;

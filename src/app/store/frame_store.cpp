@@ -15,6 +15,7 @@
 #include "core/utf8.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
+#include "gis/raster/raster_text.h"
 #include "gis/vector/points_out.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
@@ -228,8 +229,7 @@ void FrameWriter::cut_to(const CellWindow& window) {
             });
             continue;
         }
-        gis::BandText text = band_text(name.substr(0, name.rfind('_')));
-        text.metadata = metadata_;
+        gis::BandText text = band_text(name.substr(0, name.rfind('_')), metadata_);
         text.metadata["TIME_S"] = shortest_text(times_[frame_index(name).value()]);
         gis::write_geotiff((cut / name).string(),
                            frana::cut_to(gis::read_result_raster((folder / name).string()), window), text,
