@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "simulation/simulation.h"
 
@@ -56,6 +57,33 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     }
     EXPECT_GE(seen, 1.9);
     EXPECT_LT(seen, 4);
+}
+
+// From the last frame's particles, each of which covers its volume over its depth.
+TEST(Run, TheMostClaimedCellIsThatOfItsParticles) {
+    Scene scene = slide();
+    PointTable particles;
+    RunOptions options;
+    options.particles_in_frames = true;
+    options.on_frame = [&](const Frame& frame) { particles = frame.particles; };
+    const RunResult result = run(scene, options);
+    std::map<std::pair<std::int64_t, std::int64_t>, std::pair<double, double>> cells;  // volume and area
+    const std::vector<double>&volume = *particles.find("volume_m3"), &depth = *particles.find("depth_m");
+    for (std::size_t p = 0; p < volume.size(); ++p) {
+        const Point place = particles.places[p];
+        auto& [volumes, areas] = cells[{static_cast<std::int64_t>((place.x - scene.grid.west) / 2),
+                                        static_cast<std::int64_t>((scene.grid.north - place.y) / 2)}];
+        volumes += volume[p];
+        areas += volume[p] / depth[p];
+    }
+    double greatest = 0;
+    for (const auto& [cell, sums] : cells)
+        if (sums.first / 4 > 1) greatest = std::max(greatest, sums.second / 4);
+    ASSERT_TRUE(result.most_claimed);
+    EXPECT_NEAR(result.most_claimed->share, greatest, 1e-9);
+    EXPECT_GT(result.most_claimed->depth, 1);
+    EXPECT_GT(result.most_claimed->share, 0.5);
+    EXPECT_LT(result.most_claimed->share, 2);  // a pile that lies as it should is not warned of
 }
 
 TEST(Run, NothingMovesBelowTheFrictionBound) {

@@ -59,6 +59,17 @@ TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
     for (std::size_t i = 0; i < upper.values.size(); ++i) EXPECT_GE(upper.values[i], maps.probability[0].values[i]);
 }
 
+// One of five runs is open: half of all is 5/8 of the others, and the 95 % quantile has no bound.
+TEST_F(Cells, AQuantileIsBoundedByTheRunsThatEnded) {
+    for (const float depth : {1, 2, 3, 4}) add(record(0, {depth}));
+    const auto upper = upper_quantiles(members_, 0.2, Quantity::depth, grid_);
+    ASSERT_TRUE(upper[0] && upper[1]);
+    EXPECT_EQ(upper[0]->at(0, 0), 1);
+    EXPECT_EQ(upper[1]->at(0, 0), 3);
+    EXPECT_FALSE(upper[2]);
+    EXPECT_EQ(quantity_maps(members_, Quantity::depth, grid_, {}).quantile[1].at(0, 0), 2);
+}
+
 TEST_F(Cells, WeightsCountAsCopiesOfMembers) {
     add(record(0, {1}));
     add(record(0, {2}));

@@ -119,6 +119,17 @@ TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
     EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
 }
 
+TEST_F(Calibrate, SaysThatItsRunsLeftTheGround) {
+    write_study("samples = 4\nrefine = 4\n", k_jaccard + k_two_keys,
+                "[set]\nterrain.bounds = 527000 5094000 527100 5094150\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_GT(summary["run_troubles"]["left_ground"], 4);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("runs left the computed ground"), std::string::npos);
+    EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
+}
+
 TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
     write_study("samples = 256\nrefine = 192\n", k_jaccard + k_two_keys);
     const Outcome outcome = run();

@@ -115,6 +115,24 @@ TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
     EXPECT_EQ(files(), before);
 }
 
+// Of the finished result, within a factor of two; the time only as far as it can be known to be the sum of its parts.
+TEST_F(Command, CheckForeseesTheDiskAndTheWholeCommand) {
+    for (const std::string& more :
+         {std::string(), std::string("[output]\nmaps = off\nanimation = off\nreport = off\n")}) {
+        write_scene("frame-interval = 1\n" + more);
+        const Outcome check = frana({"check", "scene.ini", "--json"});
+        ASSERT_EQ(check.exit_code, 0) << check.err;
+        ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"}).exit_code, 0);
+        double bytes = 0;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(path("result")))
+            if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
+        EXPECT_GT(json_number(check.out, "disk_bytes"), bytes / 2) << more;
+        EXPECT_LT(json_number(check.out, "disk_bytes"), bytes * 2) << more;
+        EXPECT_GT(json_number(check.out, "engine_seconds"), 0);
+        EXPECT_GT(json_number(check.out, "estimated_seconds"), json_number(check.out, "engine_seconds"));
+    }
+}
+
 TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "output.maps=off", "--set",

@@ -313,6 +313,12 @@ TEST_F(Ensemble, RunsThatLeaveTheGroundAreTold) {
     EXPECT_NE(summary["warnings"][0].get<std::string>().find("4 of 4 runs left the computed ground"),
               std::string::npos);
     for (const auto& row : members()) EXPECT_GT(std::stod(row.at("left_domain_fraction")), 0.5);
+    // All runs are open: nobody knows how far any of them would have come.
+    for (const char* quantile : {"q05", "q50", "q95"})
+        EXPECT_TRUE(summary["figures"]["runout_m"]["upper_bound"][quantile].is_null()) << quantile;
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/quantile_max_depth_95.tif").c_str()));
+    EXPECT_NE(std::string(file->GetRasterBand(1)->GetDescription()).find("at least; without an upper bound"),
+              std::string::npos);
 }
 
 // Records were believed by their files' names: two that were exchanged exchanged their figures.

@@ -296,6 +296,21 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
     EXPECT_EQ(batch({"--overwrite", "--strict"}).exit_code, 3);
 }
 
+// Windows of 10 m round slopes whose flows come 100 m far.
+TEST_F(Region, SlopesThatLeaveTheirWindowsAreTold) {
+    write_slopes(three());
+    write("region.ini", std::regex_replace((write_region(), read_text(path("region.ini"))), std::regex("window = 90"),
+                                           "window = 10"));
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["left_ground"], 3);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("3 of 3 runs left the computed ground"),
+              std::string::npos);
+    for (const auto& row : members()) EXPECT_GT(std::stod(row.at("left_domain_fraction")), 0.5);
+    EXPECT_EQ(batch({"--overwrite", "--strict"}).exit_code, 3);
+}
+
 // One text makes the whole column one of texts.
 TEST_F(Region, OneTextInAColumnFailsThatSlopeAloneByItsNumberInTheFile) {
     std::vector<TestSlope> slopes = three();

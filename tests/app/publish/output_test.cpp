@@ -376,6 +376,10 @@ TEST_F(Output, DoubtfulReleasesAreWarnings) {
     run(k_quiet, {"release.thickness=45"});
     for (const std::string& words : {step, stout}) EXPECT_TRUE(warns(words)) << words;
     EXPECT_FALSE(warns(few));
+    const Outcome check = frana({"check", "scene.ini", "--json", "--set", "release.thickness=45"});
+    ASSERT_EQ(check.exit_code, 0) << check.err;
+    for (const std::string& words : {step, stout}) EXPECT_TRUE(json_lists(check.out, "warnings", words)) << words;
+    EXPECT_FALSE(json_lists(check.out, "warnings", few));
     EXPECT_TRUE(energy_is_told());
     write_polygon("small", {{20, 55}, {35, 55}, {35, 70}, {20, 70}});
     run(k_quiet, {"release.perimeter=small.geojson"});
@@ -438,6 +442,78 @@ TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {
             const double vertical = depth.has_data(row, column) ? depth.at(row, column) : 0;
             ASSERT_NEAR(normal.at(row, column), vertical * cosine, 2e-5 * (1 + vertical)) << row << ' ' << column;
         }
+    }
+}
+
+// The slope falls 1 in 2 as far as column 39 (cosine 1 / sqrt(1.25)), is level from column 41 on.
+TEST_F(Output, DepthsNormalToTheBedAreTheVerticalOnesTimesTheCosineOfTheSlope) {
+    const std::string maps =
+        "frame-interval = 2\n[output]\nmaps = max_depth, hazard\nmap-formats = svg\nanimation = off\n"
+        "formats = geotiff, netcdf\n[hazard]\nscheme = swiss-debris-flow\n";
+    run(maps);
+    fs::rename(path("result"), path("vertical"));
+    run(maps, {"output.depth=normal"});
+    const double cosine = 1 / std::sqrt(1.25);
+    for (const std::string name : {"max_depth.tif", "final_depth.tif", "frames/depth_0001.tif", "max_flux.tif",
+                                   "max_velocity.tif", "release.tif"}) {
+        if (name == "max_flux.tif" && !fs::exists(path("vertical/" + name))) continue;
+        const bool is_depth = name.find("depth") != std::string::npos || name == "max_flux.tif";
+        const Raster normal = raster(name), vertical = gis::read_result_raster(path("vertical/" + name));
+        int cells = 0;
+        for (std::int64_t row = 0; row < k_rows; ++row) {
+            for (std::int64_t column = 0; column < k_columns; ++column) {
+                ASSERT_EQ(normal.has_data(row, column), vertical.has_data(row, column));
+                if (!normal.has_data(row, column) || column == 39 || column == 40) continue;
+                const double factor = is_depth && column < 39 ? cosine : 1;
+                // Float32 in the file, and six digits of the grid's text.
+                ASSERT_NEAR(normal.at(row, column), vertical.at(row, column) * factor,
+                            2e-5 * (1 + vertical.at(row, column)))
+                    << name << ' ' << row << ' ' << column;
+                ++cells;
+            }
+        }
+        EXPECT_GT(cells, 50) << name;
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/" + name).c_str()));
+        const std::string band = file->GetRasterBand(1)->GetDescription();
+        EXPECT_EQ(band.find(", normal to the bed") != std::string::npos, is_depth && name != "max_flux.tif") << band;
+        EXPECT_STREQ(file->GetMetadataItem("DEPTH"), "normal to the bed");
+    }
+    // Classes are those of the rasters written; volumes are those of vertical depths.
+    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif");
+    for (std::size_t i = 0; i < classes.values.size(); ++i)
+        ASSERT_EQ(!std::isnan(classes.values[i]), depth.values[i] > 0.1F) << i;
+    const auto number = [&](const std::string& folder, const std::string& key) {
+        return json_number(read_text(path(folder + "/summary.json")), key);
+    };
+    EXPECT_EQ(number("result", "final_depth_raster_m3"), number("vertical", "final_depth_raster_m3"));
+    EXPECT_NEAR(number("result", "max_depth_m"), maximum(depth), 1e-6);
+    EXPECT_LT(number("result", "max_depth_m"), number("vertical", "max_depth_m"));
+    EXPECT_EQ(json_text(text("summary.json"), "depth_direction"), "normal to the bed");
+    const auto deposit = [&](const std::string& folder) {
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path(folder + "/extent.gpkg").c_str(), GDAL_OF_VECTOR));
+        const OGRFeatureUniquePtr feature(file->GetLayerByName("deposit")->GetNextFeature());
+        return feature->GetFieldAsDouble("volume_m3");
+    };
+    EXPECT_NEAR(deposit("result"), deposit("vertical"),
+                0.02 * deposit("vertical"));  // a thinner film counts as deposit
+    for (const std::string map : {"maps/max_depth.svg", "maps/hazard.svg"})
+        EXPECT_NE(text(map).find("normal to the bed"), std::string::npos) << map;
+    EXPECT_NE(read_text(path("vertical/maps/max_depth.svg")).find("vertical"), std::string::npos);
+    const GDALDatasetUniquePtr netcdf(GDALDataset::Open(("NETCDF:" + path("result/frames.nc") + ":depth").c_str()));
+    ASSERT_TRUE(netcdf);
+    EXPECT_STREQ(netcdf->GetRasterBand(1)->GetMetadataItem("long_name"), "flow depth, normal to the bed");
+}
+
+// 2 m normal to a slope of 1 in 2 are sqrt(1.25) times as thick vertically.
+TEST_F(Output, TheThicknessOfAReleaseIsGivenInBothDirections) {
+    for (const std::string direction : {"normal", "vertical"}) {
+        run(k_quiet, {"release.thickness-direction=" + direction});
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/extent.gpkg").c_str(), GDAL_OF_VECTOR));
+        const OGRFeatureUniquePtr release(file->GetLayerByName("release")->GetNextFeature());
+        const auto value = [&](const char* field) { return release->GetFieldAsDouble(field); };
+        EXPECT_NEAR(value("thickness_vertical_m"), value("volume_m3") / 2000, 1e-9);
+        EXPECT_NEAR(value("thickness_vertical_m") / value("thickness_normal_m"), std::sqrt(1.25), 1e-5) << direction;
+        EXPECT_NEAR(value(direction == "normal" ? "thickness_normal_m" : "thickness_vertical_m"), 2, 2e-5) << direction;
     }
 }
 

@@ -2,6 +2,7 @@
 // Texts of a report that are composed of several rows of the tables of words.
 #include <gtest/gtest.h>
 
+#include "app/publish/publish.h"
 #include "app/publish/report_inputs.h"
 #include "app/store/accuracy_record.h"
 #include "app/text/unit_sign.h"
@@ -33,6 +34,21 @@ AccuracyRecord record(double finest) {
     for (const auto& [size, value] : {std::pair{20.0, 10.0}, std::pair{10.0, 12.0}, std::pair{5.0, 13.5}})
         all.levels.push_back({size, 100, 10, 1, 0, 0, {{"max_depth_m", "maximum depth", "m", value, 0, 0}}, ""});
     return all;
+}
+
+TEST(WarnOfResult, ACellThatItsParticlesClaimMoreThanTwiceIsNamed) {
+    const Prepared prepared{};
+    RunResult result;
+    for (const auto& [share, warnings] : {std::pair{2.0, 0U}, std::pair{7.84, 1U}}) {
+        result.most_claimed = {share, 187, {600123, 5000456}};
+        RunLog log(true);
+        warn_of_result(prepared, result, log);
+        ASSERT_EQ(log.warnings().size(), warnings) << share;
+        if (warnings == 0) continue;
+        const std::string text = log.warnings().front().text();
+        for (const char* part : {"E 600 123, N 5 000 456", "claim 7.8 times", "187 m"})
+            EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
 }
 
 TEST(ReportWords, TheVerdictOnAccuracyIsInTheLanguage) {
