@@ -13,6 +13,7 @@
 #include "params/keys/former_names.h"
 #include "params/keys/scene_parameters.h"
 #include "simulation/run_values.h"
+#include "study/member_record.h"
 #include "study/openturns/functions.h"
 #include "study/read_study.h"
 #include "study/varied_key.h"
@@ -210,17 +211,23 @@ namespace {
 
 constexpr const char* k_weight_column = "weight";
 /// Columns of members.csv and posterior.csv that are no keys and no values of a run.
-constexpr const char* k_result_columns[] = {
-    "member",        "status",    "score",          "level",  "name",        "group",           "scenario",
-    "return_period", "volume_m3", "engine_seconds", "reason", "stop_reason", "moving_fraction", "left_domain_fraction",
-    "energy_error",  "warnings"};
+constexpr const char* k_result_columns[] = {"member",    "status",         "score",    "level",
+                                            "name",      "group",          "scenario", "return_period",
+                                            "volume_m3", "engine_seconds", "reason"};
+
+std::vector<std::string> result_columns() {
+    std::vector<std::string> all(std::begin(k_result_columns), std::end(k_result_columns));
+    all.insert(all.end(), std::begin(k_end_columns), std::end(k_end_columns));
+    return all;
+}
 
 bool is_result_column(const std::string& name, const std::vector<Parameter>& parameters) {
     if (is_value_key(name) || name.starts_with("score ") || name.starts_with("misfit ")) return true;
     // The key of one event in the posterior of several.
     const auto event = name.find(" of ");
     if (event != std::string::npos && find_parameter(parameters, name.substr(0, event)) != nullptr) return true;
-    return std::find(std::begin(k_result_columns), std::end(k_result_columns), name) != std::end(k_result_columns);
+    const std::vector<std::string> all = result_columns();
+    return std::find(all.begin(), all.end(), name) != all.end();
 }
 
 std::string lower_case(std::string text) {
@@ -231,7 +238,7 @@ std::string lower_case(std::string text) {
 Problem unknown_column(const std::string& name, const std::string& place, const std::vector<Parameter>& parameters) {
     std::vector<std::string> known = names_of(parameters);
     known.emplace_back(k_weight_column);
-    known.insert(known.end(), std::begin(k_result_columns), std::end(k_result_columns));
+    for (const std::string& column : result_columns()) known.push_back(column);
     const std::string nearest = nearest_name(lower_case(name), known);
     return {"is neither a key of the scene, nor weight, nor a column that members.csv or posterior.csv has", place, "",
             "",

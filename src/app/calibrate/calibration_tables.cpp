@@ -43,7 +43,7 @@ void add_misfits(const study::CalibrationSpec& calibration, const Stage& stage, 
             to.names.push_back(std::string("misfit ") + row_of(one.measure).name + " " + event);
     }
     to.names.emplace_back("engine_seconds");
-    to.names.insert(to.names.end(), std::begin(k_end_columns), std::end(k_end_columns));
+    to.names.insert(to.names.end(), std::begin(study::k_end_columns), std::end(study::k_end_columns));
     to.names.emplace_back("reason");
     for (std::size_t i = 0; i < stage.size(); ++i) {
         std::string reason;

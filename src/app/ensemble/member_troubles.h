@@ -26,9 +26,7 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts);
 /// @param known warnings of the study itself, which need not be told again
 std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known);
 
-/// The columns of these values in tables of members, and the cells of a run.
-inline constexpr const char* k_end_columns[] = {"stop_reason", "moving_fraction", "left_domain_fraction",
-                                                "energy_error", "warnings"};
+/// The cells of a run in the columns study::k_end_columns.
 std::vector<std::string> end_values(const study::MemberEnd& end);
 /// The same values as attributes.
 void add_end(const study::MemberEnd& end, std::map<std::string, double>& numbers,

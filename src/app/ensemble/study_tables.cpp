@@ -66,7 +66,7 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
     for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
     for (const std::string& figure : figures) text += "," + csv_cell(figure);
     text += ",engine_seconds";
-    for (const char* column : k_end_columns) text += std::string(",") + column;
+    for (const char* column : study::k_end_columns) text += std::string(",") + column;
     text += ",reason\n";
     std::vector<double> weights(result.members.size());  // 0: not used
     for (std::size_t i = 0; i < result.finished.size(); ++i)

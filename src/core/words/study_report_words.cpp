@@ -93,13 +93,13 @@ constexpr auto k_study_report_words = std::to_array<WordRow>({
      "{1} von {2} Anrissgebieten wurden berechnet, jedes für sich.",
      "{1} zones de départ sur {2} ont été calculées, chacune seule.",
      "Se calcularon {1} de {2} áreas de inicio, cada una por sí sola."},
-    {"{1} of {2} runs finished; their values are drawn from the distributions (sampling {3}, seed {4}).",
-     "{1} simulazioni su {2} sono terminate; i loro valori sono estratti dalle distribuzioni (campionamento {3}, seme "
+    {"{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
+     "{1} simulazioni su {2} sono state calcolate; i loro valori sono estratti dalle distribuzioni (campionamento {3}, seme "
      "{4}).",
-     "{1} von {2} Läufen sind beendet; ihre Werte sind aus den Verteilungen gezogen (Stichprobe {3}, Startwert {4}).",
-     "{1} calculs sur {2} sont terminés\u202F; leurs valeurs sont tirées des distributions (échantillonnage {3}, "
+     "{1} von {2} Läufen sind gerechnet; ihre Werte sind aus den Verteilungen gezogen (Stichprobe {3}, Startwert {4}).",
+     "{1} calculs sur {2} ont été effectués\u202F; leurs valeurs sont tirées des distributions (échantillonnage {3}, "
      "graine {4}).",
-     "{1} de {2} simulaciones terminaron; sus valores se extraen de las distribuciones (muestreo {3}, semilla {4})."},
+     "{1} de {2} simulaciones se calcularon; sus valores se extraen de las distribuciones (muestreo {3}, semilla {4})."},
     {"{1} failed and are in no map.", "{1} sono fallite e non sono in alcuna mappa.",
      "{1} scheiterten und sind in keiner Karte.", "{1} ont échoué et ne sont dans aucune carte.",
      "{1} fallaron y no están en ningún mapa."},
