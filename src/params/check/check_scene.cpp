@@ -143,6 +143,9 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
         problems.add({"limits apply only to scheme custom", file + ": hazard.scheme",
                       hazard.scheme.value_or("not given"), "custom", "Set hazard.scheme = custom or remove them"});
     }
+    if (hazard.minimum_depth && !hazard.scheme)
+        problems.add(
+            {"needs hazard.scheme", file + ": hazard.minimum-depth", "", "", "Name the scheme, or remove the key"});
 }
 
 void check_output(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
