@@ -13,14 +13,14 @@ namespace {
 
 // All measured with the samples and share/scenes on two cores. Pictures by their size, per million pixels; the
 // libraries that draw are loaded once.
-constexpr double k_loading_s = 0.7, k_picture_s = 0.11, k_film_picture_s = 0.04, k_picture_bytes = 0.42e6,
+constexpr double k_loading_s = 0.7, k_picture_s = 0.11, k_film_picture_s = 0.04, k_drawn_bytes = 0.42e6,
                  k_film_picture_bytes = 9e3;
 // Rasters, per cell that is stored and not nodata, compressed; the ground fills the whole map.
-constexpr double k_cell_s = 60e-9, k_cell_bytes = 3, k_ground_cell_bytes = 2.6;
+constexpr double k_cell_s = 60e-9, k_raster_cell_bytes = 3, k_ground_bytes = 2.6;
 // Vector layers, tables, charts, the report's text; a row of timeseries.csv.
-constexpr double k_rest_s = 0.4, k_rest_bytes = 0.9e6, k_step_bytes = 130;
+constexpr double k_rest_s = 0.4, k_rest_bytes = 0.9e6, k_row_bytes = 130;
 // Flows spread to about so many times their release.
-constexpr double k_spread = 10;
+constexpr double k_usual_spread = 10;
 // Pictures of a run besides its maps: comparison and charts; and of a study: charts.
 constexpr double k_charts = 3, k_study_charts = 4;
 // Rasters that a run writes besides dtm and bed, and a study for each threshold or quantity.
@@ -34,8 +34,8 @@ double megapixels(const Size& size) {
 void add_pictures(const OutputSpec& output, double count, double cells, WritingForecast& forecast) {
     const double size = megapixels(size_from_text(output.map_size).value_or(Size{}));
     forecast.seconds += k_loading_s + count * (size * k_picture_s + cells * k_cell_s);
-    forecast.disk_bytes += count * static_cast<double>(output.map_formats.size()) * size * k_picture_bytes;
-    if (output.report) forecast.disk_bytes += std::min(count, k_charts) * size * k_picture_bytes;
+    forecast.disk_bytes += count * static_cast<double>(output.map_formats.size()) * size * k_drawn_bytes;
+    if (output.report) forecast.disk_bytes += std::min(count, k_charts) * size * k_drawn_bytes;
 }
 
 double frames_of(const Prepared& prepared, const std::optional<TimeEstimate>& trial) {
@@ -46,7 +46,7 @@ double frames_of(const Prepared& prepared, const std::optional<TimeEstimate>& tr
 }
 
 double reached_cells(const Prepared& prepared, const std::optional<TimeEstimate>& trial) {
-    return trial ? trial->reached_cells : k_spread * prepared.release.area_m2 / prepared.scene.grid.cell_area();
+    return trial ? trial->reached_cells : k_usual_spread * prepared.release.area_m2 / prepared.scene.grid.cell_area();
 }
 
 void add_film(const Prepared& prepared, const std::optional<TimeEstimate>& trial, WritingForecast& forecast) {
@@ -54,7 +54,7 @@ void add_film(const Prepared& prepared, const std::optional<TimeEstimate>& trial
     const double frames = frames_of(prepared, trial), cells = reached_cells(prepared, trial);
     if (output.frames) {
         forecast.seconds += frames * 2 * cells * k_cell_s;
-        forecast.disk_bytes += frames * 2 * 0.5 * cells * k_cell_bytes;
+        forecast.disk_bytes += frames * 2 * 0.5 * cells * k_raster_cell_bytes;
     }
     if (!output.animation) return;
     forecast.seconds += frames * k_film_picture_s;
@@ -69,8 +69,8 @@ WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& ex
     const auto stored = static_cast<double>(expected.stored_cells);
     const double steps = trial ? trial->steps : prepared.scene.time.end / expected.first_step_seconds;
     WritingForecast forecast{k_rest_s + stored * k_rasters * k_cell_s,
-                             k_rest_bytes + steps * k_step_bytes + 2 * stored * k_ground_cell_bytes +
-                                 k_rasters * reached_cells(prepared, trial) * k_cell_bytes};
+                             k_rest_bytes + steps * k_row_bytes + 2 * stored * k_ground_bytes +
+                                 k_rasters * reached_cells(prepared, trial) * k_raster_cell_bytes};
     const bool draws = output.maps.front() != "off";
     const double maps = !draws                        ? 0
                         : output.maps.front() == "on" ? static_cast<double>(usual_maps().size())
@@ -92,8 +92,8 @@ WritingForecast forecast_study_writing(const StudyInput& input, const RunEstimat
                             : static_cast<double>(output.depth_thresholds.size() + output.velocity_thresholds.size() +
                                                   3 * std::size(k_study_quantiles) + 5 + input.table.keys.size());
     WritingForecast forecast{k_rest_s + stored * maps * k_bands * k_cell_s,
-                             k_rest_bytes + 2 * stored * k_ground_cell_bytes +
-                                 maps * k_bands * reached_cells(input.base, trial) * k_cell_bytes};
+                             k_rest_bytes + 2 * stored * k_ground_bytes +
+                                 maps * k_bands * reached_cells(input.base, trial) * k_raster_cell_bytes};
     if (output.maps.front() != "off") {
         const double charts = output.charts && !is_region ? k_study_charts : 0;
         add_pictures(output, maps + charts, stored, forecast);
@@ -106,7 +106,7 @@ WritingForecast forecast_study_writing(const StudyInput& input, const RunEstimat
 
 WritingForecast forecast_event_writing(const Prepared& event, const RunEstimate& member) {
     const auto stored = static_cast<double>(member.stored_cells);
-    WritingForecast forecast{k_rest_s + stored * k_cell_s, k_rest_bytes + stored * k_cell_bytes};
+    WritingForecast forecast{k_rest_s + stored * k_cell_s, k_rest_bytes + stored * k_raster_cell_bytes};
     if (event.spec.output.maps.front() != "off") add_pictures(event.spec.output, 1 + k_study_charts, stored, forecast);
     return forecast;
 }
