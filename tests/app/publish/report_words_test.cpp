@@ -2,6 +2,8 @@
 // Texts of a report that are composed of several rows of the tables of words.
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "app/publish/publish.h"
 #include "app/publish/report_inputs.h"
 #include "app/store/accuracy_record.h"
@@ -37,12 +39,12 @@ AccuracyRecord record(double finest) {
 }
 
 TEST(WarnOfResult, ACellThatItsParticlesClaimMoreThanTwiceIsNamed) {
-    const Prepared prepared{};
+    const auto prepared = std::make_unique<const Prepared>();
     RunResult result;
     for (const auto& [share, warnings] : {std::pair{2.0, 0U}, std::pair{7.84, 1U}}) {
         result.most_claimed = {share, 187, {600123, 5000456}};
         RunLog log(true);
-        warn_of_result(prepared, result, log);
+        warn_of_result(*prepared, result, log);
         ASSERT_EQ(log.warnings().size(), warnings) << share;
         if (warnings == 0) continue;
         const std::string text = log.warnings().front().text();
