@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/words/words.h"
+
 namespace frana {
 
 struct OutputSpec;
@@ -64,8 +66,8 @@ const ResultRaster* find_result_raster(const std::string& name);
 std::string text_for(const ResultRaster& row, const std::string& text, const std::string& name);
 
 /// In the description of a depth or thickness; with output.depth = normal, that of a flow's depth is the other.
-inline constexpr const char* k_vertical = "vertical";
-inline constexpr const char* k_normal = "normal to the bed";
+inline constexpr const char* k_vertical = worded("vertical");
+inline constexpr const char* k_normal = worded("normal to the bed");
 /// Returns text_for(row, row.description, name), with the direction in which depths are measured.
 std::string description_of(const ResultRaster& row, const std::string& name, const OutputSpec& output);
 /// The same; `direction`: k_vertical or k_normal.
