@@ -93,7 +93,7 @@ std::string convergence_words(double convergence_deg, const Words& words) {
 
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
                         double least_fraction) {
-    const int least = std::max(9, static_cast<int>(std::ceil(least_fraction * style.size_px)));
+    const int least = std::max(style.least_px, static_cast<int>(std::ceil(least_fraction * style.size_px)));
     while (style.size_px > least && lettering.width(words, style) > width) --style.size_px;
     return style;
 }

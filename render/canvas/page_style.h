@@ -8,8 +8,8 @@ namespace frana::render {
 /// Sizes of everything on a page, from the page's size: letters shrink more slowly than the page, since a small page is
 /// read from the same distance as a large one.
 struct PageStyle {
-    /// `density` below 1 makes letters and gaps smaller, to fit more on the page.
-    PageStyle(int width, int height, double density = 1);
+    /// `density` below 1 makes letters and gaps smaller, to fit more on the page. No letter is smaller than `least_px`.
+    PageStyle(int width, int height, double density = 1, int least_px = k_least_letters);
 
     double scale = 1;  ///< of lines and gaps; 1 on a page 1600 x 1200
     double margin = 28, gap = 14;

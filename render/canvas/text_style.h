@@ -5,6 +5,9 @@
 
 namespace frana::render {
 
+/// Font size of the smallest letters of a page on a screen [px].
+inline constexpr int k_least_letters = 9;
+
 struct TextStyle {
     int size_px = 16;
     Rgb colour{0, 0, 0};
@@ -12,6 +15,7 @@ struct TextStyle {
     double angle_deg = 0;  ///< counterclockwise
     double halo_px = 0;    ///< width of a rim that separates the letters from a varied background
     Rgb halo{255, 255, 255};
+    int least_px = k_least_letters;  ///< to which the text may be made smaller to fit
 };
 
 /// The point of a text that is at the place given for it.

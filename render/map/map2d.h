@@ -15,6 +15,7 @@
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
 #include "render/canvas/page.h"
+#include "render/canvas/text_style.h"
 
 namespace frana::render {
 
@@ -79,6 +80,7 @@ struct TitleBlock {
 struct SeriesText {
     std::string title, subtitle;     ///< their common beginning
     std::vector<std::string> notes;  ///< beside most of them
+    bool has_notes = true;           ///< room for notes and a time is left
 };
 
 /// Everything on a map. Rasters are borrowed and must outlive the call; all coordinates are in one CRS.
@@ -106,6 +108,7 @@ struct MapSpec {
     std::string crs_label;                ///< "EPSG:32632 (WGS 84 / UTM zone 32N)"
     int width = 1600;                     ///< pixels
     int height = 1200;
+    int least_letters = k_least_letters;  ///< font size of the smallest [px]
     Print print;
     TitleBlock block;
     std::optional<SeriesText> series;  ///< none: the page is arranged for its own texts alone

@@ -95,8 +95,8 @@ const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double d
     const Raster* clear = coloured(spec);
     const auto fits = [&](const MapGround& one) {
         return one.width == spec.width && one.height == spec.height && one.density == density &&
-               same(one.frame, frame) && one.terrain == spec.terrain && one.kept_clear == clear &&
-               one.language == spec.words.language() &&
+               one.least_letters == spec.least_letters && same(one.frame, frame) && one.terrain == spec.terrain &&
+               one.kept_clear == clear && one.language == spec.words.language() &&
                std::equal(one.outlines.begin(), one.outlines.end(), spec.outlines.begin(), spec.outlines.end(),
                           [](const Outline& a, const Outline& b) { return same(a, b); });
     };
@@ -104,6 +104,7 @@ const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double d
     auto ground = std::make_shared<MapGround>(MapGround{spec.width,
                                                         spec.height,
                                                         density,
+                                                        spec.least_letters,
                                                         frame,
                                                         spec.terrain,
                                                         clear,
@@ -113,7 +114,7 @@ const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double d
                                                         {},
                                                         0,
                                                         spec.words.language()});
-    draw_lines(spec, PageStyle(spec.width, spec.height, density), *ground);
+    draw_lines(spec, PageStyle(spec.width, spec.height, density, spec.least_letters), *ground);
     draw_face(spec, *ground);
     kept = std::move(ground);
     return *kept;

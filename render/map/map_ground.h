@@ -17,6 +17,7 @@ struct MapGround {
     /// Parameters for which it was drawn.
     int width = 0, height = 0;
     double density = 1;
+    int least_letters = k_least_letters;
     MapFrame frame;
     const Raster* terrain = nullptr;
     const Raster* kept_clear = nullptr;  ///< of contours' labels

@@ -93,7 +93,7 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
     for (const Crowding& crowding : k_crowdings) {
         // The letters of the column become smaller, the rest of the page stays.
         if (crowding.density > plan.crowding.density || crowding.notes_at_foot != notes_at_foot) continue;
-        const PageStyle style(spec.width, spec.height, crowding.density);
+        const PageStyle style(spec.width, spec.height, crowding.density, spec.least_letters);
         Sheet sheet(spec.width, spec.height);
         layout_ = MapLayout{};
         layout_.page = {0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};

@@ -77,12 +77,12 @@ PageText series_text(const MapSpec& spec) {
     const SeriesText& series = *spec.series;
     // A short title is in larger letters than a long one.
     text.titles = {series.title, series.title + k_long_title};
-    text.subtitles = {series.subtitle, k_long_time + series.subtitle};
+    text.subtitles = {series.subtitle, series.has_notes ? k_long_time + series.subtitle : series.subtitle};
     text.legend_title = "Maximum dynamic pressure";
     text.unit = "kPa";
     constexpr std::size_t k_usual_notes = 8;
     text.notes = series.notes;
-    text.notes.resize(std::max(text.notes.size(), k_usual_notes), "Covered 123 456 m\u00B2");
+    if (series.has_notes) text.notes.resize(std::max(text.notes.size(), k_usual_notes), "Covered 123 456 m\u00B2");
     text.foot.front() = k_long_source;
     return text;
 }
@@ -94,7 +94,8 @@ std::vector<std::string> PagePlan::foot(const MapSpec& spec, const PageText& tex
 std::optional<PagePlan> plan_page(const MapSpec& spec, const PageText& text, const Crowding& crowding,
                                   bool subtitle_later) {
     const std::vector<std::string> nothing;
-    PagePlan plan{crowding, PageStyle(spec.width, spec.height, crowding.density), 0, 0, {}, {}, 0, 0, {}};
+    PagePlan plan{
+        crowding, PageStyle(spec.width, spec.height, crowding.density, spec.least_letters), 0, 0, {}, {}, 0, 0, {}};
     const PageStyle& style = plan.style;
     Sheet sheet(spec.width, spec.height);
     const double width = spec.width, right = width - style.margin;

@@ -49,6 +49,7 @@ struct ViewSpec {
     std::string crs_label;
     int width = 1600;
     int height = 1200;
+    int least_letters = k_least_letters;
     bool sky = true;               ///< behind the terrain; else white
     std::optional<Camera> camera;  ///< default: from the front of the flow, obliquely uphill
     Words words{};

@@ -165,7 +165,7 @@ class ViewSession::Scene {
                                         notes_at_foot ? &nothing : &spec.side_notes};
             std::vector<std::string> foot = notes_at_foot ? spec.side_notes : nothing;
             foot.insert(foot.end(), {spec.source, spec.crs_label, spec.attribution});
-            const PageStyle style(spec.width, spec.height, crowding.density);
+            const PageStyle style(spec.width, spec.height, crowding.density, spec.least_letters);
             Sheet sheet(spec.width, spec.height);
             layout_.legend.clear();
             const double inner = spec.width - 2 * style.margin;

@@ -204,6 +204,7 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
         }
     };
     LayerDrawer drawer(source);
+    drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
     make_folder(written.path("maps"));
     for (const std::string& name : written.drawable()) {
         if (!is_drawn_at_once(name)) continue;

@@ -2,7 +2,9 @@
 #include "app/pictures/map_source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include "app/pictures/scenario.h"
@@ -12,6 +14,7 @@
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/file_aside.h"
+#include "core/shortest_text.h"
 #include "core/utf8.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
@@ -126,6 +129,20 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
             return render::OverlayImage{width, height, gis::warp_picture(path, crs, box, width, height)};
         };
     }
+    return spec;
+}
+
+int pixels_of(double length, double per_inch) {
+    return static_cast<int>(std::lround(length / per_inch * k_page_picture_dpi));
+}
+
+template <class Spec>
+Spec for_page(Spec spec, const MapLayer& layer, double height_mm) {
+    spec.width = pixels_of(k_page_picture_width_mm, 25.4);
+    spec.height = pixels_of(height_mm, 25.4);
+    spec.least_letters = pixels_of(k_page_least_points, 72);
+    spec.subtitle.clear();
+    spec.side_notes = layer.notes_alone ? std::vector<std::string>{} : layer.notes;
     return spec;
 }
 
@@ -250,6 +267,13 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     return spec;
 }
 
+render::MapSpec page_map_spec(const MapSource& source, const MapLayer& layer, double height_mm) {
+    render::MapSpec spec = for_page(map_spec(source, layer), layer, height_mm);
+    spec.print = {k_page_picture_dpi, "", std::nullopt};
+    spec.series = render::SeriesText{spec.series->title, "", {}, false};
+    return spec;
+}
+
 render::MapSpec unprinted(render::MapSpec spec) {
     spec.print = {};
     spec.block = {};
@@ -295,10 +319,25 @@ std::vector<std::string> write_plain_picture(const render::Page& page, const Map
     return files;
 }
 
+render::Page LayerDrawer::map_page(render::MapSpec& spec, render::MapLayout& layout) {
+    if (next_scale_) spec.print.scale = next_scale_;
+    try {
+        return maps_.draw(spec, &layout);
+    } catch (const Error& error) {
+        if (!warn_ || !spec.print.scale || error.kind() != ErrorKind::input) throw;
+        const render::FittingScale fits = render::fitting_scale(spec);
+        if (fits.least <= *spec.print.scale) throw;
+        warn_(worded("output.map-scale = {1} does not hold the flow; drawn at {2}",
+                     {shortest_text(*source_.style.scale), numeral("1 : " + grouped(fits.round))}));
+        spec.print.scale = next_scale_ = fits.round;
+    }
+    return maps_.draw(spec, &layout);
+}
+
 std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std::vector<std::string>& files) {
-    const render::MapSpec spec = map_spec(source_, layer);
+    render::MapSpec spec = map_spec(source_, layer);
     render::MapLayout layout;
-    const render::Page page = maps_.draw(spec, &layout);
+    const render::Page page = map_page(spec, layout);
     const std::string& crs = layer.values.grid.crs_wkt;
     PageFiles writer(page, spec.title, source_.style.size.dots_per_inch);
     for (const std::string& file : files) {
@@ -316,21 +355,27 @@ std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std:
 
 std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem,
                                            const std::string& tif_stem) {
-    const std::string for_page = page_picture(stem);
-    if (!view_3d) {
-        std::vector<std::string> files = picture_files(source_.style, stem, true, tif_stem);
-        if (!for_page.empty()) files.push_back(for_page);
-        return draw_map(layer, files);
-    }
+    if (!page_folder_.empty())
+        draw_for_page(layer, view_3d, page_folder_ + "/" + std::filesystem::path(stem).filename().string() + ".png");
+    if (source_.style.formats.empty()) return {};
+    if (!view_3d) return draw_map(layer, picture_files(source_.style, stem, true, tif_stem));
     const render::ViewSpec spec = view_spec(source_, layer);
-    const render::Page view = views_.draw(spec);
-    if (!for_page.empty()) PageFiles(view, spec.title, source_.style.size.dots_per_inch).write(for_page, std::nullopt);
-    return write_plain_picture(view, source_.style, spec.title, stem);
+    return write_plain_picture(views_.draw(spec), source_.style, spec.title, stem);
 }
 
-std::string LayerDrawer::page_picture(const std::string& stem) const {
-    if (page_folder_.empty()) return {};
-    return page_folder_ + "/" + std::filesystem::path(stem).filename().string() + ".png";
+void LayerDrawer::draw_for_page(const MapLayer& layer, bool view_3d, const std::string& file) {
+    const auto drawn = [&](double height_mm) {
+        return view_3d ? views_.draw(for_page(view_spec(source_, layer), layer, height_mm))
+                       : page_maps_.draw(page_map_spec(source_, layer, height_mm));
+    };
+    for (const double height_mm : k_page_picture_heights_mm) {
+        try {
+            return render::write_png(file, drawn(height_mm).paint(), k_page_picture_dpi);
+        } catch (const Error& error) {
+            const bool is_last = height_mm == std::end(k_page_picture_heights_mm)[-1];
+            if (error.kind() != ErrorKind::input || is_last) throw;
+        }
+    }
 }
 
 }  // namespace frana::app

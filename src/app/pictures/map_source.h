@@ -4,12 +4,14 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/pictures/map_layer.h"
 #include "app/store/main_statistics.h"
 #include "core/geometry.h"
 #include "core/raster.h"
+#include "core/words/sentence.h"
 #include "params/grammar/picture_text.h"
 #include "render/map/map2d.h"
 #include "render/view/view3d.h"
@@ -88,6 +90,14 @@ render::MapSpec unprinted(render::MapSpec spec);
 /// The same in perspective.
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer);
 
+/// A picture in a page of ours (report.html), as the page is printed on A4: as wide as its text, and two have room on a
+/// sheet unless too much is beside the map. No letter is smaller than this.
+inline constexpr double k_page_picture_width_mm = 180, k_page_picture_heights_mm[] = {91, 115, 200};
+inline constexpr double k_page_picture_dpi = 200, k_page_least_points = 6;
+
+/// Returns the map of one raster as it is in a page, which has scenario and values in its text.
+render::MapSpec page_map_spec(const MapSource& source, const MapLayer& layer, double height_mm);
+
 /// Returns the function from map points of a CRS to longitude and latitude; absent without CRS.
 std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt);
 
@@ -105,9 +115,12 @@ class LayerDrawer {
 
     [[nodiscard]] const MapStyle& style() const noexcept { return source_.style; }
 
-    /// From now on also writes each picture as PNG to this folder, if the style has other formats only: a page for a
-    /// browser needs PNG.
+    /// From now on also draws each picture for a page, as FOLDER/NAME.png.
     void draw_for_page_too(const std::string& folder) { page_folder_ = folder; }
+
+    /// From now on a map that does not fit at the style's scale has the next round one at which it fits, and `warn`
+    /// gets a sentence about it, once for a scale.
+    void draw_at_next_scale(std::function<void(const Sentence&)> warn) { warn_ = std::move(warn); }
 
     /// Draws the map STEM.png (or .pdf, .svg, .tif, by the style) or a view, and returns the names of the files. A view
     /// is no GeoTIFF; `tif_stem` as in picture_files. Throws Error.
@@ -116,12 +129,16 @@ class LayerDrawer {
 
   private:
     std::vector<std::string> draw_map(const MapLayer& layer, const std::vector<std::string>& files);
-    [[nodiscard]] std::string page_picture(const std::string& stem) const;
+    render::Page map_page(render::MapSpec& spec, render::MapLayout& layout);
+    void draw_for_page(const MapLayer& layer, bool view_3d, const std::string& file);
 
     const MapSource& source_;
     std::string page_folder_;
+    std::function<void(const Sentence&)> warn_;  // absent: a scale at which a map does not fit is an error
+    std::optional<double> next_scale_;           // in place of the style's
     render::MapSeries maps_;
     render::ViewSeries views_;
+    render::MapSeries page_maps_;  // their ground is of another size
 };
 
 /// Writes a page without a position on the ground (a chart, a view) in the formats of the style.

@@ -10,6 +10,7 @@
 
 #include "app/pictures/class_words.h"
 #include "app/publish/page_style.h"
+#include "app/store/result_files.h"
 #include "core/base64.h"
 #include "core/error.h"
 #include "core/folder_entries.h"
@@ -133,9 +134,12 @@ void HtmlPage::finish() {
 std::string figure_html(const std::string& path, const std::string& caption, const std::string& alt,
                         std::size_t most_bytes) {
     const gis::PagePicture picture = gis::page_picture(path, k_picture_columns, most_bytes);
-    return "<figure>\n<img alt=\"" + escaped_markup(alt) + "\" width=\"" + std::to_string(picture.width) +
-           "\" height=\"" + std::to_string(picture.height) + "\" src=\"data:" + picture.mime + ";base64," +
-           base64(picture.bytes) + "\">\n<figcaption>" + escaped_markup(caption) + "</figcaption>\n</figure>\n";
+    // A picture drawn for the page has its size in print, which its scale needs.
+    const bool for_page = fs::path(path).parent_path().filename() == k_page_folder;
+    return std::string("<figure>\n<img ") + (for_page ? "class=\"page\" " : "") + "alt=\"" + escaped_markup(alt) +
+           "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
+           "\" src=\"data:" + picture.mime + ";base64," + base64(picture.bytes) + "\">\n<figcaption>" +
+           escaped_markup(caption) + "</figcaption>\n</figure>\n";
 }
 
 std::string first_warnings(const std::vector<Sentence>& warnings, const Words& words) {

@@ -162,8 +162,8 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const ResultReader written(request.folder);
     const MapSource source = map_source(written, request);
     LayerDrawer drawer(source);
-    const std::vector<std::string>& formats = drawer.style().formats;
-    if (output.report && !request.only_missing && std::find(formats.begin(), formats.end(), "png") == formats.end()) {
+    drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
+    if (output.report && !request.only_missing) {
         const std::string folder = written.path(k_page_folder);
         make_folder(folder);
         drawer.draw_for_page_too(folder);

@@ -11,7 +11,7 @@
 namespace frana::app {
 namespace {
 
-constexpr int k_width = 380, k_height = 200;
+constexpr int k_width = 360, k_height = 180;
 constexpr std::size_t k_curves = 8, k_curve_letters = 30;
 
 std::string figure(const std::string& svg, const std::string& alt) {

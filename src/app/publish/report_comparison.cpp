@@ -11,6 +11,7 @@
 #include "app/publish/renewed_page.h"
 #include "app/publish/report_charts.h"
 #include "app/publish/report_scenario.h"
+#include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/unit_sign.h"
 #include "core/markup.h"
@@ -88,20 +89,21 @@ std::string deposit_table(const Comparison& c, const Words& words) {
     return "<h3>" + escaped_markup(words("Deposit")) + "</h3>\n" + table.html();
 }
 
-/// comparison.png of a result; if its pictures have other formats, one for the page alone, which it removes.
+/// comparison.png of a result as a page has it, which exists as long as this.
 class PictureForPage {
   public:
     PictureForPage(const std::string& folder, const Comparison& comparison, const MapSource& source)
         : path_((fs::path(folder) / k_picture).string()) {
-        const std::vector<std::string>& formats = source.style.formats;
-        if (!comparison.statistics || std::find(formats.begin(), formats.end(), "png") != formats.end()) return;
+        if (!comparison.statistics) return;
         scratch_ = fs::temp_directory_path() / ("frana_page_" + std::to_string(::getpid()));
-        fs::create_directories(scratch_);
+        const fs::path pages = scratch_ / k_page_folder;
+        fs::create_directories(pages);
         MapSource drawn = source;
-        drawn.style.formats = {"png"};
+        drawn.style.formats.clear();  // for the page alone
         LayerDrawer drawer(drawn);
+        drawer.draw_for_page_too(pages.string());
         draw_comparison(comparison, drawer, scratch_.string());
-        path_ = (scratch_ / k_picture).string();
+        path_ = (pages / k_picture).string();
     }
     ~PictureForPage() {
         std::error_code ignored;

@@ -60,8 +60,8 @@ ReportMap described(const ReportInput& input, const std::string& name, const std
 }  // namespace
 
 std::string drawn_picture(const ResultDirectory& directory, const std::string& folder, const std::string& name) {
-    const std::string file = directory.path(folder + name + ".png");
-    return fs::exists(file) ? file : directory.path(std::string(k_page_folder) + "/" + name + ".png");
+    const std::string file = directory.path(std::string(k_page_folder) + "/" + name + ".png");
+    return fs::exists(file) ? file : directory.path(folder + name + ".png");
 }
 
 std::vector<ReportMap> report_maps(const ReportInput& input, const ResultDirectory& directory) {

@@ -137,6 +137,11 @@ constexpr auto k_result_warning_words = std::to_array<WordRow>({
     // Pictures.
     {"{1} could not be drawn: {2}", "{1} non ha potuto essere disegnato: {2}",
      "{1} konnte nicht gezeichnet werden: {2}", "{1} n’a pas pu être dessiné\u202F: {2}", "{1} no pudo dibujarse: {2}"},
+    {"output.map-scale = {1} does not hold the flow; drawn at {2}",
+     "output.map-scale = {1} non contiene il flusso; disegnato a {2}",
+     "output.map-scale = {1} fasst den Strom nicht; gezeichnet in {2}",
+     "output.map-scale = {1} ne contient pas l’écoulement\u202F; dessiné au {2}",
+     "output.map-scale = {1} no abarca el flujo; dibujado a {2}"},
     {"{1} is left out because of the signal", "{1} è omesso a causa del segnale", "{1} fehlt wegen des Signals",
      "{1} est omis à cause du signal", "{1} se omite a causa de la señal"},
     {"left out because of the signal: {1}; the same command with --resume draws them",

@@ -115,6 +115,33 @@ TEST_F(MapSheet, AScaleAtWhichNotEvenTheReleaseFitsIsRefusedByCheck) {
     EXPECT_EQ(check("5000").exit_code, 0);
 }
 
+// That is known only after the run: the maps are there all the same, and a warning says at which scale.
+TEST_F(MapSheet, AScaleThatDoesNotHoldTheFlowIsReplacedAfterTheRun) {
+    write_scene(
+        "[output]\nmaps = max_depth, max_velocity\nanimation = off\ncharts = off\nmap-size = A4\n"
+        "map-scale = 400\nmap-formats = svg\n");
+    EXPECT_EQ(frana({"check", "scene.ini"}).exit_code, 0);
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string start = "output.map-scale = 400 does not hold the flow; drawn at ";
+    const std::regex said(start + "(1 : [0-9 ]*[0-9])");
+    std::smatch scale;
+    ASSERT_TRUE(std::regex_search(outcome.err, scale, said)) << outcome.err;
+    for (const char* map : {"max_depth", "max_velocity"})
+        EXPECT_NE(read_text(path("result/maps/" + std::string(map) + ".svg")).find(">" + scale[1].str() + "</text>"),
+                  std::string::npos)
+            << map << " at " << scale[1];
+    for (const char* file : {"result/summary.json", "result/report.html"}) {
+        const std::string text = read_text(path(file));
+        const std::size_t at = text.find(start);
+        EXPECT_NE(at, std::string::npos) << file;
+    }
+    // The next round one above: a result is drawn at that scale, and refused at the one before.
+    const Outcome refused = render({"--map", "max_depth", "--out", "none"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("Take " + scale[1].str()), std::string::npos) << refused.err << scale[1];
+}
+
 TEST_F(MapSheet, TitleBlockAndSources) {
     gis::test::TestRaster raster;
     raster.columns = 40;

@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
+#include "app/pictures/map_source.h"
 #include "support/html_check.h"
 #include "support/tiny_scene.h"
 
@@ -75,6 +77,20 @@ class PrintedReport : public TinyScene {
                 output_of("pdftoppm -gray -r 40 -f " + number + " -l " + number + " '" + path("printed.pdf") + "'");
             EXPECT_GE(filled(picture), 0.5) << "page " << number;
         }
+        // Pictures have the width for which they were drawn, so that their scale is true.
+        std::istringstream images(output_of("pdfimages -list '" + path("printed.pdf") + "'"));
+        std::size_t maps = 0;
+        for (std::string line; std::getline(images, line);) {
+            std::istringstream words(line);
+            std::string kind, of_colour;
+            double page_number = 0, number_on_page = 0, columns = 0, rows = 0, other = 0, dots_per_inch = 0;
+            std::string text;
+            if (!(words >> page_number >> number_on_page >> kind >> columns >> rows) || kind != "image") continue;
+            words >> of_colour >> other >> other >> text >> text >> other >> other >> dots_per_inch;
+            EXPECT_NEAR(columns / dots_per_inch * 25.4, app::k_page_picture_width_mm, 2) << line;
+            ++maps;
+        }
+        EXPECT_EQ(maps, count_of(html, "src=\"data:image/"));
         // Each row of each table is whole on a page.
         const std::vector<std::vector<std::string>> rows = printed_rows(html);
         EXPECT_GT(rows.size(), 40U);

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
+#include "app/pictures/map_source.h"
+#include "app/pictures/result_reader.h"
 #include "app/publish/html_page.h"
 #include "app/store/manifest.h"
 #include "params/keys/scene_parameters.h"
+#include "render/map/print_scale.h"
 #include "support/html_check.h"
 #include "support/tiny_scene.h"
 
@@ -252,7 +257,47 @@ TEST_F(Report, StaysSmallWithLargeMaps) {
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_LT(fs::file_size(path("result/report.html")), 4'000'000U);
-    EXPECT_EQ(count_of(page_of(), "width=\"1600\" height=\"1200\" src=\"data:image/jpeg"), 3U);
+    EXPECT_EQ(count_of(page_of(), "src=\"data:image/"), 3U);
+}
+
+// Pictures are drawn for the width that they have on paper: 1 : n is true there, and everything can be read.
+TEST_F(Report, PicturesHaveTheirScaleAndLegibleLettersOnPaper) {
+    constexpr double k_point = 25.4 / 72, k_least_points = 6;  // mm
+    write_scene("[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, max_depth_3d\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const std::string page = page_of();
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(page, found, std::regex("img\\.page \\{[^}]*[ ;]width: ([0-9.]+)mm;")));
+    const double width_mm = std::stod(found[1]);
+    const std::regex picture("<img class=\"page\"[^>]*? width=\"([0-9]+)\" height=\"([0-9]+)\"");
+    const app::ResultReader result(path("result"));
+    const app::MapSource source = result.map_source();
+    const app::MapLayer layer = result.map_layer("max_depth");
+    const render::MapSpec spec = app::page_map_spec(source, layer, app::k_page_picture_heights_mm[0]);
+    std::size_t pictures = 0;
+    for (std::sregex_iterator one(page.begin(), page.end(), picture), end; one != end; ++one, ++pictures) {
+        EXPECT_EQ(std::stoi((*one)[1]), spec.width);
+        EXPECT_EQ(std::stoi((*one)[2]), spec.height);
+    }
+    EXPECT_EQ(pictures, 2U);
+    EXPECT_EQ(count_of(page, "src=\"data:image/"), 2U) << "all are drawn for the page";
+    const double mm_per_pixel = width_mm / spec.width;
+    render::MapLayout map;
+    render::map_page(spec, &map);
+    const double bar_on_paper = map.scale_bar.width() * mm_per_pixel / 1000;
+    EXPECT_NEAR(map.scale_bar_metres / bar_on_paper / map.scale, 1, 0.02);
+    EXPECT_TRUE(std::any_of(map.texts.begin(), map.texts.end(),
+                            [&](const render::TextBox& text) { return text.text == render::scale_words(map.scale); }));
+    for (const render::TextBox& text : map.texts)
+        EXPECT_GE(text.size_px * mm_per_pixel / k_point, k_least_points) << text.text;
+    // Curves are beside each other, 6 mm apart.
+    const std::regex svg("<svg [^>]*viewBox=\"0 0 ([0-9]+) ([0-9]+)\""), letters("font-size=\"([0-9.]+)");
+    ASSERT_TRUE(std::regex_search(page, found, svg));
+    const double mm_per_unit = std::min((width_mm - 6) / 2 / std::stod(found[1]), 44 / std::stod(found[2]));
+    std::size_t texts = 0;
+    for (std::sregex_iterator one(page.begin(), page.end(), letters), end; one != end; ++one, ++texts)
+        EXPECT_GE(std::stod((*one)[1]) * mm_per_unit / k_point, k_least_points);
+    EXPECT_GT(texts, 20U);
 }
 
 TEST_F(Report, SpeaksTheLanguageOfTheScene) {
