@@ -183,8 +183,11 @@ void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, co
     if (chart.alike) return;
     drawing.text(panel.x_label, {(left + right) / 2, box.bottom + 2.2 * letter},
                  fitted(drawing, panel.x_label, style.small, right - left), Across::centre, Upright::top);
-    draw_vertical_name(drawing, fitted(drawing, panel.y_label, style.small, cell.bottom - cell.top),
-                       {cell.left + 0.6 * letter, (box.top + box.bottom) / 2}, panel.y_label);
+    // In the middle of the axis, but a long name not beyond the cell.
+    const TextStyle upright = fitted(drawing, panel.y_label, style.small, cell.bottom - cell.top);
+    const double half = drawing.lettering().width(panel.y_label, upright) / 2;
+    const double middle = std::max(std::min((box.top + box.bottom) / 2, cell.bottom - half), cell.top + half);
+    draw_vertical_name(drawing, upright, {cell.left + 0.6 * letter, middle}, panel.y_label);
 }
 
 /// Draws the names that equal panels share; returns the remaining area.

@@ -63,6 +63,21 @@ TEST(Chart, PutsPointsWhereTheAxesDo) {
     EXPECT_TRUE(layout.points[2].empty()) << "values that have no logarithm must be left out";
 }
 
+TEST(Chart, ALongNameOfAnAxisIsWhole) {
+    const std::string name = "front from the release's centroid [m]";  // longer than the axis
+    Chart chart;
+    chart.panels = {{"", "time [s]", name, {{"", k_chart_colours[0], {{0, 0}, {1, 1}}}}}};
+    ChartLayout layout;
+    draw_chart(chart, 360, 180, &layout);
+    const PageBox page{0, 0, 360, 180};
+    bool found = false;
+    for (const TextBox& text : layout.texts) {
+        EXPECT_TRUE(text.box.inside(page)) << text.text;
+        found = found || (text.text == name && text.box.height() > layout.panels[0].height());
+    }
+    EXPECT_TRUE(found);
+}
+
 TEST(Chart, NamesAxesPanelsAndSeriesOnThePage) {
     ChartLayout layout;
     draw_chart(two_panels(), 1000, 600, &layout);

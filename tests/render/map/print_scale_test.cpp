@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -61,6 +62,23 @@ MapSpec on_sheet(const Raster& ground, const Raster& layer, int width, int heigh
     spec.longitude_latitude = test::degrees_at;
     spec.series = SeriesText{"The scene", spec.subtitle, spec.side_notes};
     return spec;
+}
+
+TEST(PrintScale, NoLetterIsSmallerThanIsAskedFor) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    constexpr int k_least = 17;
+    const auto smallest = [&](int least) {
+        MapSpec spec = on_sheet(ground, layer, 1417, 800, "");
+        spec.side_notes.clear();
+        spec.least_letters = least;
+        MapLayout layout;
+        draw_map(spec, &layout);
+        double size = 1000;
+        for (const TextBox& text : layout.texts) size = std::min(size, text.size_px);
+        return size;
+    };
+    EXPECT_EQ(smallest(k_least), k_least);
+    EXPECT_LT(smallest(k_least_letters), k_least) << "a page that is made for a screen has smaller ones";
 }
 
 // The pages of a series can be leafed through: frame and window stay, whatever else is on them.
