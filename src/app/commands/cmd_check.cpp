@@ -71,7 +71,8 @@ double engine_seconds(const RunEstimate& expected, const std::optional<TimeEstim
     return trial ? trial->engine_seconds : expected.wall_seconds;
 }
 
-std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial, double rest, int threads) {
+std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial, double rest, double end,
+                      int threads) {
     const double engine = engine_seconds(expected, trial), all = engine + rest;
     const std::string parts = ": " + number_text(engine, 2) + " s of computing on " + std::to_string(threads) +
                               " threads, " + number_text(rest, 2) + " s of reading, writing and drawing";
@@ -80,7 +81,10 @@ std::string time_text(const RunEstimate& expected, const std::optional<TimeEstim
                (expected.particles > 0 ? " and particles split" : "");
     return "about " + number_text(all, 2) + " s (" + number_text(all / 2, 2) + " to " + number_text(2 * all, 2) +
            " s)" + parts + ". From a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
-           (trial->cut_short ? ", which reached " + number_text(trial->trial_end, 2) + " s" : "");
+           (trial->cut_short ? ", which reached " + number_text(trial->trial_end, 2) + " s"
+                             : ", which ended at " + number_text(trial->trial_end, 2) + " s of " + shortest_text(end) +
+                                   ": a deposit that creeps on to the end takes about " +
+                                   number_text(engine * end / trial->trial_end + rest, 2) + " s");
 }
 
 /// Prints obstacles and zones on the working grid.
@@ -154,7 +158,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     }
     print_fact("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
                                  shortest_text(prepared.scene.time.end) + " s at most");
-    print_fact("estimated time", time_text(expected, trial, writing.seconds, threads));
+    print_fact("estimated time", time_text(expected, trial, writing.seconds, prepared.scene.time.end, threads));
     print_fact("disk", "about " + bytes_text(writing.disk_bytes));
     print_levels(prepared, trial);
     for (std::size_t i = 0; i < expected.terms.size(); ++i) print_fact(i == 0 ? "terms" : "", expected.terms[i]);

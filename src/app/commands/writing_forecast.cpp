@@ -18,7 +18,7 @@ constexpr double k_loading_s = 0.7, k_picture_s = 0.11, k_film_picture_s = 0.04,
 // Rasters, per cell that is stored and not nodata, compressed; the ground fills the whole map.
 constexpr double k_cell_s = 60e-9, k_raster_cell_bytes = 3, k_ground_bytes = 2.6;
 // Vector layers, tables, charts, the report's text; a row of timeseries.csv.
-constexpr double k_rest_s = 0.4, k_rest_bytes = 0.9e6, k_row_bytes = 130;
+constexpr double k_rest_s = 0.4, k_rest_bytes = 0.45e6, k_row_bytes = 130;
 // Flows spread to about so many times their release.
 constexpr double k_usual_spread = 10;
 // Pictures of a run besides its maps: comparison and charts; and of a study: charts.
@@ -36,6 +36,17 @@ void add_pictures(const OutputSpec& output, double count, double cells, WritingF
     forecast.seconds += k_loading_s + count * (size * k_picture_s + cells * k_cell_s);
     forecast.disk_bytes += count * static_cast<double>(output.map_formats.size()) * size * k_drawn_bytes;
     if (output.report) forecast.disk_bytes += std::min(count, k_charts) * size * k_drawn_bytes;
+}
+
+/// Number of the maps of output.maps = on that every run of the scene has.
+double usual(const SceneSpec& scene) {
+    double count = 0;
+    for (const std::string& name : usual_maps()) {
+        const ResultRaster& row = *find_result_raster(raster_of_map(name));
+        const bool is_there = row.is_produced_by == nullptr || row.is_produced_by(scene);
+        count += row.command == "run" && is_there && !row.if_it_happens ? 1 : 0;
+    }
+    return count;
 }
 
 double frames_of(const Prepared& prepared, const std::optional<TimeEstimate>& trial) {
@@ -72,9 +83,8 @@ WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& ex
                              k_rest_bytes + steps * k_row_bytes + 2 * stored * k_ground_bytes +
                                  k_rasters * reached_cells(prepared, trial) * k_raster_cell_bytes};
     const bool draws = output.maps.front() != "off";
-    const double maps = !draws                        ? 0
-                        : output.maps.front() == "on" ? static_cast<double>(usual_maps().size())
-                                                      : static_cast<double>(output.maps.size());
+    double maps = 0;
+    if (draws) maps = output.maps.front() == "on" ? usual(prepared.spec) : static_cast<double>(output.maps.size());
     const double pictures = maps + (prepared.scar ? 1 : 0) + (draws && output.charts ? k_charts : 0);
     if (pictures > 0) add_pictures(output, pictures, stored, forecast);
     add_film(prepared, trial, forecast);
