@@ -121,7 +121,7 @@ TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
 
 TEST_F(Calibrate, SaysThatItsRunsLeftTheGround) {
     write_study("samples = 4\nrefine = 4\n", k_jaccard + k_two_keys,
-                "[set]\nterrain.bounds = 527000 5094000 527100 5094150\n");
+                "[set]\ntime.end = 30\nterrain.bounds = 527000 5094000 527100 5094150\n");
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));
