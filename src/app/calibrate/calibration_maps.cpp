@@ -10,6 +10,7 @@
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
+#include "app/store/result_files.h"
 #include "app/store/saved_work.h"
 #include "app/text/number_text.h"
 #include "app/text/today.h"
@@ -112,7 +113,12 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
             const MapSource source = source_of(ground, result);
             MapLayer layer =
                 read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
-            LayerDrawer(source).draw(layer, false, directory.path("maps/" + name));
+            LayerDrawer drawer(source);
+            if (base.spec.output.report) {
+                directory.make_folder(k_page_folder);
+                drawer.draw_for_page_too(directory.path(k_page_folder));
+            }
+            drawer.draw(layer, false, directory.path("maps/" + name));
             log.note("drew maps/" + name);
         } catch (const Error& error) {
             log.warn(worded("{1} could not be drawn: {2}", {"maps/" + name, std::string(error.what())}));

@@ -196,6 +196,7 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
         page.add(failures_table(input, runs.last(), words));
     }
     page.finish();
+    remove_page_pictures(directory.folder());
 }
 
 }  // namespace frana::app

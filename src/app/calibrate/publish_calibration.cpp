@@ -7,6 +7,7 @@
 #include "app/calibrate/calibration_tables.h"
 #include "app/ensemble/study_result.h"
 #include "app/input/scene_language.h"
+#include "app/pictures/charts.h"
 #include "app/store/provenance.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
@@ -44,8 +45,7 @@ bool draw(const CalibrationInput& input, const CalibrationRuns& runs, const Cali
     bool good = true;
     for (const NamedChart& one : calibration_charts(input, runs, result, source)) {
         try {
-            write_plain_picture(render::chart_page(one.chart, source.style.size.width, source.style.size.height),
-                                source.style, one.chart.title, directory.path("charts/" + one.name));
+            write_chart(one, source.style, directory.folder(), output.report);
             log.note("drew charts/" + one.name);
         } catch (const Error& error) {
             log.warn(worded("{1} could not be drawn: {2}", {"charts/" + one.name, std::string(error.what())}));

@@ -12,6 +12,7 @@
 #include "app/ensemble/mapped_events.h"
 #include "app/ensemble/study_charts.h"
 #include "app/input/scene_language.h"
+#include "app/pictures/charts.h"
 #include "app/pictures/class_words.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
@@ -215,6 +216,10 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
     };
     LayerDrawer drawer(source);
     drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
+    if (output.report) {
+        make_folder(written.path(k_page_folder));
+        drawer.draw_for_page_too(written.path(k_page_folder));
+    }
     make_folder(written.path("maps"));
     for (const std::string& name : written.drawable()) {
         if (!is_drawn_at_once(name)) continue;
@@ -223,10 +228,7 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
     if (!output.charts || input.reading.study.per_polygon()) return good;  // of sources there is no distribution
     make_folder(written.path("charts"));
     for (const NamedChart& one : study_charts(input, result, figures, convergence_of(input, result), source)) {
-        attempt("charts/" + one.name, [&] {
-            write_plain_picture(render::chart_page(one.chart, source.style.size.width, source.style.size.height),
-                                source.style, one.chart.title, written.path("charts/" + one.name));
-        });
+        attempt("charts/" + one.name, [&] { write_chart(one, source.style, written.directory(), output.report); });
     }
     return good;
 }

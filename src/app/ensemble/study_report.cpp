@@ -181,6 +181,7 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
         page.add(failures_list(result, words));
     }
     page.finish();
+    remove_page_pictures(directory.folder());
 }
 
 }  // namespace frana::app

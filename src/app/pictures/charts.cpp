@@ -11,6 +11,7 @@
 #include "app/store/result_files.h"
 #include "app/text/csv_cell.h"
 #include "app/text/file_stems.h"
+#include "app/text/text_file.h"
 #include "core/error.h"
 #include "core/utf8.h"
 #include "gis/access/table_in.h"
@@ -306,6 +307,24 @@ std::vector<std::string> draw_charts(const ResultReader& result, const MapSource
         }
     }
     return files;
+}
+
+void write_chart(const NamedChart& one, const MapStyle& style, const std::string& folder, bool for_page) {
+    const std::filesystem::path place(folder);
+    write_plain_picture(render::chart_page(one.chart, style.size.width, style.size.height), style, one.chart.title,
+                        (place / "charts" / one.name).string());
+    if (!for_page) return;
+    // 9 of 720 units, the smallest letters, are 6.4 points on the report's 180 mm. Charts of many panels are higher.
+    constexpr int k_width = 720, k_heights[] = {400, 640, 1000};
+    std::filesystem::create_directories(place / k_page_folder);
+    for (const int height : k_heights) {
+        try {
+            return write_text_file((place / k_page_folder / (one.name + ".svg")).string(),
+                                   render::chart_svg(one.chart, k_width, height));
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::input || height == std::end(k_heights)[-1]) throw;
+        }
+    }
 }
 
 }  // namespace frana::app

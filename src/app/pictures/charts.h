@@ -16,6 +16,10 @@ struct NamedChart {
     render::Chart chart;
 };
 
+/// Writes charts/NAME to a folder that has charts/. `for_page`: also the drawing of it in the report, whose letters are
+/// legible there.
+void write_chart(const NamedChart& one, const MapStyle& style, const std::string& folder, bool for_page);
+
 /// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
 /// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,
 /// cross-sections, and with a survey the scores over the depth threshold. The numbers are those of the files. A broken

@@ -11,6 +11,7 @@
 #include "app/pictures/class_words.h"
 #include "app/publish/page_style.h"
 #include "app/store/result_files.h"
+#include "app/text/text_file.h"
 #include "core/base64.h"
 #include "core/error.h"
 #include "core/folder_entries.h"
@@ -70,6 +71,15 @@ std::string css_text(const std::string& text) {
     return quoted + "\"";
 }
 
+/// Returns the picture of this name that was drawn for the page, where there is one.
+std::string drawn_for_page(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path().parent_path() / k_page_folder;
+    for (const char* ending : {".svg", ".png"})
+        if (const fs::path own = folder / (fs::path(path).stem().string() + ending); fs::exists(own))
+            return own.string();
+    return path;
+}
+
 std::string begin_of(const std::string& name) {
     return "<!--part " + name + "-->";
 }
@@ -116,8 +126,12 @@ void HtmlPage::add_picture(const std::string& path, const std::string& caption, 
 
 void HtmlPage::add_pictures(const std::vector<std::string>& paths, const std::string& kind) {
     for (const std::string& path : paths) {
-        const std::string title = picture_title(fs::path(path).stem().string(), words_);
-        add_picture(path, title, words_.labelled(kind, title));
+        const std::string title = picture_title(fs::path(path).stem().string(), words_),
+                          alt = words_.labelled(kind, title), own = drawn_for_page(path);
+        if (own.ends_with(".svg"))
+            add(svg_figure(read_text_file(own), title, alt));
+        else
+            add_picture(own, title, alt);
     }
 }
 
@@ -140,6 +154,23 @@ std::string figure_html(const std::string& path, const std::string& caption, con
            "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
            "\" src=\"data:" + picture.mime + ";base64," + base64(picture.bytes) + "\">\n<figcaption>" +
            escaped_markup(caption) + "</figcaption>\n</figure>\n";
+}
+
+std::string svg_figure(const std::string& svg, const std::string& caption, const std::string& alt) {
+    // The element, a picture by its role, gets a name for those who cannot see it.
+    const std::string tag = "<svg ";
+    const std::size_t at = svg.find(tag);
+    const std::string named = at == std::string::npos
+                                  ? svg
+                                  : svg.substr(at, tag.size()) + (caption.empty() ? "" : "class=\"page\" ") +
+                                        "aria-label=\"" + escaped_markup(alt) + "\" " + svg.substr(at + tag.size());
+    return "<figure>\n" + named +
+           (caption.empty() ? "" : "<figcaption>" + escaped_markup(caption) + "</figcaption>\n") + "</figure>\n";
+}
+
+void remove_page_pictures(const std::string& folder) {
+    std::error_code ignored;
+    fs::remove_all(fs::path(folder) / k_page_folder, ignored);
 }
 
 std::string first_warnings(const std::vector<Sentence>& warnings, const Words& words) {

@@ -63,6 +63,12 @@ std::string figure_html(const std::string& path, const std::string& caption, con
 /// none.
 std::string first_warnings(const std::vector<Sentence>& warnings, const Words& words);
 
+/// A drawing inside the page, as wide as it where it has a caption; without one, small.
+std::string svg_figure(const std::string& svg, const std::string& caption, const std::string& alt);
+
+/// Deletes the pictures that were drawn for the page alone, from a folder that is still being written.
+void remove_page_pictures(const std::string& folder);
+
 /// Returns the paths of the PNG files in a folder, sorted.
 std::vector<std::string> pictures_in(const std::string& folder);
 

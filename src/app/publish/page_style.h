@@ -61,6 +61,7 @@ summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
   .answer p { margin: 1mm 0; }
   .answer figure { flex: 1 1 95mm; min-height: 95mm; max-height: 140mm; display: flex; flex-direction: column; }
   .answer figure img { flex: 1 1 0; min-height: 0; max-height: none; object-fit: contain; border: 0; }
+  figure svg.page { width: 180mm; max-width: none; max-height: none; }
   figure img.page, .answer figure img.page { flex: none; width: 180mm; max-width: none; max-height: none; border: 0; }
 }
 )";

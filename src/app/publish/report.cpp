@@ -99,8 +99,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     page.add(inputs_table(input.prepared, words));
     add_keys(page, input);
     page.finish();
-    std::error_code ignored;
-    fs::remove_all(directory.path(k_page_folder), ignored);  // in a folder still being written, so it belongs to frana
+    remove_page_pictures(directory.folder());
 }
 
 }  // namespace frana::app

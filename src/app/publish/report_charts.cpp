@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/publish/html_page.h"
 #include "app/publish/report_answer.h"
 #include "app/text/number_text.h"
 #include "core/markup.h"
@@ -13,16 +14,6 @@ namespace {
 
 constexpr int k_width = 360, k_height = 180;
 constexpr std::size_t k_curves = 8, k_curve_letters = 30;
-
-std::string figure(const std::string& svg, const std::string& alt) {
-    // The element, a picture by its role, gets a name for those who cannot see it.
-    const std::string tag = "<svg ";
-    const std::size_t at = svg.find(tag);
-    const std::string named = at == std::string::npos ? svg
-                                                      : svg.substr(0, at + tag.size()) + "aria-label=\"" +
-                                                            escaped_markup(alt) + "\" " + svg.substr(at + tag.size());
-    return "<figure>\n" + named + "</figure>\n";
-}
 
 double greatest(const std::vector<Point>& points) {
     double value = 0;
@@ -53,7 +44,8 @@ std::string chart_figures(const render::ChartPanel& panel, const std::string& al
             part.series.back().width_px = 3;
             render::look_apart(part.series.back(), i - first);
         }
-        html += figure(render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height), alt);
+        html +=
+            svg_figure(render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height), "", alt);
     }
     return html;
 }
