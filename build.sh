@@ -5,9 +5,9 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 # libvtk9-dev depends on VTK's Java and Python bindings (270 MB of Java that frana does not use): Debian has its headers in no
-# smaller package.
+# smaller package. gettext: msgfmt compiles the texts of other languages (share/po).
 packages=(
-  g++ cmake ninja-build pkg-config ca-certificates
+  g++ cmake ninja-build pkg-config ca-certificates gettext
   libgdal-dev libproj-dev proj-data libeigen3-dev
   libosmesa6-dev libvtk9-dev libcairo2-dev libpango1.0-dev libpng-dev fonts-dejavu-core
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev

@@ -172,12 +172,13 @@ std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std
                              {name_of(key), short_number(key.low), short_number(key.high), percent(key.width)}));
     }
     for (const IndistinctPair& pair : pairs)
-        all.push_back(worded(pair.correlation > 0
-                                 ? "The surveys cannot tell {1} from {2}: greater values of one explain them as well "
-                                   "with greater values of the other (correlation {3})."
-                                 : "The surveys cannot tell {1} from {2}: greater values of one explain them as well "
-                                   "with smaller values of the other (correlation {3}).",
-                             {name_of(keys[pair.first]), name_of(keys[pair.second]), short_number(pair.correlation)}));
+        all.push_back(
+            worded(pair.correlation > 0
+                       ? worded("The surveys cannot tell {1} from {2}: greater values of one explain them as well "
+                                "with greater values of the other (correlation {3}).")
+                       : worded("The surveys cannot tell {1} from {2}: greater values of one explain them as well "
+                                "with smaller values of the other (correlation {3})."),
+                   {name_of(keys[pair.first]), name_of(keys[pair.second]), short_number(pair.correlation)}));
     return all;
 }
 

@@ -9,7 +9,7 @@ namespace {
 const std::vector<std::string> k_folders{"src", "gis", "render", "tests", "sample_data", "share"};
 
 TEST(SourceFiles, EveryFileNamesItsLicenceFirst) {
-    for (const std::string& file : source_files(k_folders, {".h", ".cpp", ".ini", ".txt", ".sh"})) {
+    for (const std::string& file : source_files(k_folders, {".h", ".cpp", ".ini", ".txt", ".cmake", ".po", ".sh"})) {
         const auto lines = lines_of(file);
         ASSERT_FALSE(lines.empty()) << file << " is empty";
         const std::size_t first = lines.front().rfind("#!", 0) == 0 ? 1 : 0;

@@ -64,13 +64,13 @@ NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSe
     const Words& words = source.style.words;
     render::Chart chart =
         page(source, words("sensitivity of the results"),
-             words(by_indices ? "bar: total Sobol' index, thin line: its interval of 95 %, circle: first order"
-                              : "bar: rank correlation with the figure, thin line: its interval of 95 %"),
+             words(by_indices ? worded("bar: total Sobol' index, thin line: its interval of 95 %, circle: first order")
+                              : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
              "sensitivity.csv", across_of(std::min(k_most_panels, figures.size())));
     for (const FigureSensitivity& figure : figures) {
         if (chart.panels.size() == k_most_panels) break;
         render::ChartPanel panel{figure_title(figure.figure, words),
-                                 words(by_indices ? "fraction of the variance [-]" : "correlation [-]"),
+                                 words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
                                  "",
                                  {}};
         panel.note = words("the figure does not vary");

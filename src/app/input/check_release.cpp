@@ -46,7 +46,7 @@ CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>
 }
 
 Sentence cells_of(const CellList& list) {
-    return worded(list.count == 1 ? "{1} cell: {2}" : "{1} cells: {2}",
+    return worded(list.count == 1 ? worded("{1} cell: {2}") : worded("{1} cells: {2}"),
                   {numeral(grouped(list.count)), listed(list.first)});
 }
 

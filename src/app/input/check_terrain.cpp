@@ -56,12 +56,13 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, const Gri
     for (const Spot& spot : found.first_needles)
         list.push_back(worded("{1} m at {2}", {numeral(number_text(spot.value, 4)), place(grid, spot)}));
     if (found.needles > static_cast<std::int64_t>(list.size())) list.emplace_back(std::string("..."));
-    log.warn(worded(found.needles == 1 ? "DTM: {1} single cell stands more than {2} m above or below all eight "
-                                         "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
-                                         "DTM there (a mast, a bird, noise, undeclared nodata)"
-                                       : "DTM: {1} single cells stand more than {2} m above or below all eight "
-                                         "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
-                                         "DTM there (a mast, a bird, noise, undeclared nodata)",
+    log.warn(worded(found.needles == 1
+                        ? worded("DTM: {1} single cell stands more than {2} m above or below all eight "
+                                 "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
+                                 "DTM there (a mast, a bird, noise, undeclared nodata)")
+                        : worded("DTM: {1} single cells stand more than {2} m above or below all eight "
+                                 "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
+                                 "DTM there (a mast, a bird, noise, undeclared nodata)"),
                     {numeral(grouped(found.needles)), numeral(number_text(needle)), listed(list)}));
 }
 

@@ -229,7 +229,8 @@ AnimationSource animation_source(const ResultReader& result, const MapSource& so
         animation.layer.title = source.style.words(particles->title);
         open_above(animation.layer);
     } else if (quantity == "depth" || quantity == "velocity") {
-        animation.layer.title = source.style.words(quantity == "depth" ? "Flow depth" : "Flow velocity");
+        const bool is_depth = quantity == "depth";
+        animation.layer.title = source.style.words(is_depth ? worded("Flow depth") : worded("Flow velocity"));
     }
     animation.layer.source =
         "frames/" + (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute

@@ -52,7 +52,7 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
 }
 
 std::string attribution(const MapSource& source) {
-    const std::string own = source.style.words(source.foreign ? "Drawn with {1}" : "Simulated with {1}",
+    const std::string own = source.style.words(source.foreign ? worded("Drawn with {1}") : worded("Simulated with {1}"),
                                                {std::string(k_program) + " " + k_version});
     const Words& words = source.style.words;
     std::vector<std::string> parts;

@@ -49,9 +49,9 @@ void ResultReader::add_study(MapSource& source) const {
         const auto error = value_in<double>(*summary, "/largest_standard_error");
         const bool per_polygon = value_in<std::string>(*summary, "/sampling") == "per-polygon";
         if (finished)
-            source.subtitle = words_(
-                per_polygon ? "{1} sources, each failing alone" : "{1} runs with values drawn from their distributions",
-                {std::to_string(*finished)});
+            source.subtitle = words_(per_polygon ? worded("{1} sources, each failing alone")
+                                                 : worded("{1} runs with values drawn from their distributions"),
+                                     {std::to_string(*finished)});
         // A probability of values that somebody chose, and of a failure that is taken for granted: no hazard by itself.
         if (const std::string keys = varied_keys(*summary); finished && !keys.empty())
             source.scenario =

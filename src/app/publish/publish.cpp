@@ -68,8 +68,8 @@ void note_volumes(const RunResult& result, RunLog& log) {
                                                 : worded("release area {1} '{2}'", {std::to_string(i + 1), area.name});
         const std::vector<Sentence> values{name, numeral(grouped(area.volume)), numeral(grouped(area.area)),
                                            numeral(shortest_text(area.start))};
-        const Sentence released =
-            worded(area.start > 0 ? "{1}: {2} m3 from {3} m2, at {4} s" : "{1}: {2} m3 from {3} m2", values);
+        const Sentence released = worded(
+            area.start > 0 ? worded("{1}: {2} m3 from {3} m2, at {4} s") : worded("{1}: {2} m3 from {3} m2"), values);
         if (!area.failed) {
             log.warn(worded("{1}: not before the end of the run", {released}));
         } else {
@@ -115,12 +115,13 @@ void warn_of_thin_flow(const Prepared& prepared, const RunResult& result, RunLog
     const double minimum = prepared.scene.numerics.minimum_depth;
     const bool was_visible = maximum(result.max_depth) > 0;
     log.warn(worded(
-        was_visible ? "at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
-                      "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                      "hundredth of the usual flow depth"
-                    : "the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
-                      "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                      "hundredth of the usual flow depth",
+        was_visible
+            ? worded("at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
+                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                     "hundredth of the usual flow depth")
+            : worded("the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
+                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                     "hundredth of the usual flow depth"),
         {percent(result.thin_fraction), shortest_text(minimum)}));
 }
 

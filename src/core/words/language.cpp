@@ -1,25 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/words/language.h"
 
+#include <array>
 #include <cstdlib>
 
 namespace frana {
+namespace {
+
+constexpr auto k_languages = std::to_array<LanguageRow>({
+    {"en", ".", " ", ": "},
+    {"it", ",", ".", ": "},
+    {"de", ",", ".", ": "},
+    {"fr", ",", "\u202F", "\u202F: "},  // a narrow space, at which no line ends
+    {"es", ",", "\u202F", ": "},
+});
+
+}  // namespace
+
+std::span<const LanguageRow> languages() {
+    return k_languages;
+}
+
+const LanguageRow& row_of(Language language) {
+    return k_languages.at(static_cast<std::size_t>(language));
+}
 
 std::string language_code(Language language) {
-    for (const LanguageCode& one : k_languages)
-        if (one.language == language) return one.code;
-    return {};
+    return row_of(language).code;
 }
 
 std::string language_codes() {
     std::string all;
-    for (const LanguageCode& one : k_languages) all += (all.empty() ? "" : ", ") + std::string(one.code);
+    for (const LanguageRow& one : k_languages) all += (all.empty() ? "" : ", ") + std::string(one.code);
     return all;
 }
 
 std::optional<Language> language_of_code(std::string_view code) {
-    for (const LanguageCode& one : k_languages)
-        if (one.code == code) return one.language;
+    for (std::size_t i = 0; i < k_languages.size(); ++i)
+        if (k_languages.at(i).code == code) return static_cast<Language>(i);
     return std::nullopt;
 }
 

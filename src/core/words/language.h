@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace frana {
 
 /// Languages of what people read on maps, charts and in reports. File and column names, keys and messages are English.
-enum class Language { english, italian, german, french, spanish };
+/// The value is the number of the language's row in languages().
+enum class Language : std::uint8_t { english, italian, german, french, spanish };
 
-/// A language and its code of two letters.
-struct LanguageCode {
-    Language language;
+/// A language: its code of two letters, and the signs between which it writes numbers and labels.
+struct LanguageRow {
     const char* code;
+    const char* decimal;    ///< sign
+    const char* thousands;  ///< sign between groups of three digits
+    const char* colon;      ///< what stands between a label and its text
 };
-inline constexpr std::array<LanguageCode, 5> k_languages{{{Language::english, "en"},
-                                                          {Language::italian, "it"},
-                                                          {Language::german, "de"},
-                                                          {Language::french, "fr"},
-                                                          {Language::spanish, "es"}}};
+/// Returns all languages, English first.
+std::span<const LanguageRow> languages();
+/// Returns the row of a language.
+const LanguageRow& row_of(Language language);
 
 /// Returns "de".
 std::string language_code(Language language);

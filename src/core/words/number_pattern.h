@@ -9,7 +9,7 @@
 
 namespace frana {
 
-/// An English text with its numbers taken out, so that one row of the tables serves for all values.
+/// An English text with its numbers taken out, so that one text of the catalogues serves for all values.
 struct NumberPattern {
     std::string text;                  ///< "{1}, a smooth wide bed"; at most nine places, later numbers stay
     std::vector<std::string> numbers;  ///< "24"; with groups of three digits: "63 071"

@@ -11,7 +11,7 @@
 namespace frana {
 
 /// A sentence that is put together where its facts are known and shown later in any language: an English pattern that
-/// has a row in the tables, and the values for {1}, {2}, ... in it.
+/// the catalogues have, and the values for {1}, {2}, ... in it.
 ///
 ///     const Sentence warning = worded("{1} m3 left the map at {2}", {numeral(grouped(volume)), name});
 ///     warning.text();                           // in English, for the terminal and for files that programs read
@@ -52,7 +52,7 @@ class Sentence {
     std::vector<Sentence> values_;
 };
 
-/// Returns a sentence from a pattern that has a row in the tables.
+/// Returns a sentence from a pattern that the catalogues have.
 Sentence worded(const char* english, std::vector<Sentence> values);
 /// Returns a number written in English ("1 234.5") that is shown as the language writes it.
 Sentence numeral(std::string english);

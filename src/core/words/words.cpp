@@ -3,61 +3,11 @@
 
 #include <array>
 #include <cctype>
-#include <unordered_map>
 
-#include "core/words/word_row.h"
+#include "core/words/catalogue.h"
 
 namespace frana {
 namespace {
-
-constexpr const char* k_narrow_space = "\u202F";  // does not break
-
-const WordRow* find_row(std::string_view english) {
-    static const auto k_rows = [] {
-        std::unordered_map<std::string_view, const WordRow*> rows;
-        for (const std::span<const WordRow> table : word_tables())
-            for (const WordRow& row : table) rows.emplace(row.english, &row);
-        return rows;
-    }();
-    const auto found = k_rows.find(english);
-    return found == k_rows.end() ? nullptr : found->second;
-}
-
-std::string_view in_language(const WordRow& row, Language language) {
-    switch (language) {
-        case Language::italian:
-            return row.italian;
-        case Language::german:
-            return row.german;
-        case Language::french:
-            return row.french;
-        case Language::spanish:
-            return row.spanish;
-        case Language::english:
-            break;
-    }
-    return row.english;
-}
-
-/// How a language writes numbers; English writes a point, and a space between groups of three digits.
-struct NumberSigns {
-    const char* decimal;
-    const char* thousands;
-};
-
-NumberSigns number_signs(Language language) {
-    switch (language) {
-        case Language::italian:
-        case Language::german:
-            return {",", "."};
-        case Language::french:
-        case Language::spanish:
-            return {",", k_narrow_space};
-        case Language::english:
-            break;
-    }
-    return {".", " "};
-}
 
 bool is_digit(std::string_view text, std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
@@ -75,8 +25,7 @@ bool is_between_groups(std::string_view text, std::size_t at) {
 }  // namespace
 
 std::string Words::operator()(std::string_view english, const std::vector<std::string>& values) const {
-    const WordRow* const row = language_ == Language::english ? nullptr : find_row(english);
-    const std::string_view pattern = row != nullptr ? in_language(*row, language_) : english;
+    const std::string_view pattern = catalogue_of(language_).find(english).value_or(english);
     std::string text;
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         const bool is_place = pattern[i] == '{' && is_digit(pattern, i + 1) && i + 2 < pattern.size() &&
@@ -93,7 +42,7 @@ std::string Words::operator()(std::string_view english, const std::vector<std::s
 }
 
 std::string Words::number(std::string_view english) const {
-    const NumberSigns signs = number_signs(language_);
+    const LanguageRow& signs = row_of(language_);
     std::string text;
     for (std::size_t i = 0; i < english.size(); ++i) {
         if (english[i] == '.' && is_digit(english, i + 1) && i > 0 && is_digit(english, i - 1))
@@ -124,8 +73,7 @@ std::string Words::date(std::string_view iso) const {
 }
 
 std::string Words::labelled(std::string_view label, std::string_view text) const {
-    const char* const sign = language_ == Language::french ? "\u202F: " : ": ";
-    return std::string(label) + sign + std::string(text);
+    return std::string(label) + row_of(language_).colon + std::string(text);
 }
 
 }  // namespace frana

@@ -13,8 +13,9 @@ namespace frana {
 ///
 ///     words("Threshold {1} m", {words.number(number_text(threshold, 3))})    // "Schwellenwert 0,5 m"
 ///
-/// The English text is the key of its row in one of the tables of word_row.h. tests/core/words/word_tables_test.cpp
-/// finds the texts of such calls in the sources, and those of worded(), and refuses one that a table does not have.
+/// The English text is the msgid of the catalogues share/po. tests/core/words/catalogue_test.cpp finds the texts of
+/// such calls in the sources, and those of worded(), and refuses one that a catalogue does not have. It sees one
+/// literal in a call: words(many ? worded("{1} cells") : worded("{1} cell")).
 class Words {
   public:
     Words() = default;
@@ -22,8 +23,8 @@ class Words {
 
     [[nodiscard]] Language language() const noexcept { return language_; }
 
-    /// Returns a text in the language, {1}, {2}, ... replaced by the values. A text without a row stays English: it is
-    /// a user's own, as the name of another program's raster.
+    /// Returns a text in the language, {1}, {2}, ... replaced by the values. A text that has none stays English: it
+    /// is a user's own, as the name of another program's raster.
     [[nodiscard]] std::string operator()(std::string_view english, const std::vector<std::string>& values = {}) const;
 
     /// Returns a number or list of numbers written in English ("1 234.5", "0.1, 0.5") as the language writes it:

@@ -9,7 +9,7 @@
 
 namespace frana {
 
-// What a key's declaration says, in the language of a report. Its English texts are rows of the tables of words.
+// What a key's declaration says, in the language of a report. Its English texts are in the catalogues.
 
 /// Returns what a law adds to the meaning of the keys that it uses: " Used by material.bed-friction = chezy.".
 std::string used_by(const std::string& key);
@@ -19,7 +19,7 @@ std::string meaning_in(const Parameter& key, const Words& words);
 /// Returns the effect if the key is not given.
 std::string absent_in(const Parameter& key, const Words& words);
 
-/// Returns the rows that these two need, in English.
+/// Returns the texts of the catalogues that these two need, in English.
 std::vector<std::string> rows_of(const Parameter& key);
 
 }  // namespace frana

@@ -20,7 +20,7 @@ struct MaterialPreset {
 /// Error(environment) if the folder is missing.
 std::vector<MaterialPreset> material_presets(const std::string& directory);
 
-/// Returns the comments as paragraphs, each a row of the tables of words: one begins with each label of one word, such
+/// Returns the comments as paragraphs, each a text of the catalogues: one begins with each label of one word, such
 /// as "Source: ".
 std::vector<std::string> paragraphs_of(const std::vector<std::string>& comments);
 

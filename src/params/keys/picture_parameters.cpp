@@ -70,9 +70,9 @@ void add_pictures(std::vector<Parameter>& list) {
                         "Date in the title block of maps; none: no date.", "the day of the run"));
     list.push_back(text("output.map-attribution", FRANA_MEMBER(output.map_attribution), "text",
                         "Sources of the data and author, at the foot of every picture.", "the program alone"));
-    std::vector<std::string> languages{k_language_of_locale};
-    for (const LanguageCode& one : k_languages) languages.emplace_back(one.code);
-    list.push_back(choice("output.language", FRANA_MEMBER(output.language), languages,
+    std::vector<std::string> codes{k_language_of_locale};
+    for (const LanguageRow& one : languages()) codes.emplace_back(one.code);
+    list.push_back(choice("output.language", FRANA_MEMBER(output.language), codes,
                           "Language of maps, charts, legends and the report; auto: that of the locale (LC_ALL, "
                           "LC_MESSAGES, LANG), English if it is none of these."));
     list.push_back(text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
