@@ -43,7 +43,9 @@ ChartAxis::ChartAxis(Scale scale, const std::vector<double>& values, double from
         least_ = place(*least);
         most_ = place(*most);
     }
-    if (most_ == least_) most_ = least_ + 1;
+    // Values that differ by rounding alone have no ticks between them.
+    constexpr double k_alike = 1e-9;
+    if (most_ - least_ <= k_alike * std::max(std::abs(least_), std::abs(most_))) most_ = least_ + 1;
     if (scale_ == Scale::logarithmic) return;
     step_ = nice_step_above((most_ - least_) * room / std::abs(to_ - from_));
     if (!rounded) return;

@@ -309,7 +309,8 @@ void FlowRun<AnyFlow>::count(const StepStatistics& statistics) {
     result_.series.push_back(series_row(flow_, statistics, density_of(scene_, flow_), result_));
     if (statistics.volume > 0) {
         result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin / statistics.volume);
-        result_.moving_fraction_limit = statistics.moving / statistics.volume;
+        result_.moving_fraction_limit =
+            std::min(1.0, statistics.moving / statistics.volume);  // some may have just left
     }
     result_.particles_peak = std::max(result_.particles_peak, flow_.particle_count());
     result_.hard_events.depth_clamped += statistics.clamped;

@@ -132,6 +132,9 @@ std::string stop_word(StopReason reason) {
 MotionAtEnd motion_at_end(bool at_end_time, double fastest, double moving_fraction, bool front_is_final) noexcept {
     constexpr double k_moving_speed = 0.1;    // [m/s]
     constexpr double k_moving_volume = 0.01;  // however thin it moves
+    // More than creeps: a front that rests while so much moves may be pushed on from behind.
+    constexpr double k_creeping_volume = 0.1;
+    front_is_final = front_is_final && moving_fraction <= k_creeping_volume;
     const bool moves = at_end_time && (fastest > k_moving_speed || moving_fraction > k_moving_volume);
     return {moves && !front_is_final, moves && front_is_final};
 }

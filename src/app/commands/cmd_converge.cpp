@@ -17,6 +17,7 @@
 #include "app/input/share_directory.h"
 #include "app/process/signals.h"
 #include "app/process/terminal.h"
+#include "app/publish/publish.h"
 #include "app/publish/report_answer.h"
 #include "app/store/error_estimate.h"
 #include "app/store/json_file.h"
@@ -70,6 +71,7 @@ struct Level {
     double wall_seconds = 0;
     RunStatistics statistics;
     Raster depth;
+    std::vector<Sentence> warnings;  ///< as `frana run` would give
 };
 
 Level run_level(const Prepared& prepared, const SceneVariants& variants) {
@@ -86,6 +88,11 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.steps = result.steps;
     level.wall_seconds = result.engine_seconds;
     level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
+    RunLog log(true);
+    warn_of_result(prepared, result, log);
+    const Sentence size = numeral(number_text(level.cell_size));
+    for (const Sentence& warning : log.warnings())
+        level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning}));
     level.depth = std::move(result.max_depth);
     return level;
 }
@@ -120,6 +127,9 @@ std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) 
               {"version", k_version},
               {"scene", spec.file},
               {"finest_cell_size_m", levels.back().cell_size}};
+    json["warnings"] = Json::array();
+    for (const Level& level : levels)
+        for (const std::string& warning : texts_of(level.warnings)) json["warnings"].push_back(warning);
     for (const RunStatistic& name : reported_statistics()) {
         const GridConvergence c = convergence_of(levels, name);
         json["statistics"][name.key] = {{"finest", name.of(levels.back().statistics)},
@@ -288,6 +298,9 @@ int cmd_converge(const Arguments& arguments) {
         if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     }
 
+    RunLog log(quiet);
+    for (const Level& level : levels)
+        for (const Sentence& warning : level.warnings) log.warn(warning);
     begin_own(folder.string(), files_of(folder));
     std::vector<Raster> depths;
     for (Level& level : levels) depths.push_back(std::move(level.depth));

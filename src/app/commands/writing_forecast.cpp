@@ -18,7 +18,7 @@ constexpr double k_loading_s = 0.7, k_picture_s = 0.11, k_film_picture_s = 0.04,
 // Rasters, per cell that is stored and not nodata, compressed; the ground fills the whole map.
 constexpr double k_cell_s = 60e-9, k_raster_cell_bytes = 3, k_ground_bytes = 2.6;
 // Vector layers, tables, charts, the report's text; a row of timeseries.csv.
-constexpr double k_rest_s = 0.4, k_rest_bytes = 0.45e6, k_row_bytes = 130;
+constexpr double k_rest_s = 0.8, k_rest_bytes = 0.45e6, k_row_bytes = 130;
 // Flows spread to about so many times their release.
 constexpr double k_usual_spread = 10;
 // Pictures of a run besides its maps: comparison and charts; and of a study: charts.

@@ -15,12 +15,18 @@ Sentence count(std::size_t number) {
     return numeral(std::to_string(number));
 }
 
-/// A warning of the runs, told with the one that has the greatest fractions.
+/// A warning of the runs, told with the one whose figure is the worst.
 struct KindOfWarning {
     Sentence worst;
     std::size_t member = 0, runs = 0;
-    double fraction = -1;
+    double severity = 0;
 };
+
+/// The figure that a warning is about, the first of its numbers; of a number of particles the fewest are the worst.
+double severity_of(const Sentence& warning) {
+    const double figure = warning.first_number().value_or(0);
+    return warning.pattern().find("particles only") == std::string::npos ? figure : -figure;
+}
 
 }  // namespace
 
@@ -48,7 +54,6 @@ std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, con
     std::vector<std::string> order;
     std::map<std::string, KindOfWarning> kinds;
     for (const RunOfStudy& run : runs) {
-        const double fraction = std::max(run.end.moving_fraction, run.end.left_fraction);
         std::set<std::string> told;
         for (const Sentence& warning : run.end.warnings) {
             if (std::find(known.begin(), known.end(), warning) != known.end()) continue;
@@ -56,10 +61,11 @@ std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, con
             if (is_new) order.push_back(warning.pattern());
             KindOfWarning& kind = at->second;
             kind.runs += told.insert(warning.pattern()).second ? 1 : 0;
-            if (!(fraction > kind.fraction)) continue;
+            const double severity = severity_of(warning);
+            if (!is_new && !(severity > kind.severity)) continue;
             kind.worst = warning;
             kind.member = run.member;
-            kind.fraction = fraction;
+            kind.severity = severity;
         }
     }
     std::vector<Sentence> sentences;

@@ -21,8 +21,8 @@ struct RunOfStudy {
 /// @param each_counts as Troubles::each_counts
 Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts);
 
-/// One sentence for each kind of warning that the runs gave: of how many, and that of the run with the greatest
-/// fractions.
+/// One sentence for each kind of warning that the runs gave: of how many, and that of the run whose figure is the
+/// worst.
 /// @param known warnings of the study itself, which need not be told again
 std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known);
 

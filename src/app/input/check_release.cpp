@@ -286,15 +286,15 @@ void warn_of_release(const Raster& bed, const Raster& release, const std::vector
         const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
         if (thickness <= k_stout * width) continue;
         log.warn(
-            worded("a release of {1} m2 is {2} m thick on average: the equations hold for masses much wider than "
+            worded("a release of {2} m2 is {1} m thick on average: the equations hold for masses much wider than "
                    "thick",
-                   {numeral(grouped(area.area)), numeral(number_text(thickness, 3))}));
+                   {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
     }
     if (particles > 0 && particles < k_few_particles)
         log.warn(
             worded("the run starts with {1} particles only: area and run-out change much with smaller cells; "
                    "reduce terrain.cell-size, and see frana converge",
-                   {std::to_string(particles)}));
+                   {numeral(std::to_string(particles))}));
 }
 
 }  // namespace frana::app

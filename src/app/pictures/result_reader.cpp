@@ -264,8 +264,10 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     }
     if (has(name + ".tif")) {
         MapLayer layer = read_map_layer(path(name + ".tif"), classes(), words_);
-        // Other rasters of the user beside those of a run may have any grid.
-        if (const ResultRaster* row = find_result_raster(name); row != nullptr && row->in_result())
+        // Other rasters of the user beside those of a run may have any grid; that of the comparison has all of a
+        // surveyed outline that reaches beyond them.
+        const ResultRaster* const row = find_result_raster(name);
+        if (row != nullptr && row->in_result() && name != "comparison")
             require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
         if (name == "comparison" && has(k_comparison_file))
             add_statistics(path(k_comparison_file), words_, layer.notes);
@@ -385,7 +387,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);
-    if (has(raster_file("comparison"))) include(source.extent, raster_on(grid, "comparison"));
+    if (has(raster_file("comparison"))) include(source.extent, raster("comparison"));
     return source;
 }
 

@@ -268,9 +268,9 @@ void warn_of_claims(const RunResult& result, RunLog& log) {
     if (!result.most_claimed || result.most_claimed->share <= k_claimed_share) return;
     const ClaimedCell& cell = *result.most_claimed;
     log.warn(
-        worded("at E {1}, N {2} the particles of a cell claim {3} times its area at the end, with {4} m of material "
+        worded("at E {2}, N {3} the particles of a cell claim {1} times its area at the end, with {4} m of material "
                "in it: the pile does not feel its whole weight and may stand too high beside its surroundings",
-               {numeral(grouped(cell.place.x)), numeral(grouped(cell.place.y)), numeral(number_text(cell.share, 2)),
+               {numeral(number_text(cell.share, 2)), numeral(grouped(cell.place.x)), numeral(grouped(cell.place.y)),
                 numeral(number_text(cell.depth, 3))}));
 }
 

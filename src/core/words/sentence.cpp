@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/words/sentence.h"
 
+#include <cstdlib>
 #include <utility>
 
 namespace frana {
@@ -11,6 +12,20 @@ std::string Sentence::in(const Words& words) const {
     std::vector<std::string> values;
     for (const Sentence& value : values_) values.push_back(value.in(words));
     return words(text_, values);
+}
+
+std::optional<double> Sentence::first_number() const {
+    if (kind_ == Kind::number) {
+        std::string digits;  // without the spaces between groups
+        for (const char c : text_)
+            if (c != ' ') digits += c;
+        char* end = nullptr;
+        const double value = std::strtod(digits.c_str(), &end);
+        if (end != digits.c_str()) return value;
+    }
+    for (const Sentence& value : values_)
+        if (const auto number = value.first_number()) return number;
+    return std::nullopt;
 }
 
 Sentence worded(const char* english, std::vector<Sentence> values) {

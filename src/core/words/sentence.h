@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ class Sentence {
 
     /// Two warnings with the same pattern are of one kind: only their values differ.
     [[nodiscard]] const std::string& pattern() const noexcept { return text_; }
+
+    /// The first number among its values, in the order of their places; none without one.
+    [[nodiscard]] std::optional<double> first_number() const;
 
     bool operator==(const Sentence& other) const = default;
 

@@ -42,6 +42,21 @@ TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
     EXPECT_NE(outcome.err.find("beyond the result's rasters"), std::string::npos) << outcome.err;
 }
 
+// The comparison's raster has the whole outline, and so other cells than the run's.
+TEST_F(Compare, ARunWhoseOutlineReachesBeyondItsGroundIsFinished) {
+    write_polygon("scar", {{20, 20}, {250, 20}, {250, 130}, {20, 130}});
+    write_scene(
+        "[terrain]\nbounds = 527000 5094000 527150 5094150\n[output]\nanimation = off\nframes = off\n"
+        "[observed]\nperimeter = scar.geojson\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(json_lists(read_text(path("result/summary.json")), "warnings", "beyond the result's rasters"));
+    for (const char* file : {"result/comparison.png", "result/report.html"})
+        EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
+    EXPECT_EQ(json_number(read_text(path("result/comparison.json")), "observed_area_m2"), 230 * 110);
+    EXPECT_EQ(frana({"render", "result", "--map", "comparison", "--out", "again", "--size", "800x600"}).exit_code, 0);
+}
+
 TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);

@@ -18,6 +18,8 @@ TEST(RunEnd, TellsAFrontThatMovesFromADepositThatCreeps) {
     EXPECT_TRUE(!creeps.is_cut_short && creeps.creeps);
     EXPECT_FALSE(rests.is_cut_short || rests.creeps);
     EXPECT_FALSE(settled.is_cut_short || settled.creeps);
+    // A seventh of the volume that moves behind a front at rest pushed it on 80 s later (S-1000, end = 120 and 200 s).
+    EXPECT_TRUE(run_end(at_end, 120, 2, 0.17, true).is_cut_short);
     EXPECT_NE(creeping_sentence(creeps).text().find("0.3 m/s"), std::string::npos);
 }
 

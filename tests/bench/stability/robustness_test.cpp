@@ -43,6 +43,7 @@ RunResult result_of(const Scene& scene, double depth, double speed) {
     result.max_depth = result.final_depth = Raster(scene.grid, depth);
     result.max_velocity = Raster(scene.grid, speed);
     result.max_depth.at(3, 3) = 2 * depth;
+    result.volume_shown = depth * static_cast<double>(scene.grid.cell_count()) * 25;
     result.volume_final = 1.25 * depth * static_cast<double>(scene.grid.cell_count()) * 25;
     result.steps = 7;
     return result;

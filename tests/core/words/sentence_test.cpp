@@ -32,6 +32,12 @@ TEST(Sentences, ContainOthersAndKeepNamesAsTheyAre) {
     EXPECT_EQ(worded("{1}: {2}", {with_a_place, named_like_a_row}).in(Words(Language::french)), "a {1} b\u202F: zones");
 }
 
+TEST(Sentences, KnowTheirFirstNumberInTheOrderOfTheirPlaces) {
+    const Sentence inner = worded("{1} in {2}", {numeral("1 234.5"), numeral("7")});
+    EXPECT_EQ(worded("{1}: {2}", {std::string("name 3"), inner}).first_number(), 1234.5);
+    EXPECT_FALSE(worded("{1}: {2}", {std::string("3"), worded("zones")}).first_number());
+}
+
 TEST(Sentences, AreListed) {
     EXPECT_EQ(listed({}).text(), "");
     EXPECT_EQ(listed({std::string("a"), worded("zones"), std::string("c")}).in(Words(Language::french)),

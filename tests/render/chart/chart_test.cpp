@@ -63,6 +63,15 @@ TEST(Chart, PutsPointsWhereTheAxesDo) {
     EXPECT_TRUE(layout.points[2].empty()) << "values that have no logarithm must be left out";
 }
 
+// Figures of runs that differ by rounding alone: steps of 1e-15 gave ticks until all memory was used.
+TEST(Chart, ValuesThatDifferByRoundingAreDrawn) {
+    Chart chart{"", "", "", 1, {}, false, Words()};
+    ChartSeries series{"", {0, 0, 0}, {}};
+    series.points = {{15.170220189885796, 0}, {15.170220189885798, 1}};
+    chart.panels.push_back({"", "x", "y", {series}});
+    EXPECT_LT(chart_svg(chart, 400, 300).size(), 100'000U);
+}
+
 TEST(Chart, ALongNameOfAnAxisIsWhole) {
     const std::string name = "front from the release's centroid [m]";  // longer than the axis
     Chart chart;
