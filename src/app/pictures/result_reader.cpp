@@ -387,7 +387,10 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);
-    if (has(raster_file("comparison"))) include(source.extent, raster("comparison"));
+    // Where a surveyed outline reaches beyond the result, its comparison has other cells.
+    if (has(raster_file("comparison")))
+        if (const Raster comparison = raster("comparison"); comparison.grid.same_cells(grid))
+            include(source.extent, comparison);
     return source;
 }
 

@@ -506,6 +506,7 @@ TEST_F(Output, DepthsNormalToTheBedAreTheVerticalOnesTimesTheCosineOfTheSlope) {
 
 // 2 m normal to a slope of 1 in 2 are sqrt(1.25) times as thick vertically.
 TEST_F(Output, TheThicknessOfAReleaseIsGivenInBothDirections) {
+    const gis::GdalSession session;
     for (const std::string direction : {"normal", "vertical"}) {
         run(k_quiet, {"release.thickness-direction=" + direction});
         const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/extent.gpkg").c_str(), GDAL_OF_VECTOR));
