@@ -137,8 +137,9 @@ std::string runs_sentence(const StudyInput& input, const StudyResult& result, co
     const study::StudySpec& study = input.reading.study;
     const std::string finished = std::to_string(result.finished_at.size()), all = std::to_string(result.members.size());
     if (study.per_polygon()) return words("{1} of {2} sources were computed, each failing alone.", {finished, all});
-    return words("{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
-                 {finished, all, study::name_of(study.sampling), std::to_string(study.seed)});
+    return words(
+        "{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
+        {finished, all, study::name_of(study.sampling), std::to_string(study.seed)});
 }
 
 std::string sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {

@@ -282,17 +282,14 @@ TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
         EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
         EXPECT_GE(std::stoi(row.at("warnings")), 1);
     }
-    // The member that is named is the one that moves most.
-    std::string worst;
+    // The member that is named is the one that moves most, to the two digits of the sentence.
     double most = 0;
+    std::map<std::string, double> moving;
     for (const auto& row : members())
-        if (const double moving = std::stod(row.at("moving_fraction")); moving > most) {
-            most = moving;
-            worst = row.at("member");
-        }
-    EXPECT_NE(summary["warnings"].dump().find("most of all member " + worst + ": the flow still moves"),
-              std::string::npos)
-        << summary["warnings"];
+        most = std::max(most, moving[row.at("member")] = std::stod(row.at("moving_fraction")));
+    const std::string told = summary["warnings"].dump(), before = "most of all member ";
+    const std::size_t named = told.rfind(before, told.find(": the flow still moves")) + before.size();
+    EXPECT_NEAR(moving.at(told.substr(named, told.find(':', named) - named)), most, 0.01) << told;
     const std::string report = read_text(path("out/report.html"));
     EXPECT_LT(report.find("8 of 8 runs were cut"), report.find("id=\"answer\""));
     // Where they came not yet, they might have come.
