@@ -310,7 +310,10 @@ int cmd_converge(const Arguments& arguments) {
     const std::string raster = (folder / k_uncertainty).string() + ".tif";
     const Raster uncertainty = field_uncertainty(depths);
     gis::write_geotiff(raster, uncertainty,
-                       {row.name, row.description, row.unit, {{"PROGRAM", k_program}, {"VERSION", k_version}}});
+                       {row.name,
+                        description_of(row, row.name, spec.output),
+                        row.unit,
+                        {{"PROGRAM", k_program}, {"VERSION", k_version}}});
     const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
     gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
                       gis::StyleKind::classed, words(row.title));

@@ -11,8 +11,8 @@
 namespace frana::app {
 namespace {
 
-// All measured with the samples and share/scenes on two cores. Pictures by their size, per million pixels; the
-// libraries that draw are loaded once.
+// Processor time of the sample with and without each part, beside other work; meant to be right within a factor of two.
+// Pictures by their size, per million pixels; the libraries that draw are loaded once.
 constexpr double k_loading_s = 0.7, k_picture_s = 0.11, k_film_picture_s = 0.04, k_drawn_bytes = 0.42e6,
                  k_film_picture_bytes = 9e3;
 // Rasters, per cell that is stored and not nodata, compressed; the ground fills the whole map.
