@@ -124,8 +124,7 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
         }
         return array;
     };
-    const auto direction = metadata.find(k_depth_item);
-    p.depth = field("depth", "flow depth, " + (direction == metadata.end() ? "vertical" : direction->second), "m");
+    p.depth = field("depth", "flow depth, " + depth_direction_in(metadata), "m");
     p.velocity = field("velocity", "flow speed along the bed", "m s-1");
 }
 

@@ -38,6 +38,11 @@ std::vector<NamedClass> classes_of(GDALRasterBandH band) {
 
 }  // namespace
 
+std::string depth_direction_in(const std::map<std::string, std::string>& metadata) {
+    const auto item = metadata.find(k_depth_item);
+    return item == metadata.end() ? "vertical" : item->second;
+}
+
 RasterText read_raster_text(const std::string& path) {
     const GdalSession session;
     const GdalDataset dataset(GDALOpen(path.c_str(), GA_ReadOnly));

@@ -11,6 +11,8 @@ namespace frana::gis {
 
 /// Item of metadata: the direction in which depths are measured, "vertical" or "normal to the bed".
 inline constexpr const char* k_depth_item = "DEPTH";
+/// Returns it; vertical where there is none, as in older files.
+std::string depth_direction_in(const std::map<std::string, std::string>& metadata);
 
 /// A class of a raster: its value, its label (the value if there is none), its colour.
 struct NamedClass {

@@ -17,37 +17,37 @@ double gradient(double before, double here, double after, double cell_size) {
     return std::isnan(before) ? 0 : (here - before) / cell_size;
 }
 
-/// 1 over the cosine of the slope.
-double secant(const Raster& bed, std::int64_t row, std::int64_t column) {
-    const GridSpec& grid = bed.grid;
-    const auto at = [&](std::int64_t r, std::int64_t c) {
-        return r < 0 || c < 0 || r >= grid.rows || c >= grid.columns ? k_no_data : bed.at(r, c);
-    };
-    const double here = at(row, column);
-    const double east = gradient(at(row, column - 1), here, at(row, column + 1), grid.cell_size);
-    const double north = gradient(at(row + 1, column), here, at(row - 1, column), grid.cell_size);
-    return std::isnan(here) ? 1 : std::sqrt(1 + east * east + north * north);
-}
-
 template <class Change>
 Raster with_slope(const Raster& depth, const Raster& bed, const Change& change) {
     Raster changed(depth.grid, k_no_data);
     depth.values.for_each_stored([&](std::size_t cell, double value) {
         if (std::isnan(value)) return;
         const auto place = static_cast<std::int64_t>(cell);
-        changed.values[cell] = change(value, secant(bed, place / depth.grid.columns, place % depth.grid.columns));
+        changed.values[cell] = change(value, bed_cosine(bed, place / depth.grid.columns, place % depth.grid.columns));
     });
     return changed;
 }
 
 }  // namespace
 
+double bed_cosine(const Raster& bed, std::int64_t row, std::int64_t column) {
+    const GridSpec& grid = bed.grid;
+    const auto at = [&](std::int64_t r, std::int64_t c) {
+        return r < 0 || c < 0 || r >= grid.rows || c >= grid.columns ? k_no_data : bed.at(r, c);
+    };
+    const double here = at(row, column);
+    if (std::isnan(here)) return 1;
+    const double east = gradient(at(row, column - 1), here, at(row, column + 1), grid.cell_size);
+    const double north = gradient(at(row + 1, column), here, at(row - 1, column), grid.cell_size);
+    return 1 / std::sqrt(1 + east * east + north * north);
+}
+
 Raster normal_depth(const Raster& vertical, const Raster& bed) {
-    return with_slope(vertical, bed, [](double depth, double secant) { return depth / secant; });
+    return with_slope(vertical, bed, [](double depth, double cosine) { return depth * cosine; });
 }
 
 Raster vertical_depth(const Raster& normal, const Raster& bed) {
-    return with_slope(normal, bed, [](double depth, double secant) { return depth * secant; });
+    return with_slope(normal, bed, [](double depth, double cosine) { return depth / cosine; });
 }
 
 double slope_deg(const Raster& terrain, std::int64_t row, std::int64_t column) {

@@ -19,8 +19,11 @@ struct GroundStatistics {
 /// where one of the nine has no elevation.
 double slope_deg(const Raster& terrain, std::int64_t row, std::int64_t column);
 
-/// Returns depths normal to the bed [m] from vertical ones: times the cosine of each cell's slope, by central
-/// differences (one-sided at the edge and beside missing elevations). A cell without a slope keeps its depth.
+/// Returns the cosine of the slope of a cell's bed, by central differences, one-sided at the edge and beside missing
+/// elevations; 1 where there is none.
+double bed_cosine(const Raster& bed, std::int64_t row, std::int64_t column);
+
+/// Returns depths normal to the bed [m] from vertical ones: times bed_cosine of each cell.
 Raster normal_depth(const Raster& vertical, const Raster& bed);
 /// The inverse of normal_depth.
 Raster vertical_depth(const Raster& normal, const Raster& bed);

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
@@ -22,23 +23,6 @@
 
 namespace frana {
 namespace {
-
-/// Thickness normal to the bed from vertical depth: times the cosine of the slope.
-Raster normal_thickness(const Raster& depth, const Raster& bed) {
-    Raster normal = depth;
-    const auto z = [&](std::int64_t r, std::int64_t c) {
-        return bed.at(std::clamp<std::int64_t>(r, 0, bed.grid.rows - 1),
-                      std::clamp<std::int64_t>(c, 0, bed.grid.columns - 1));
-    };
-    for (std::int64_t r = 0; r < bed.grid.rows; ++r) {
-        for (std::int64_t c = 0; c < bed.grid.columns; ++c) {
-            const double gx = (z(r, c + 1) - z(r, c - 1)) / (2 * bed.grid.cell_size),
-                         gy = (z(r + 1, c) - z(r - 1, c)) / (2 * bed.grid.cell_size);
-            normal.at(r, c) /= std::sqrt(1 + gx * gx + gy * gy);
-        }
-    }
-    return normal;
-}
 
 double area_over(const Raster& thickness, double threshold) {
     return masked_area(trace_mask(thickness, threshold));
@@ -58,7 +42,7 @@ int compare(const std::string& result, const std::string& models, double thresho
             const std::string& title) {
     const Raster bed = gis::read_result_raster(result + "/bed.tif"),
                  speed = gis::read_result_raster(result + "/max_velocity.tif"),
-                 thickness = normal_thickness(gis::read_result_raster(result + "/max_depth.tif"), bed);
+                 thickness = normal_depth(gis::read_result_raster(result + "/max_depth.tif"), bed);
     std::printf("| frana | %.1f | %.1f | %.0f | %.0f | %.0f |\n", maximum(thickness), maximum(speed),
                 area_over(thickness, 0.1), area_over(thickness, 0.5), area_over(thickness, 1));
 

@@ -58,7 +58,7 @@ Json check_document(const CheckedScene& checked) {
                        {"dtm_contains_release", prepared.scene.terrain_contains_release},
                        {"ground", ground_json(prepared.release.ground)}};
     const auto& trial = checked.trial;
-    const double engine = trial ? trial->engine_seconds : expected.wall_seconds;
+    const double engine = engine_seconds(expected, trial);
     json["run"] = {{"particles", expected.particles},
                    {"particles_at_most", trial ? Json(trial->particles_peak) : Json()},
                    {"memory_bytes", checked.memory_bytes},

@@ -67,10 +67,6 @@ double two_digits(std::int64_t count) {
 }
 
 /// Trial runs predict splitting and later speeds within a factor of about two.
-double engine_seconds(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
-    return trial ? trial->engine_seconds : expected.wall_seconds;
-}
-
 std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial, double rest, double end,
                       int threads) {
     const double engine = engine_seconds(expected, trial), all = engine + rest;

@@ -107,7 +107,7 @@ std::string disk_text(const StudyForecast& forecast) {
 }
 
 double StudyForecast::member_seconds() const noexcept {
-    return trial ? trial->engine_seconds : member.wall_seconds;
+    return engine_seconds(member, trial);
 }
 
 std::string study_directory(const study::StudySpec& study, const SceneSpec& scene) {

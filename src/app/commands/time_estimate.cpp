@@ -95,4 +95,8 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     return std::nullopt;  // map too small for larger cells; the scene itself was checked before
 }
 
+double engine_seconds(const RunEstimate& start, const std::optional<TimeEstimate>& trial) {
+    return trial ? trial->engine_seconds : start.wall_seconds;
+}
+
 }  // namespace frana::app

@@ -30,4 +30,7 @@ struct TimeEstimate {
 std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
                                           const RunEstimate& start, int threads);
 
+/// Wall time of computing [s]; without a trial a lower bound, from the first steps.
+double engine_seconds(const RunEstimate& start, const std::optional<TimeEstimate>& trial);
+
 }  // namespace frana::app

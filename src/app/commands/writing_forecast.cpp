@@ -109,7 +109,7 @@ WritingForecast forecast_study_writing(const StudyInput& input, const RunEstimat
         add_pictures(output, maps + charts, stored, forecast);
     }
     if (is_region) return forecast;
-    forecast.seconds += (trial ? trial->engine_seconds : member.wall_seconds) / threads;
+    forecast.seconds += engine_seconds(member, trial) / threads;
     add_film(input.base, trial, forecast);
     return forecast;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/input/check_release.h"
 #include "core/shortest_text.h"
 
 namespace frana::app {
@@ -25,7 +26,7 @@ struct KindOfWarning {
 /// The figure that a warning is about, the first of its numbers; of a number of particles the fewest are the worst.
 double severity_of(const Sentence& warning) {
     const double figure = warning.first_number().value_or(0);
-    return warning.pattern().find("particles only") == std::string::npos ? figure : -figure;
+    return warning.pattern() == k_few_particles_warning ? -figure : figure;
 }
 
 }  // namespace

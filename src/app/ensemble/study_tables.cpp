@@ -155,16 +155,15 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
         const std::vector<double>& weights = result.finished.weights;
-        json["figures"][result.figures()[f].key] = {{"mean", weighted_mean(values, weights)},
-                                                    {"q05", figure_quantile(values, weights, 0.05)},
-                                                    {"q50", figure_quantile(values, weights, 0.5)},
-                                                    {"q95", figure_quantile(values, weights, 0.95)}};
-        if (!(result.open_weight > 0)) continue;
-        // Runs that were cut or failed may have come farther: null is "more than q".
-        Json& upper = json["figures"][result.figures()[f].key]["upper_bound"];
-        for (const auto& [name, q] : {std::pair{"q05", 0.05}, {"q50", 0.5}, {"q95", 0.95}}) {
-            const auto bound = result.upper_quantile(f, q);
-            upper[name] = bound ? Json(*bound) : Json();
+        Json& figure = json["figures"][result.figures()[f].key];
+        figure["mean"] = weighted_mean(values, weights);
+        for (const StudyQuantile& quantile : k_study_quantiles) {
+            const std::string name = std::string("q") + quantile.name;
+            figure[name] = figure_quantile(values, weights, quantile.fraction);
+            if (!(result.open_weight > 0)) continue;
+            // Runs that were cut or failed may have come farther: null is "more than q".
+            const auto bound = result.upper_quantile(f, quantile.fraction);
+            figure["upper_bound"][name] = bound ? Json(*bound) : Json();
         }
     }
     if (const auto& median = facts.median)

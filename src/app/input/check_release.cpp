@@ -291,10 +291,7 @@ void warn_of_release(const Raster& bed, const Raster& release, const std::vector
                    {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
     }
     if (particles > 0 && particles < k_few_particles)
-        log.warn(
-            worded("the run starts with {1} particles only: area and run-out change much with smaller cells; "
-                   "reduce terrain.cell-size, and see frana converge",
-                   {numeral(std::to_string(particles))}));
+        log.warn(worded(k_few_particles_warning, {numeral(std::to_string(particles))}));
 }
 
 }  // namespace frana::app

@@ -20,6 +20,11 @@ MultiPolygon all_outlines(const ReleaseInput& release);
 void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
                       const std::string& where, RunLog& log);
 
+/// The pattern of a warning of which the least number is the worst.
+inline constexpr const char* k_few_particles_warning = worded(
+    "the run starts with {1} particles only: area and run-out change much with smaller cells; reduce "
+    "terrain.cell-size, and see frana converge");
+
 /// Warns of a release that no slope has, or that is too small for its cells.
 /// @param release vertical thickness on the grid of `bed` [m]
 /// @param particles at the start; 0: it fails later

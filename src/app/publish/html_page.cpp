@@ -71,15 +71,6 @@ std::string css_text(const std::string& text) {
     return quoted + "\"";
 }
 
-/// Returns the picture of this name that was drawn for the page, where there is one.
-std::string drawn_for_page(const std::string& path) {
-    const fs::path folder = fs::path(path).parent_path().parent_path() / k_page_folder;
-    for (const char* ending : {".svg", ".png"})
-        if (const fs::path own = folder / (fs::path(path).stem().string() + ending); fs::exists(own))
-            return own.string();
-    return path;
-}
-
 std::string begin_of(const std::string& name) {
     return "<!--part " + name + "-->";
 }
@@ -91,7 +82,11 @@ std::string end_of(const std::string& name) {
 
 HtmlPage::HtmlPage(const std::string& path, const std::string& title, const std::string& origin, const Words& words,
                    Opening opening)
-    : aside_(path), file_(aside_.partial_path(), std::ios::binary), words_(words), picture_bytes_(k_picture_bytes) {
+    : folder_(fs::path(path).parent_path().string()),
+      aside_(path),
+      file_(aside_.partial_path(), std::ios::binary),
+      words_(words),
+      picture_bytes_(k_picture_bytes) {
     // The title at the foot of each printed page, where a browser can.
     const std::string foot =
         "@page { @bottom-left { content: " + css_text(elided(shown_text(title), k_foot_letters)) + "; } }\n";
@@ -127,7 +122,7 @@ void HtmlPage::add_picture(const std::string& path, const std::string& caption, 
 void HtmlPage::add_pictures(const std::vector<std::string>& paths, const std::string& kind) {
     for (const std::string& path : paths) {
         const std::string title = picture_title(fs::path(path).stem().string(), words_),
-                          alt = words_.labelled(kind, title), own = drawn_for_page(path);
+                          alt = words_.labelled(kind, title), own = drawn_for_page(folder_, path);
         if (own.ends_with(".svg"))
             add(svg_figure(read_text_file(own), title, alt));
         else
@@ -166,6 +161,13 @@ std::string svg_figure(const std::string& svg, const std::string& caption, const
                                         "aria-label=\"" + escaped_markup(alt) + "\" " + svg.substr(at + tag.size());
     return "<figure>\n" + named +
            (caption.empty() ? "" : "<figcaption>" + escaped_markup(caption) + "</figcaption>\n") + "</figure>\n";
+}
+
+std::string drawn_for_page(const std::string& folder, const std::string& path) {
+    const fs::path stem = fs::path(folder) / k_page_folder / fs::path(path).stem();
+    for (const char* ending : {".svg", ".png"})
+        if (const std::string own = stem.string() + ending; fs::exists(own)) return own;
+    return path;
 }
 
 void remove_page_pictures(const std::string& folder) {

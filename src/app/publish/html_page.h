@@ -46,6 +46,7 @@ class HtmlPage {
     void finish();
 
   private:
+    std::string folder_;
     FileAside aside_;
     std::ofstream file_;
     Words words_;
@@ -66,6 +67,8 @@ std::string first_warnings(const std::vector<Sentence>& warnings, const Words& w
 /// A drawing inside the page, as wide as it where it has a caption; without one, small.
 std::string svg_figure(const std::string& svg, const std::string& caption, const std::string& alt);
 
+/// Returns the drawing of a picture that was made for the page of a result in a folder, else the picture itself.
+std::string drawn_for_page(const std::string& folder, const std::string& path);
 /// Deletes the pictures that were drawn for the page alone, from a folder that is still being written.
 void remove_page_pictures(const std::string& folder);
 

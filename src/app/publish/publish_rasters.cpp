@@ -14,8 +14,8 @@
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "core/colour.h"
-#include "core/inside_test.h"
 #include "core/shortest_text.h"
+#include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
@@ -51,22 +51,14 @@ void add_thickness(const ReleaseArea& area, const ReleasedArea& released, const 
     const double vertical = released.volume / released.area;
     double normal = area.thickness * released.scaled;
     if (area.thickness_raster || !area.normal_to_bed) {
-        const InsideTest inside(area.outline);
-        const GridSpec& grid = result.release.grid;
-        Raster ones(grid, k_no_data);
-        result.release.values.for_each_stored([&](std::size_t cell, double thickness) {
-            const auto place = static_cast<std::int64_t>(cell);
-            if (thickness > 0 && inside(grid.cell_centre(place / grid.columns, place % grid.columns)))
-                ones.values[cell] = 1;
-        });
-        double cosines = 0;
-        std::int64_t cells = 0;
-        normal_depth(ones, result.bed).values.for_each_stored([&](std::size_t, double cosine) {
-            if (std::isnan(cosine)) return;
-            cosines += cosine;
-            ++cells;
-        });
-        normal = cells > 0 ? vertical * cosines / static_cast<double>(cells) : k_no_data;
+        double cosines = 0, cells = 0;
+        gis::visit_cells(area.outline, result.bed.grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) {
+                             if (!(result.release.at(row, column) > 0)) return;
+                             cosines += bed_cosine(result.bed, row, column);
+                             cells += 1;
+                         });
+        normal = vertical * (cells > 0 ? cosines / cells : k_no_data);
     }
     outline.numbers["thickness_vertical_m"] = vertical;
     if (!std::isnan(normal)) outline.numbers["thickness_normal_m"] = normal;

@@ -90,8 +90,10 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     page.add(answer_tables(input));
     page.end_answer();
     add_maps(page, input, maps);
-    page.add(page_part(k_comparison_section,
-                       comparison_section(input.comparison, drawn_picture(directory, "", "comparison"), words)));
+    page.add(
+        page_part(k_comparison_section,
+                  comparison_section(input.comparison,
+                                     drawn_for_page(directory.folder(), directory.path("comparison.png")), words)));
     page.add(exposure_section(input.facts.exposure, words));
     add_details(page, input);
     if (!input.facts.warnings.empty()) page.add_warnings(warnings_of(input));

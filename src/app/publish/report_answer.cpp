@@ -50,7 +50,7 @@ std::string arrivals(const ReportInput& input) {
 /// The cell of the greatest depth: one cell of a cliff is no depth of the flow.
 struct DeepestCell {
     Point place;
-    double slope_deg = 0;
+    double cosine = 1;  ///< of the slope of its bed
 };
 
 std::optional<DeepestCell> deepest_cell(const Raster& depth, const Raster& bed) {
@@ -62,8 +62,7 @@ std::optional<DeepestCell> deepest_cell(const Raster& depth, const Raster& bed) 
     const GridSpec& grid = depth.grid;
     const auto row = static_cast<std::int64_t>(*deepest) / grid.columns,
                column = static_cast<std::int64_t>(*deepest) % grid.columns;
-    const double slope = slope_deg(bed, row, column);
-    return DeepestCell{grid.cell_centre(row, column), std::isnan(slope) ? 0 : slope};
+    return DeepestCell{grid.cell_centre(row, column), bed_cosine(bed, row, column)};
 }
 
 /// What all but a thousandth of the area stays below; the greatest of a single cell in brackets.
@@ -78,15 +77,15 @@ std::string strength_sentence(const ReportInput& input) {
     const auto when =
         std::max_element(input.result.series.begin(), input.result.series.end(),
                          [](const SeriesRow& a, const SeriesRow& b) { return a.max_depth < b.max_depth; });
-    const double cosine = std::cos(cell->slope_deg * std::numbers::pi / 180);
     const bool is_normal = input.result.depth_is_normal;
-    const double vertical = is_normal ? greatest(depth) / cosine : greatest(depth), normal = vertical * cosine;
+    const double vertical = is_normal ? greatest(depth) / cell->cosine : greatest(depth),
+                 slope_deg = std::acos(cell->cosine) * 180 / std::numbers::pi;
     const std::string depth_text = number(depth.p999, 3) + " m (" + words(is_normal ? k_normal : k_vertical) + ")";
     return words(
         "But for a thousandth of that area the flow is at most {1} deep and {2} m/s fast (one cell: {3} m vertical, "
         "{4} m normal to a bed of {5}°, after {6} s at E {7}, N {8}; one cell: {9} m/s).",
-        {depth_text, number(speed.p999, 3), number(vertical, 3), number(normal, 3), number(cell->slope_deg, 2),
-         number(when->time, 3), number.grouped(cell->place.x), number.grouped(cell->place.y),
+        {depth_text, number(speed.p999, 3), number(vertical, 3), number(vertical * cell->cosine, 3),
+         number(slope_deg, 2), number(when->time, 3), number.grouped(cell->place.x), number.grouped(cell->place.y),
          number(greatest(speed), 3)});
 }
 

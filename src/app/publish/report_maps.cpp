@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/publish/html_page.h"
 #include "app/store/layers.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
@@ -59,15 +60,11 @@ ReportMap described(const ReportInput& input, const std::string& name, const std
 
 }  // namespace
 
-std::string drawn_picture(const ResultDirectory& directory, const std::string& folder, const std::string& name) {
-    const std::string file = directory.path(std::string(k_page_folder) + "/" + name + ".png");
-    return fs::exists(file) ? file : directory.path(folder + name + ".png");
-}
-
 std::vector<ReportMap> report_maps(const ReportInput& input, const ResultDirectory& directory) {
     std::vector<ReportMap> maps;
     for (const std::string& name : map_names())
-        if (const std::string file = drawn_picture(directory, "maps/", name); fs::exists(file))
+        if (const std::string file = drawn_for_page(directory.folder(), directory.path("maps/" + name + ".png"));
+            fs::exists(file))
             maps.push_back(described(input, name, file));
     std::stable_partition(maps.begin(), maps.end(), [](const ReportMap& map) { return map.name == k_main_map; });
     return maps;

@@ -18,7 +18,4 @@ struct ReportMap {
 /// Returns the maps that were drawn, the main one (greatest depth, if there is one) first.
 std::vector<ReportMap> report_maps(const ReportInput& input, const ResultDirectory& directory);
 
-/// Returns the path of a picture in the result, or of one drawn for the page alone; it may not exist.
-std::string drawn_picture(const ResultDirectory& directory, const std::string& folder, const std::string& name);
-
 }  // namespace frana::app

@@ -30,17 +30,12 @@ std::string list_file(const std::string& folder) {
     return (fs::path(folder) / fs::path(k_frame_list).filename()).string();
 }
 
-std::string direction_in(const std::map<std::string, std::string>& metadata) {
-    const auto item = metadata.find(gis::k_depth_item);
-    return item == metadata.end() ? k_vertical : item->second;
-}
-
 gis::BandText band_text(const std::string& what, const std::map<std::string, std::string>& metadata) {
     const ResultRaster* const row = find_result_raster(what);
     if (row == nullptr) return {what, what, "", metadata};
     std::string text = row->title + " at one instant";
     if (row->kind == ResultRaster::Kind::frame || row->is_flow_depth)
-        text = directed_description(*row, what, direction_in(metadata));
+        text = directed_description(*row, what, gis::depth_direction_in(metadata));
     return {what, text, row->unit, metadata};
 }
 
