@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 #include "core/error.h"
 #include "gis/access/gdal_session.h"
@@ -51,34 +52,43 @@ bool is_thin(const OGRPolygon& polygon, double cell_size) {
 bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
                  const std::function<void(std::int64_t row, std::int64_t column)>& visit) {
     const GdalSession session;
-    const OutlineWindow window = window_round(outline, grid);
-    if (window.grid.rows <= 0 || window.grid.columns <= 0) return false;
-    Raster mask(window.grid, 0.0);
-    const GdalDataset dataset =
-        wrap_values(mask.values.data(), static_cast<int>(window.grid.columns), static_cast<int>(window.grid.rows));
-    double geo[6] = {window.grid.west, grid.cell_size, 0, window.grid.north, 0, -grid.cell_size};
-    GDALSetGeoTransform(dataset.get(), geo);
-    bool any_thin = false;
     const char* const touched[] = {"ALL_TOUCHED=TRUE", nullptr};
+    bool any_thin = false;
+    std::vector<std::int64_t> cells;
+    // Each polygon in its own window: parts of an outline may lie kilometres apart.
     for (const Polygon& part : outline) {
+        const OutlineWindow window = window_round({part}, grid);
+        if (window.grid.rows <= 0 || window.grid.columns <= 0) continue;
+        const int columns = static_cast<int>(window.grid.columns), rows = static_cast<int>(window.grid.rows);
+        const GdalDataset mask(
+            GDALCreate(GDALGetDriverByName("MEM"), "", columns, rows, 1, GDT_Byte, nullptr));  // of zeros
+        double geo[6] = {window.grid.west, grid.cell_size, 0, window.grid.north, 0, -grid.cell_size};
         const std::unique_ptr<OGRPolygon> polygon = to_ogr(part);
         const bool thin = cover == Cover::closed && is_thin(*polygon, grid.cell_size);
         any_thin = any_thin || thin;
         OGRGeometryH handle = OGRGeometry::ToHandle(polygon.get());
         int band = 1;
         double one = 1;
-        if (GDALRasterizeGeometries(dataset.get(), 1, &band, 1, &handle, nullptr, nullptr, &one,
-                                    const_cast<char**>(thin ? touched : nullptr), nullptr, nullptr) != CE_None) {
+        bool done = mask && GDALSetGeoTransform(mask.get(), geo) == CE_None &&
+                    GDALRasterizeGeometries(mask.get(), 1, &band, 1, &handle, nullptr, nullptr, &one,
+                                            const_cast<char**>(thin ? touched : nullptr), nullptr, nullptr) == CE_None;
+        std::vector<unsigned char> line(static_cast<std::size_t>(columns));
+        for (int row = 0; done && row < rows; ++row) {
+            done = GDALRasterIO(GDALGetRasterBand(mask.get(), 1), GF_Read, 0, row, columns, 1, line.data(), columns, 1,
+                                GDT_Byte, 0, 0) == CE_None;
+            for (int column = 0; done && column < columns; ++column)
+                if (line[static_cast<std::size_t>(column)] != 0)
+                    cells.push_back((window.row + row) * grid.columns + window.column + column);
+        }
+        if (!done)
             throw Error(ErrorKind::input,
                         Problem{"the outline cannot be rasterised: " + session.last_message(), "", "", "", ""});
-        }
     }
-    GDALFlushCache(dataset.get());
-    for (std::int64_t row = 0; row < window.grid.rows; ++row) {
-        for (std::int64_t column = 0; column < window.grid.columns; ++column) {
-            if (mask.at(row, column) != 0) visit(window.row + row, window.column + column);
-        }
+    if (outline.size() > 1) {
+        std::sort(cells.begin(), cells.end());
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     }
+    for (const std::int64_t cell : cells) visit(cell / grid.columns, cell % grid.columns);
     return any_thin;
 }
 

@@ -16,7 +16,7 @@ enum class Cover {
               ///< thin dam has no gaps
 };
 
-/// Calls visit(row, column) for the cells of an outline, row by row; parts beyond the grid are ignored. Returns whether
+/// Calls visit(row, column) once for each cell of an outline, row by row; parts beyond the grid are ignored. Returns whether
 /// touched cells were included because the outline is narrow.
 bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
                  const std::function<void(std::int64_t row, std::int64_t column)>& visit);

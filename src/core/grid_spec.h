@@ -65,6 +65,8 @@ struct GridSpec {
 
     /// Returns whether the cells coincide (to 1e-6 of a cell); the CRS text is not compared.
     [[nodiscard]] bool same_cells(const GridSpec& other) const noexcept;
+    /// Returns whether all cells of the other grid are cells of this one (to 1e-6 of a cell).
+    [[nodiscard]] bool covers(const GridSpec& other) const noexcept;
 };
 
 }  // namespace frana

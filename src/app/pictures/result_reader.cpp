@@ -267,7 +267,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         // Other rasters of the user beside those of a run may have any grid; that of the comparison has all of a
         // surveyed outline that reaches beyond them.
         const ResultRaster* const row = find_result_raster(name);
-        if (row != nullptr && row->in_result() && name != "comparison")
+        if (row != nullptr && row->in_result() && !(name == "comparison" && layer.values.grid.covers(grid())))
             require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
         if (name == "comparison" && has(k_comparison_file))
             add_statistics(path(k_comparison_file), words_, layer.notes);

@@ -37,6 +37,25 @@ TEST(Footprint, CoversCellsByTheirCentres) {
     EXPECT_EQ(mask.at(19 - 5, 5), 1);
 }
 
+TEST(Footprint, PartsThatOverlapCountOnceAndPartsFarApartCostOnlyTheirCells) {
+    bool thin = true;
+    MultiPolygon parts = box(1010, 2020, 1030, 2030);
+    parts.push_back(box(1020, 2020, 1040, 2030).front());
+    const Raster mask = cells_of(parts, Cover::centres, thin);
+    EXPECT_EQ(count(mask), 6 * 2);
+    EXPECT_EQ(mask.at(19 - 4, 4), 1);
+    // 200 km apart on cells of 5 m: one window would have 1.6 thousand million cells.
+    const GridSpec wide{0, 200'000, 5, 40'000, 40'000, ""};
+    MultiPolygon corners = box(0, 199'990, 10, 200'000);
+    corners.push_back(box(199'990, 0, 200'000, 10).front());
+    std::vector<std::int64_t> cells;
+    visit_cells(corners, wide, Cover::centres,
+                [&](std::int64_t row, std::int64_t column) { cells.push_back(row * wide.columns + column); });
+    EXPECT_EQ(cells,
+              (std::vector<std::int64_t>{0, 1, 40'000, 40'001, 39'998 * 40'000 + 39'998, 39'998 * 40'000 + 39'999,
+                                         39'999 * 40'000 + 39'998, 39'999 * 40'000 + 39'999}));
+}
+
 // An oblique dam one metre wide: every row of cells has one, and each touches the next by a side.
 TEST(Footprint, LeavesNoGapInAThinDam) {
     const MultiPolygon dam{{{{1011, 2001}, {1012, 2001}, {1082, 2099}, {1081, 2099}}, {}}};
