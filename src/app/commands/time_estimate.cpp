@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/process/stopwatch.h"
 #include "simulation/simulation.h"
@@ -16,6 +17,8 @@ constexpr double k_large_cells = 9;
 // Smaller cells let thin fronts spread further: growth of particle-steps scaled to the same cells, per halving, in the
 // sample and the shared examples.
 constexpr double k_usual_growth = 1.3;
+// Cost of a trial on half the cells, and half as much for how the runs differ.
+constexpr double k_finer_cost = 12;
 
 /// Cost of a run on larger cells, scaled to the scene's own: particles scale with the square of the cells, steps with
 /// their side.
@@ -26,6 +29,7 @@ struct Trial {
     double reached_cells = 0;
     double seconds_per_particle_step = 0;
     double reached = 0;  ///< simulated time [s]
+    double seconds = 0;  ///< wall time of the engine
     bool cut_short = false;
     std::optional<GroundStatistics> path;
 };
@@ -53,6 +57,7 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     trial.path = ground_where(prepared.scene.terrain, result.max_depth, reading.scene.output.trace_threshold);
     result.max_depth.values.for_each_stored(
         [&](std::size_t, double depth) { trial.reached_cells += std::isnan(depth) ? 0 : squared; });
+    trial.seconds = result.engine_seconds;
     trial.seconds_per_particle_step = result.engine_seconds / steps;
     return trial;
 }
@@ -65,9 +70,14 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     if (prepared.scene.terrain.values.is_tiled()) return std::nullopt;  // larger cells would cover the whole DTM
     const GridSpec& grid = prepared.scene.grid;
     const bool large = prepared.release.area_m2 >= k_large_cells * 64 * grid.cell_area();
-    const int factor = large ? 4 : 2;
-    const Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
-    const Trial fine = try_coarse(reading, grid, factor, threads);
+    int factor = large ? 4 : 2;
+    Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
+    Trial fine = try_coarse(reading, grid, factor, threads);
+    // Where that took little, once more on half the cells: how long a deposit creeps depends on their size.
+    if (factor > 2 && !fine.cut_short && fine.seconds < k_trial_seconds / k_finer_cost) {
+        factor /= 2;
+        coarse = std::exchange(fine, try_coarse(reading, grid, factor, threads));
+    }
     if (!(coarse.particles_peak > 0) || start.particles == 0) return std::nullopt;
     // If both reached their end, the growth per halving of the cells follows from both; otherwise the complete one is
     // used.

@@ -172,22 +172,25 @@ std::string probability_json(const ProbabilityScores& scores, const ProbabilityM
     return json_text(json);
 }
 
+render::Chart probability_chart(const ProbabilityScores& scores, const ProbabilityMap& map) {
+    const Words& words = map.source.style.words;
+    return {page_title(map.source, words("comparison with the survey")),
+            words("{1}, Brier score {2}, skill {3}", {map.name, words.number(number_text(scores.brier, 3)),
+                                                      words.number(number_text(scores.brier_skill, 3))}),
+            std::string(k_comparison_file),
+            2,
+            {reliability_panel(scores, words), roc_panel(scores, words)},
+            false,
+            words};
+}
+
 void write_probability_comparison(const ProbabilityScores& scores, const ProbabilityMap& map, const Survey& survey,
                                   const std::string& folder) {
     const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
     write_text_file(path(k_comparison_file), probability_json(scores, map, survey));
     write_text_file(path(k_roc_table), roc_csv(scores));
     write_text_file(path(k_reliability_table), reliability_csv(scores));
-    const Words& words = map.source.style.words;
-    const render::Chart chart{
-        page_title(map.source, words("comparison with the survey")),
-        words("{1}, Brier score {2}, skill {3}",
-              {map.name, words.number(number_text(scores.brier, 3)), words.number(number_text(scores.brier_skill, 3))}),
-        std::string(k_comparison_file),
-        2,
-        {reliability_panel(scores, words), roc_panel(scores, words)},
-        false,
-        words};
+    const render::Chart chart = probability_chart(scores, map);
     const Size size = map.source.style.size;
     write_plain_picture(render::chart_page(chart, size.width, size.height), map.source.style, chart.title,
                         comparison_stem(folder));

@@ -8,6 +8,7 @@
 #include "app/input/survey_input.h"
 #include "app/pictures/map_source.h"
 #include "app/text/run_log.h"
+#include "render/chart/chart.h"
 
 namespace frana::app {
 
@@ -28,6 +29,9 @@ ProbabilityMap read_probability_map(const std::string& operand, const std::optio
 
 /// Scores the map against the surveyed areas; those outside its grid count as not foreseen. Throws Error(input).
 ProbabilityScores compare_with_survey(const ProbabilityMap& map, const Survey& survey, RunLog& log);
+
+/// Returns the chart of reliability and ROC curve.
+render::Chart probability_chart(const ProbabilityScores& scores, const ProbabilityMap& map);
 
 std::string probability_json(const ProbabilityScores& scores, const ProbabilityMap& map, const Survey& survey);
 

@@ -314,17 +314,21 @@ void write_chart(const NamedChart& one, const MapStyle& style, const std::string
     write_plain_picture(render::chart_page(one.chart, style.size.width, style.size.height), style, one.chart.title,
                         (place / "charts" / one.name).string());
     if (!for_page) return;
-    // 9 of 720 units, the smallest letters, are 6.4 points on the report's 180 mm. Charts of many panels are higher.
-    constexpr int k_width = 720, k_heights[] = {400, 640, 1000};
     std::filesystem::create_directories(place / k_page_folder);
+    write_text_file((place / k_page_folder / (one.name + ".svg")).string(), page_chart_svg(one.chart));
+}
+
+std::string page_chart_svg(const render::Chart& chart) {
+    // 9 of 720 units, the smallest letters, are 6.4 points on the report's 180 mm. Charts of many panels are higher.
+    constexpr int k_width = 720, k_heights[] = {400, 640};
     for (const int height : k_heights) {
         try {
-            return write_text_file((place / k_page_folder / (one.name + ".svg")).string(),
-                                   render::chart_svg(one.chart, k_width, height));
+            return render::chart_svg(chart, k_width, height);
         } catch (const Error& error) {
-            if (error.kind() != ErrorKind::input || height == std::end(k_heights)[-1]) throw;
+            if (error.kind() != ErrorKind::input) throw;
         }
     }
+    return render::chart_svg(chart, k_width, 1000);
 }
 
 }  // namespace frana::app

@@ -20,6 +20,9 @@ struct NamedChart {
 /// legible there.
 void write_chart(const NamedChart& one, const MapStyle& style, const std::string& folder, bool for_page);
 
+/// The drawing of a chart in the report, as wide as its text.
+std::string page_chart_svg(const render::Chart& chart);
+
 /// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
 /// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,
 /// cross-sections, and with a survey the scores over the depth threshold. The numbers are those of the files. A broken

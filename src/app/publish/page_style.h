@@ -46,7 +46,7 @@ summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
   table { font-size: 7.5pt; margin: 1mm 0; } th, td { padding: .5mm 1.5mm; }
   table.keys { font-size: 6.3pt; line-height: 1.2; } table.keys td { padding: .2mm 1mm; }
   thead { display: table-header-group; }
-  tr, figure, img, svg, .warning { break-inside: avoid; }
+  tr, .columns, figure, img, svg, .warning { break-inside: avoid; }
   p { orphans: 3; widows: 3; }
   .small, figcaption { font-size: 7.5pt; }
   .columns { grid-template-columns: 1fr 1fr; gap: 1mm 6mm; }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/report_probability.h"
 
-#include <filesystem>
-
-#include "app/compare/comparison.h"
+#include "app/compare/probability_comparison.h"
+#include "app/pictures/charts.h"
 #include "app/pictures/class_words.h"
 #include "app/publish/html_page.h"
 #include "app/publish/html_table.h"
@@ -31,8 +30,7 @@ std::string answer(const ProbabilityScores& scores, const ProbabilityMap& map, c
                             number(scores.auroc, 3)}));
 }
 
-std::string section(const ProbabilityScores& scores, const ProbabilityMap& map, const std::string& picture,
-                    const Words& words) {
+std::string section(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
     const ReportNumbers number(words);
     HtmlTable table;
     table.number(words("Observed area"), number.grouped(scores.observed_area_m2), "m²")
@@ -43,10 +41,9 @@ std::string section(const ProbabilityScores& scores, const ProbabilityMap& map, 
         .number(words("Resolution: how far they differ from the mean"), number(scores.resolution, 3), "")
         .number(words("Area under the ROC curve, best 1"), number(scores.auroc, 3), "");
     std::string html = "<h2 id=\"comparison\">" + escaped_markup(words("Comparison with the survey")) + "</h2>\n";
-    if (std::filesystem::exists(picture))
-        html += figure_html(picture, map_title(map, words),
-                            words("Reliability of the probabilities, and their ROC curve with an area of {1}",
-                                  {number(scores.auroc, 3)}));
+    html += svg_figure(
+        page_chart_svg(probability_chart(scores, map)), map_title(map, words),
+        words("Reliability of the probabilities, and their ROC curve with an area of {1}", {number(scores.auroc, 3)}));
     return html + table.html();
 }
 
@@ -54,9 +51,8 @@ std::string section(const ProbabilityScores& scores, const ProbabilityMap& map, 
 
 bool renew_report(const std::string& folder, const ProbabilityScores& scores, const ProbabilityMap& map) {
     return renew_page(folder, [&](const Words& words) {
-        const std::string picture = comparison_stem(folder) + ".png";
         return std::vector<PagePart>{{k_comparison_answer, answer(scores, map, words)},
-                                     {k_comparison_section, section(scores, map, picture, words)}};
+                                     {k_comparison_section, section(scores, map, words)}};
     });
 }
 

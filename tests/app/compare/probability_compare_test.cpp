@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
-
 // Maps of probability against an outline, as a user sees it.
 #include <gdal_priv.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
 
 #include "ensemble/tiny_study.h"
 
@@ -112,6 +113,17 @@ TEST_F(ProbabilityCompare, AStudyOfASceneWithAnOutlineIsCompared) {
     EXPECT_EQ(report.find("Not compared"), std::string::npos);
     EXPECT_NE(report.find("Brier score"), std::string::npos);
     EXPECT_NE(read_text(path("out/manifest.json")).find("comparison.json"), std::string::npos);
+    // Drawn for the page: on 180 mm no letter is smaller than 6 points.
+    const std::string section = report.substr(report.find("id=\"comparison\"")),
+                      picture = section.substr(section.find("<svg"), section.find("</svg>") - section.find("<svg"));
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(picture, found, std::regex("viewBox=\"0 0 ([0-9.]+)")));
+    const double points = 180 / 25.4 * 72 / std::stod(found[1]);
+    const std::regex letters("font-size[=:]\"?([0-9.]+)");
+    int sizes = 0;
+    for (std::sregex_iterator at(picture.begin(), picture.end(), letters), end; at != end; ++at, ++sizes)
+        EXPECT_GE(points * std::stod((*at)[1]), 6) << at->str();
+    EXPECT_GT(sizes, 10);
     // As the command gives them.
     const Outcome command =
         frana({"compare", "--json", "out", "--scar", "scar.geojson", "--out", "again", "--size", "800x600"});
