@@ -12,12 +12,12 @@ namespace frana {
 namespace {
 
 // Elevation of the bed between the nodes' centres, and its slope in the cell as in the rasters of speed.
-struct Ground {
+struct LocalGround {
     double height = 0;
     Point slope;
 };
 
-Ground ground_under(const NodeGrid& nodes, double x, double y) {
+LocalGround ground_under(const NodeGrid& nodes, double x, double y) {
     const double dx = nodes.cell_size();
     x -= nodes.bounds().west;
     y -= nodes.bounds().south;
@@ -26,7 +26,7 @@ Ground ground_under(const NodeGrid& nodes, double x, double y) {
     };
     const auto bed = [&](std::int64_t i, std::int64_t j) { return nodes.bed[nodes.index(i, j)]; };
     const std::int64_t column = cell(x, nodes.columns()), row = cell(y, nodes.rows());
-    Ground ground;
+    LocalGround ground;
     ground.slope = {(bed(column + 1, row) - bed(column - 1, row)) / (2 * dx),
                     (bed(column, row + 1) - bed(column, row - 1)) / (2 * dx)};
     const double s = x / dx - 0.5, t = y / dx - 0.5;
@@ -58,7 +58,7 @@ PointTable common_table(const ParticleSet& particles, const GridSpec& grid, cons
         table.add(name);
     const double* const confined = particles[Field::confined];
     for (std::size_t p = 0; p < count; ++p) {
-        const Ground ground = ground_under(nodes, x[p], y[p]);
+        const LocalGround ground = ground_under(nodes, x[p], y[p]);
         const auto [u, v] = velocity(p);
         const double volume = particles[Field::volume][p] + (confined != nullptr ? confined[p] : 0);
         const double values[] = {

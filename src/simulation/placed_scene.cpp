@@ -36,21 +36,21 @@ void move_marks(Scene& scene, const Place& place, double turn) {
     scene.time.frame_interval = 0;
 }
 
-enum class Kind { elevation, depth, zone };
+enum class RasterKind { elevation, depth, zone };
 
 // Visits every raster of a scene with its quantity.
 template <class Visit>
 void for_each_raster(Scene& scene, const Visit& visit) {
-    visit(scene.terrain, Kind::elevation);
-    const auto optional = [&](std::optional<Raster>& raster, Kind kind) {
+    visit(scene.terrain, RasterKind::elevation);
+    const auto optional = [&](std::optional<Raster>& raster, RasterKind kind) {
         if (raster) visit(*raster, kind);
     };
-    for (ReleaseArea& area : scene.release) optional(area.thickness_raster, Kind::depth);
-    optional(scene.walls, Kind::zone);
-    for (const ZoneRaster& zone : k_zone_rasters) optional(scene.zones.*zone.raster, Kind::zone);
+    for (ReleaseArea& area : scene.release) optional(area.thickness_raster, RasterKind::depth);
+    optional(scene.walls, RasterKind::zone);
+    for (const ZoneRaster& zone : k_zone_rasters) optional(scene.zones.*zone.raster, RasterKind::zone);
     if (!scene.structured) return;
-    for (SolidZone& zone : scene.structured->zones) visit(zone.raster, Kind::zone);
-    optional(scene.structured->initial_fluid, Kind::depth);
+    for (SolidZone& zone : scene.structured->zones) visit(zone.raster, RasterKind::zone);
+    optional(scene.structured->initial_fluid, RasterKind::depth);
 }
 
 GridSpec plain_grid(const GridSpec& like, std::int64_t columns, std::int64_t rows) {
@@ -72,7 +72,7 @@ Scene quarter_turned(Scene scene) {
         },
         std::numbers::pi / 2);
     scene.grid = plain_grid(old, old.rows, old.columns);
-    for_each_raster(scene, [&](Raster& raster, Kind) {
+    for_each_raster(scene, [&](Raster& raster, RasterKind) {
         raster = quarter_turned(raster);
         raster.grid = scene.grid;
     });
@@ -168,7 +168,7 @@ Cells cells_of(const GridSpec& old, const GridPlacement& placement, double turn)
             placement.shift > 0 ? placement.shift - 0.5 : 0};
 }
 
-Raster interpolated(const Raster& raster, const Cells& cells, Kind kind) {
+Raster interpolated(const Raster& raster, const Cells& cells, RasterKind kind) {
     constexpr double k_fall_cells = 5;
     const Interpolated old(raster);
     Raster other(cells.grid);
@@ -176,10 +176,10 @@ Raster interpolated(const Raster& raster, const Cells& cells, Kind kind) {
         for (std::int64_t column = 0; column < cells.grid.columns; ++column) {
             const Cells::OldPlace at = cells.old_place(raster.grid, row, column);
             double& value = other.at(row, column);
-            if (kind == Kind::elevation) {
+            if (kind == RasterKind::elevation) {
                 value = std::isnan(old.nearest(at.row, at.column)) ? k_no_data : old.cubic(at.row, at.column);
                 value -= cells.grid.cell_size * std::min(at.beyond, k_fall_cells);
-            } else if (kind == Kind::depth) {
+            } else if (kind == RasterKind::depth) {
                 value = at.beyond > 0 ? k_no_data : old.bilinear(at.row, at.column);
             } else {
                 value = old.nearest(at.row, at.column);
@@ -241,7 +241,7 @@ PlacedScene placed_otherwise(const Scene& scene, const GridPlacement& placement)
         for (std::int64_t column = 0; column < cells.grid.columns; ++column)
             if (cells.old_place(old, row, column).beyond > 0) placed.inside.at(row, column) = 0;
     if (other.numerics.boundary == Boundary::wall && !other.walls) other.walls = Raster(old, 0);
-    for_each_raster(other, [&](Raster& raster, Kind kind) { raster = interpolated(raster, cells, kind); });
+    for_each_raster(other, [&](Raster& raster, RasterKind kind) { raster = interpolated(raster, cells, kind); });
     if (other.walls) {
         for (std::size_t i = 0; i < placed.inside.values.size(); ++i)
             if (placed.inside.values[i] == 0) other.walls->values[i] = other.numerics.boundary == Boundary::wall;

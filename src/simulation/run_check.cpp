@@ -18,7 +18,7 @@ namespace {
 using Kind = RunProblem::Kind;
 
 // Where material enters and its depth and speed there.
-struct Start {
+struct StartValues {
     double highest = -std::numeric_limits<double>::infinity();  // ground [m]
     double deepest = 0, fastest = 0;
 
@@ -27,8 +27,8 @@ struct Start {
     }
 };
 
-Start start_of(const Scene& scene, const Release& release, const Arrivals& arrivals) {
-    Start start;
+StartValues start_of(const Scene& scene, const Release& release, const Arrivals& arrivals) {
+    StartValues start;
     const Raster& bed = release.bed;
     release.depth.values.for_each_stored([&](std::size_t cell, double depth) {
         if (!(depth > 0)) return;
@@ -93,7 +93,7 @@ RunCheck::RunCheck(const Scene& scene, const Release& release, const Arrivals& a
       gravity_(scene.numerics.gravity),
       lowest_(lowest_bed(release.bed)),
       erodible_(deepest_erosion(scene)) {
-    const Start start = start_of(scene, release, arrivals);
+    const StartValues start = start_of(scene, release, arrivals);
     top_ = start.highest + start.deepest;
     depth_ = pressure_factor * start.deepest;
     at_start_ = start.fastest + (scene.structured ? recoil_speed(*scene.structured) : 0);

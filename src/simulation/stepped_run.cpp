@@ -31,20 +31,14 @@ Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first
     return std::isnan(z) ? Ground(bed) : Ground(bed, z);
 }
 
-// Reads terrain on demand before the first step, so that a read error is found before anything is computed.
-template <class AnyFlow>
-void require_ground(const AnyFlow& flow) {
-    flow.nodes().require_ground();
-}
-
 /// What a run starts from.
-struct Start {
+struct RunStart {
     Stopwatch engine;
     Release release;
     Arrivals arrivals;
     Ground ground;
 
-    explicit Start(const Scene& scene)
+    explicit RunStart(const Scene& scene)
         : engine(started()),
           release(make_release(scene)),
           arrivals(scene, std::exchange(release.later, {})),
@@ -57,7 +51,7 @@ struct Start {
     }
 };
 
-Flow flow_of(const Scene& scene, int threads, Start& start, const Flow*) {
+Flow flow_of(const Scene& scene, int threads, RunStart& start, const Flow*) {
     return {start.ground,   std::exchange(start.release.particles, ParticleSet()),
             scene.material, scene.numerics,
             threads,        std::nullopt,
@@ -68,7 +62,7 @@ void add_walls(const Scene& scene, Flow& flow) {
     if (scene.walls) flow.add_walls(*scene.walls);
 }
 
-StructuredFlow flow_of(const Scene& scene, int threads, Start& start, const StructuredFlow*) {
+StructuredFlow flow_of(const Scene& scene, int threads, RunStart& start, const StructuredFlow*) {
     return {start.ground,
             scene.walls,
             *scene.structured,
@@ -88,7 +82,7 @@ class RunOfFlow final : public SteppedRun::OfModel {
           flow_(flow_of(scene, options.threads, start_, static_cast<const AnyFlow*>(nullptr))) {
         add_walls(scene, flow_);
         run_.emplace(scene, options, start_.release, start_.arrivals, flow_, start_.engine);
-        require_ground(flow_);
+        flow_.nodes().require_ground();  // a read error is found before anything is computed
         if (options.saved != nullptr) {
             (*options.saved)(*run_);
         } else {
@@ -102,13 +96,14 @@ class RunOfFlow final : public SteppedRun::OfModel {
         if (options_.after_step) options_.after_step(run_->progress(), [&](StateWriter& writer) { writer(*run_); });
     }
     RunResult finish() override {
-        require_ground(flow_);  // after the last state was saved
+        flow_.nodes()
+            .require_ground();  // a read error is found before anything is computed  // after the last state was saved
         return run_->finish();
     }
 
   private:
     const RunOptions& options_;
-    Start start_;
+    RunStart start_;
     AnyFlow flow_;
     std::optional<FlowRun<AnyFlow>> run_;
 };

@@ -6,19 +6,10 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "row_of.h"
 
 namespace frana {
 namespace {
-
-Raster row_of(std::vector<double> values) {
-    GridSpec grid;
-    grid.cell_size = 10;
-    grid.columns = static_cast<std::int64_t>(values.size());
-    grid.rows = 1;
-    Raster raster(grid);
-    raster.values = std::move(values);
-    return raster;
-}
 
 TEST(DepositScores, ByHand) {
     // Counted: cells 0 (2 against 1), 1 (1 against 3), 2 (none against 2). Not: 3 (erosion, nothing

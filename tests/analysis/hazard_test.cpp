@@ -11,8 +11,8 @@ namespace frana {
 namespace {
 
 /// One row of cells with every quantity; zero unless a test sets it.
-struct Cells {
-    explicit Cells(std::vector<double> depths) {
+struct HazardCells {
+    explicit HazardCells(std::vector<double> depths) {
         GridSpec grid;
         grid.columns = static_cast<std::int64_t>(depths.size());
         grid.rows = 1;
@@ -26,7 +26,7 @@ struct Cells {
 };
 
 TEST(Hazard, SwissDebrisFlowNeedsDepthAndSpeedOverOne) {
-    Cells cells({1.01, 1.01, 1, 3, 0.2, k_no_data});
+    HazardCells cells({1.01, 1.01, 1, 3, 0.2, k_no_data});
     cells.velocity.values = {1.01, 1, 8, 0.5, 9, k_no_data};
     const auto classes = cells.classes("swiss-debris-flow");
     EXPECT_EQ(std::vector<double>(classes.begin(), classes.end() - 1), (std::vector<double>{3, 2, 2, 2, 2}));
@@ -34,20 +34,20 @@ TEST(Hazard, SwissDebrisFlowNeedsDepthAndSpeedOverOne) {
 }
 
 TEST(Hazard, SwissFloodUsesTheWorseOfDepthAndFlux) {
-    Cells cells({2.01, 2, 0.5, 0.51, 0.4, 0.4, 0.4});
+    HazardCells cells({2.01, 2, 0.5, 0.51, 0.4, 0.4, 0.4});
     cells.flux.values = {0, 0, 0, 0, 0.5, 0.51, 2.01};
     EXPECT_EQ(cells.classes("swiss-flood"), (std::vector<double>{3, 2, 1, 2, 1, 2, 3}));
 }
 
 TEST(Hazard, AustrianTorrentIsRedFromEnergyHeadOrDeposit) {
-    Cells cells({1, 1, 1, 1});
+    HazardCells cells({1, 1, 1, 1});
     cells.head.values = {1.49, 1.5, 1, 1};
     cells.deposit.values = {0, 0, 0.69, 0.7};
     EXPECT_EQ(cells.classes("austrian-torrent"), (std::vector<double>{1, 2, 1, 2}));
 }
 
 TEST(Hazard, GroundUpToTheMinimumDepthHasNoClass) {
-    const Cells cells({0.1, 0.11});
+    const HazardCells cells({0.1, 0.11});
     const Raster classes =
         hazard_classes(hazard_scheme("swiss-flood", {}, 0.1),
                        {cells.depth, cells.velocity, cells.flux, cells.head, cells.pressure, cells.deposit});
@@ -56,7 +56,7 @@ TEST(Hazard, GroundUpToTheMinimumDepthHasNoClass) {
 }
 
 TEST(Hazard, CustomCountsTheLimitsExceeded) {
-    Cells cells({0.2, 0.6, 3, 0.2, 0.2});
+    HazardCells cells({0.2, 0.6, 3, 0.2, 0.2});
     cells.pressure.values = {0, 0, 0, 11, 31};
     const HazardLimits limits{{0.5}, {}, {}, {10, 30}};
     EXPECT_EQ(cells.classes("custom", limits), (std::vector<double>{1, 2, 2, 2, 3}));

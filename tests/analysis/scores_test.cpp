@@ -6,22 +6,13 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "row_of.h"
 
 namespace frana {
 namespace {
 
 // Ratios of small whole numbers: only the last bits of a double may differ.
 constexpr double k_rounding = 1e-15;
-
-Raster row_of(std::vector<double> values, double cell_size = 10) {
-    GridSpec grid;
-    grid.cell_size = cell_size;
-    grid.columns = static_cast<std::int64_t>(values.size());
-    grid.rows = 1;
-    Raster raster(grid);
-    raster.values = std::move(values);
-    return raster;
-}
 
 TEST(Scores, CountsByHand) {
     // Two hits, one false alarm, two misses, three cells never touched; the threshold itself does not count.

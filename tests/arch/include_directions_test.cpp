@@ -33,7 +33,7 @@ const std::map<std::string, std::set<std::string>> k_may_include{
 };
 
 // The folders of a library, each above those before it. A library not listed here has one.
-const std::map<std::string, std::vector<std::string>> k_folders{
+const std::map<std::string, std::vector<std::string>> k_layers{
     {"params", {"grammar", "keys", "check", "scene"}},
     {"bench", {"exact", "set_up", "accuracy", "stability", "speed"}},
     {"gis", {"access", "crs", "vector", "raster"}},
@@ -78,8 +78,8 @@ std::string folder_of(const std::string& path) {
 
 /// Returns the position of a folder in its library, from below; none for a folder that its library does not list.
 std::optional<std::size_t> level_of(const std::string& path) {
-    const auto library = k_folders.find(library_of(path));
-    if (library == k_folders.end()) return 0;
+    const auto library = k_layers.find(library_of(path));
+    if (library == k_layers.end()) return 0;
     const std::string folder = folder_of(path).empty() ? path.substr(path.rfind('/') + 1) : folder_of(path);
     const auto found = std::find(library->second.begin(), library->second.end(), folder);
     if (found == library->second.end()) return std::nullopt;

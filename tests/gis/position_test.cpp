@@ -22,17 +22,18 @@ const char* const k_degrees =
 const char* const k_gauss_boaga =
     "POLYGON((1690426.88070405 5208101.40808177,1690626.64461596 5208112.51556459,"
     "1690615.53705491 5208312.27958864,1690415.7731088 5208301.17191517,1690426.88070405 5208101.40808177))";
-const Point k_utm[] = {{690394.861190, 5208078.846468},
-                       {690594.621304, 5208089.954564},
-                       {690583.513130, 5208289.714786},
-                       {690383.752982, 5208278.606499}};
+const Point k_utm_corners[] = {{690394.861190, 5208078.846468},
+                               {690594.621304, 5208089.954564},
+                               {690583.513130, 5208289.714786},
+                               {690383.752982, 5208278.606499}};
 
-constexpr double k_cell = 5;
+constexpr double k_release_cell = 5;
 
 TEST(Position, ASquareInThreeSystemsCoversTheSameCells) {
     const test::Folder folder;
     // A terrain model of 5 m cells, 10 m high inside the square and 0 outside.
-    test::TestRaster dtm{120, 120, 260800, 346400, k_cell, k_cell, "EPSG:31287", {}, std::nullopt, "", 1, 0, 0, false};
+    test::TestRaster dtm{120, 120, 260800, 346400, k_release_cell, k_release_cell, "EPSG:31287", {}, std::nullopt,
+                         "",  1,   0,      0,      false};
     for (int row = 0; row < 120; ++row)
         for (int column = 0; column < 120; ++column)
             dtm.values.push_back(row >= 40 && row < 80 && column >= 40 && column < 80 ? 10 : 0);
@@ -44,9 +45,9 @@ TEST(Position, ASquareInThreeSystemsCoversTheSameCells) {
         const std::string crs = crs_from_user(working, "");
         const PolygonLayer release = read_polygons(folder.file("release.geojson"), crs, "release.perimeter");
         const PolygonLayer scar = read_polygons(folder.file("scar.shp"), crs, "scar.perimeter");
-        const GridSpec grid{std::floor(release.bounds.west / k_cell) * k_cell - 100,
-                            std::ceil(release.bounds.north / k_cell) * k_cell + 100,
-                            k_cell,
+        const GridSpec grid{std::floor(release.bounds.west / k_release_cell) * k_release_cell - 100,
+                            std::ceil(release.bounds.north / k_release_cell) * k_release_cell + 100,
+                            k_release_cell,
                             100,
                             100,
                             crs};
@@ -78,8 +79,8 @@ TEST(Position, ASquareInThreeSystemsCoversTheSameCells) {
             return Point{sum.x / n, sum.y / n};
         };
         const Point a = centroid(square, 5), b = centroid(released, 0), c = centroid(scarred, 0);
-        EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), k_cell / 2) << working;
-        EXPECT_LT(std::hypot(c.x - b.x, c.y - b.y), k_cell / 2) << working;
+        EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), k_release_cell / 2) << working;
+        EXPECT_LT(std::hypot(c.x - b.x, c.y - b.y), k_release_cell / 2) << working;
     }
 }
 
@@ -90,7 +91,7 @@ TEST(Position, CornersAgreeWithGdaltransform) {
     const std::string utm = crs_from_user("EPSG:32632", "");
     for (const char* name : {"release.geojson", "scar.shp"}) {
         const PolygonLayer layer = read_polygons(folder.file(name), utm, "");
-        for (const Point& corner : k_utm) {
+        for (const Point& corner : k_utm_corners) {
             double nearest = HUGE_VAL;
             for (const Point& p : layer.features[0].parts[0].outer)
                 nearest = std::min(nearest, std::hypot(p.x - corner.x, p.y - corner.y));

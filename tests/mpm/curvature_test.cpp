@@ -9,8 +9,6 @@
 namespace frana::test {
 namespace {
 
-constexpr double k_gravity = 9.81;
-
 struct Track {
     double length, cell;
     std::function<double(double)> bed, slope;

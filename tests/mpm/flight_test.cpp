@@ -8,8 +8,6 @@
 namespace frana::test {
 namespace {
 
-constexpr double k_gravity = 9.81;
-
 // A film, thin enough for its own pressure not to matter, that starts around x = 20 m in a walled strip.
 struct Strip {
     double cell = 2;

@@ -14,10 +14,7 @@
 namespace frana::render {
 namespace {
 
-std::pair<int, int> pixel(const MapLayout& layout, Point map) {
-    return {static_cast<int>(layout.map.left + (map.x - layout.window.west) / layout.metres_per_pixel),
-            static_cast<int>(layout.map.top + (layout.window.north - map.y) / layout.metres_per_pixel)};
-}
+using test::pixel;
 
 TEST(ContinuousLegend, EveryCellHasTheColourOfItsValueInTheRamp) {
     const Raster ground = test::terrain(), layer = test::tongue();

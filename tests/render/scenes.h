@@ -91,6 +91,12 @@ inline MapSpec crowded_map(const Raster& ground, const Raster& layer, int width,
     return spec;
 }
 
+/// Returns the pixel of a map point.
+inline std::pair<int, int> pixel(const MapLayout& layout, Point map) {
+    return {static_cast<int>(layout.map.left + (map.x - layout.window.west) / layout.metres_per_pixel),
+            static_cast<int>(layout.map.top + (layout.window.north - map.y) / layout.metres_per_pixel)};
+}
+
 inline bool near(Rgb a, Rgb b, int tolerance) {
     return std::abs(a.r - b.r) <= tolerance && std::abs(a.g - b.g) <= tolerance && std::abs(a.b - b.b) <= tolerance;
 }

@@ -131,13 +131,13 @@ Scene into_a_pond() {
     return scene;
 }
 
-struct Case {
+struct GroundCase {
     const char* name;
     Scene (*scene)();
     std::int64_t every;
 };
 
-class GroundOnDemand : public testing::TestWithParam<Case> {};
+class GroundOnDemand : public testing::TestWithParam<GroundCase> {};
 
 TEST_P(GroundOnDemand, GivesTheResultOfTheWholeGround) {
     const Scene whole = wide(GetParam().scene()), part = on_demand(whole);
@@ -155,13 +155,14 @@ TEST_P(GroundOnDemand, GivesTheResultOfTheWholeGround) {
 
 INSTANTIATE_TEST_SUITE_P(
     , GroundOnDemand,
-    testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 200}, Case{"resting", resting, 300},
-                    Case{"settling", settling, 600}, Case{"flying", flying, 100},
-                    Case{"inflow_elsewhere", inflow_elsewhere, 45}, Case{"earth_pressure", earth_pressure, 60},
-                    Case{"fluid", fluid, 30}, Case{"breaking", breaking, 10},
-                    Case{"breaking_later", breaking_later, 10}, Case{"loose_and_dry", loose_and_dry, 10},
-                    Case{"between_walls", between_walls, 45}, Case{"fluid_between_walls", fluid_between_walls, 45},
-                    Case{"into_a_pond", into_a_pond, 10}, Case{"eroding_by_place", eroding_by_place, 200}),
+    testing::Values(GroundCase{"hillside", hillside, 45}, GroundCase{"eventful", eventful, 200},
+                    GroundCase{"resting", resting, 300}, GroundCase{"settling", settling, 600},
+                    GroundCase{"flying", flying, 100}, GroundCase{"inflow_elsewhere", inflow_elsewhere, 45},
+                    GroundCase{"earth_pressure", earth_pressure, 60}, GroundCase{"fluid", fluid, 30},
+                    GroundCase{"breaking", breaking, 10}, GroundCase{"breaking_later", breaking_later, 10},
+                    GroundCase{"loose_and_dry", loose_and_dry, 10}, GroundCase{"between_walls", between_walls, 45},
+                    GroundCase{"fluid_between_walls", fluid_between_walls, 45},
+                    GroundCase{"into_a_pond", into_a_pond, 10}, GroundCase{"eroding_by_place", eroding_by_place, 200}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 // Not before anything is computed: on the way. The state of the last whole step goes on when the ground can be read.

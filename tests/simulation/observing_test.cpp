@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-struct Case {
+struct ObservedCase {
     const char* name;
     Scene (*scene)();
 };
@@ -17,7 +17,7 @@ Played unobserved(Scene scene) {
     return play(scene, 1, 1'000'000'000);
 }
 
-class Observed : public testing::TestWithParam<Case> {};
+class Observed : public testing::TestWithParam<ObservedCase> {};
 
 TEST_P(Observed, FramesChangeNothing) {
     Scene scene = GetParam().scene();
@@ -83,11 +83,12 @@ TEST_P(Observed, GaugesAndIntensitiesChangeNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Observed,
-                         testing::Values(Case{"hillside", hillside}, Case{"eventful", eventful},
-                                         Case{"resting", resting}, Case{"settling", settling}, Case{"paper", paper},
-                                         Case{"earth_pressure", earth_pressure}, Case{"fluid", fluid},
-                                         Case{"breaking", breaking}, Case{"breaking_later", breaking_later},
-                                         Case{"loose_and_dry", loose_and_dry}),
+                         testing::Values(ObservedCase{"hillside", hillside}, ObservedCase{"eventful", eventful},
+                                         ObservedCase{"resting", resting}, ObservedCase{"settling", settling},
+                                         ObservedCase{"paper", paper}, ObservedCase{"earth_pressure", earth_pressure},
+                                         ObservedCase{"fluid", fluid}, ObservedCase{"breaking", breaking},
+                                         ObservedCase{"breaking_later", breaking_later},
+                                         ObservedCase{"loose_and_dry", loose_and_dry}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

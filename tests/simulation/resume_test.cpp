@@ -9,13 +9,13 @@
 namespace frana {
 namespace {
 
-struct Case {
+struct ResumedCase {
     const char* name;
     Scene (*scene)();
     std::int64_t every;
 };
 
-class Resume : public testing::TestWithParam<Case> {};
+class Resume : public testing::TestWithParam<ResumedCase> {};
 
 TEST_P(Resume, EndsAsNeverInterrupted) {
     const Scene scene = GetParam().scene();
@@ -52,12 +52,13 @@ TEST_P(Resume, ContinuesAfterAStopOnRequest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Resume,
-                         testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 55},
-                                         Case{"resting", resting, 100}, Case{"settling", settling, 150},
-                                         Case{"paper", paper, 50}, Case{"flying", flying, 40},
-                                         Case{"earth_pressure", earth_pressure, 40}, Case{"fluid", fluid, 60},
-                                         Case{"breaking", breaking, 15}, Case{"breaking_later", breaking_later, 10},
-                                         Case{"loose_and_dry", loose_and_dry, 15}),
+                         testing::Values(ResumedCase{"hillside", hillside, 45}, ResumedCase{"eventful", eventful, 55},
+                                         ResumedCase{"resting", resting, 100}, ResumedCase{"settling", settling, 150},
+                                         ResumedCase{"paper", paper, 50}, ResumedCase{"flying", flying, 40},
+                                         ResumedCase{"earth_pressure", earth_pressure, 40},
+                                         ResumedCase{"fluid", fluid, 60}, ResumedCase{"breaking", breaking, 15},
+                                         ResumedCase{"breaking_later", breaking_later, 10},
+                                         ResumedCase{"loose_and_dry", loose_and_dry, 15}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 // Of another grid, of another model, truncated, with an impossible count.

@@ -12,6 +12,8 @@
 
 namespace frana::test {
 
+inline constexpr double k_gravity = 9.81;
+
 /// No friction, no stress.
 inline Material water() {
     Material material;

@@ -8,7 +8,8 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_length = 1000, k_width = 50, k_dam = 500, k_left = 10, k_time = 20;
+constexpr double k_channel_length = 1000, k_channel_width = 50, k_channel_dam = 500, k_channel_left = 10,
+                 k_channel_time = 20;
 
 constexpr double k_shown_depth = 0.01;  // depth from which a place counts as reached, here and in frana's maps [m]
 
@@ -17,19 +18,19 @@ double reach(const Raster& depth) {
     double front = 0;
     for (std::int64_t column = 0; column < depth.grid.columns; ++column)
         if (depth.at(depth.grid.rows / 2, column) > k_shown_depth)
-            front = depth.grid.cell_size * (static_cast<double>(column) + 0.5) - k_dam;
+            front = depth.grid.cell_size * (static_cast<double>(column) + 0.5) - k_channel_dam;
     return front;
 }
 
 // The same in Ritter's solution: h = (2 c - x / t)^2 / (9 g).
 double exact_reach() {
-    return k_time * (2 * std::sqrt(k_gravity * k_left) - 3 * std::sqrt(k_gravity * k_shown_depth));
+    return k_channel_time * (2 * std::sqrt(k_gravity * k_channel_left) - 3 * std::sqrt(k_gravity * k_shown_depth));
 }
 
 double foremost(const ParticleSet& particles) {
     double front = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) front = std::max(front, particles[Field::x][p]);
-    return front - k_dam;
+    return front - k_channel_dam;
 }
 
 struct Marks {
@@ -38,17 +39,19 @@ struct Marks {
 
 CaseStatistics run_channel(double cell_size, Scheme scheme, double right, double jitter, std::optional<Marks> marks) {
     Setup setup;
-    const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
+    const GridSpec grid =
+        plain_grid(std::llround(k_channel_length / cell_size), std::llround(k_channel_width / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
-    setup.seeds = fill_lattice(grid, 2, jitter, [&](Point p) { return Seed{p.x < k_dam ? k_left : right}; });
+    setup.seeds =
+        fill_lattice(grid, 2, jitter, [&](Point p) { return Seed{p.x < k_channel_dam ? k_channel_left : right}; });
     setup.material = water();
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
-    run.advance_to(k_time);
+    run.advance_to(k_channel_time);
 
-    const DamBreak exact(k_left, right, k_gravity);
+    const DamBreak exact(k_channel_left, right, k_gravity);
     CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
-        const WaterState state = exact.at(p.x - k_dam, k_time);
+        const WaterState state = exact.at(p.x - k_channel_dam, k_channel_time);
         return ExactState{state.depth, state.depth * state.velocity, 0};
     });
     CaseStatistic mean{"mean depth error [m]", statistics.mean_depth_error, {}};
@@ -57,8 +60,9 @@ CaseStatistics run_channel(double cell_size, Scheme scheme, double right, double
     if (right == 0) {
         const Raster depth = run.flow().nodal_fields().depth;
         statistics.own.push_back({"front at 0.01 m, error [cells]", (reach(depth) - exact_reach()) / cell_size, 2.0});
-        statistics.own.push_back(
-            {"foremost particle beyond 2 sqrt(g h) t [m]", foremost(run.flow().particles()) - exact.front(k_time), {}});
+        statistics.own.push_back({"foremost particle beyond 2 sqrt(g h) t [m]",
+                                  foremost(run.flow().particles()) - exact.front(k_channel_time),
+                                  {}});
     }
     return statistics;
 }

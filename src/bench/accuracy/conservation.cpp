@@ -6,7 +6,7 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_length = 150, k_width = 20, k_time = 7, k_symmetry_time = 3, k_wall_time = 4;
+constexpr double k_budget_length = 150, k_budget_width = 20, k_budget_time = 7, k_symmetry_time = 3, k_wall_time = 4;
 
 struct Budget {
     double volume = 0, px = 0, size = 0;
@@ -36,7 +36,8 @@ Budget of_nodes(const NodeGrid& nodes) {
 }
 
 CaseStatistics run_conservation(double cell_size, Scheme scheme) {
-    const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
+    const GridSpec grid =
+        plain_grid(std::llround(k_budget_length / cell_size), std::llround(k_budget_width / cell_size), cell_size);
     Setup setup;
     setup.bed = sample_raster(grid, [](Point p) {
         return 60 - p.x / 3 + 15 * std::exp(-((p.x - 50) * (p.x - 50) + (p.y - 10) * (p.y - 10)) / 7);
@@ -71,7 +72,7 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
             depth2 += depth.at(row, column) * depth.at(row, column);
         }
     }
-    run.advance_to(k_time, check);
+    run.advance_to(k_budget_time, check);
     CaseStatistics statistics;
     statistics.cell_size = cell_size;
     statistics.particles = run.peak_particles();

@@ -14,7 +14,7 @@ constexpr double k_pi = 180 * k_degree;
 
 // The same channel as the first model's stoker and ritter: 1000 m, the dam in the middle, 10 m of water, 20
 // s.
-CaseStatistics run_channel(double cell_size, double right) {
+CaseStatistics run_fluid_channel(double cell_size, double right) {
     constexpr double k_length = 1000, k_dam = 500, k_left = 10, k_time = 20;
     const GridSpec grid = plain_grid(std::llround(k_length / cell_size), 3, cell_size);
     FluidRun run(Raster(grid, 0.0), 1e-6, [&](Point p) { return ExactState{p.x < k_dam ? k_left : right}; });
@@ -31,7 +31,7 @@ CaseStatistics run_channel(double cell_size, double right) {
 }
 
 // A lake around an island on a bed with a step, 10 s.
-CaseStatistics run_lake(double cell_size) {
+CaseStatistics run_fluid_lake(double cell_size) {
     constexpr double k_side = 10, k_level = 10;
     const auto cells = static_cast<std::int64_t>(std::llround(k_side / cell_size));
     const Raster bed = sample_raster(plain_grid(cells, cells, cell_size), [](Point p) {
@@ -77,7 +77,7 @@ class SimpleWave {
     }
 };
 
-CaseStatistics run_wave(double cell_size) {
+CaseStatistics run_fluid_wave(double cell_size) {
     constexpr double k_length = 200, k_time = 10;
     const SimpleWave exact;
     FluidRun run(Raster(plain_grid(std::llround(k_length / cell_size), 3, cell_size), 0.0), 1e-6,
@@ -90,7 +90,7 @@ CaseStatistics run_wave(double cell_size) {
 }
 
 // The planar oscillation of the first model's thacker, three periods.
-CaseStatistics run_thacker(double cell_size) {
+CaseStatistics run_fluid_thacker(double cell_size) {
     constexpr double k_deep = 10, k_radius = 100, k_swing = 20, k_side = 400;
     const double w = std::sqrt(2 * k_gravity * k_deep) / k_radius;
     const std::int64_t cells = std::llround(k_side / cell_size);
@@ -121,14 +121,15 @@ AccuracyCase fluid_case(const char* name, const char* what, std::vector<double> 
 
 std::vector<AccuracyCase> fluid_cases() {
     std::vector<AccuracyCase> cases{
-        fluid_case("fluid-lake", "free fluid: lake round an island, 10 s", {0.5, 0.4, 0.25, 0.2}, run_lake),
+        fluid_case("fluid-lake", "free fluid: lake round an island, 10 s", {0.5, 0.4, 0.25, 0.2}, run_fluid_lake),
         fluid_case("fluid-stoker", "free fluid: dam break, 10 m over 2 m, 20 s", {10, 5, 2.5, 1.25, 0.625},
-                   [](double dx) { return run_channel(dx, 2); }),
+                   [](double dx) { return run_fluid_channel(dx, 2); }),
         fluid_case("fluid-ritter", "free fluid: dam break, 10 m over dry ground, 20 s", {10, 5, 2.5, 1.25, 0.625},
-                   [](double dx) { return run_channel(dx, 0); }),
-        fluid_case("fluid-wave", "free fluid: simple wave before it breaks, 10 s", {4, 2, 1, 0.5, 0.25}, run_wave),
+                   [](double dx) { return run_fluid_channel(dx, 0); }),
+        fluid_case("fluid-wave", "free fluid: simple wave before it breaks, 10 s", {4, 2, 1, 0.5, 0.25},
+                   run_fluid_wave),
         fluid_case("fluid-thacker", "free fluid: planar swing in a paraboloid, three periods", {20, 10, 5, 2.5},
-                   run_thacker)};
+                   run_fluid_thacker)};
     cases.front().rounding = true;
     return cases;
 }

@@ -4,18 +4,18 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_slope_deg = 22, k_friction_deg = 21, k_time = 5, k_width = 40;
+constexpr double k_granular_slope_deg = 22, k_granular_friction_deg = 21, k_granular_time = 5, k_granular_width = 40;
 constexpr double k_upper_end = -300, k_lower_end = 300;  // along the slope; no signal returns from there
 
 struct Incline {
-    double cosine = std::cos(k_slope_deg * k_degree), sine = std::sin(k_slope_deg * k_degree);
+    double cosine = std::cos(k_granular_slope_deg * k_degree), sine = std::sin(k_granular_slope_deg * k_degree);
     double celerity = std::sqrt(k_gravity * cosine);
-    double drive = k_gravity * (sine - cosine * std::tan(k_friction_deg * k_degree));
+    double drive = k_gravity * (sine - cosine * std::tan(k_granular_friction_deg * k_degree));
 };
 
 // Thickness normal to the slope and speed along it, at a place along the slope.
 ExactState exact_at(const Incline& incline, double x) {
-    const double t = k_time, c = incline.celerity, m = incline.drive, s = x / t - 0.5 * m * t;
+    const double t = k_granular_time, c = incline.celerity, m = incline.drive, s = x / t - 0.5 * m * t;
     if (s >= 2 * c) return {};
     if (s <= -c) return {1, m * t, 0};
     const double depth = (2 * c - s) * (2 * c - s) / (9 * k_gravity * incline.cosine);
@@ -44,18 +44,18 @@ Outcome run_once(double cell_size, Scheme scheme, bool map, double jitter) {
     const Incline incline;
     const double scale = map ? incline.cosine : 1;
     const std::int64_t columns = std::llround((k_lower_end - k_upper_end) * scale / cell_size);
-    const GridSpec grid = plain_grid(columns, std::llround(k_width / cell_size), cell_size);
+    const GridSpec grid = plain_grid(columns, std::llround(k_granular_width / cell_size), cell_size);
     Setup setup;
     setup.bed =
         sample_raster(grid, [&](Point p) { return map ? (grid.east() - p.x) * incline.sine / incline.cosine : 0; });
     setup.seeds = fill_lattice(grid, 2, jitter, [&](Point p) {
         return Seed{p.x / scale + k_upper_end < 0 ? 1 / scale : 0};  // vertical depth in map view
     });
-    setup.material = dry_friction(k_friction_deg);
+    setup.material = dry_friction(k_granular_friction_deg);
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     if (!map) setup.tilt = TiltedGravity{k_gravity * incline.sine, 0, k_gravity * incline.cosine};
     TimedFlow run(setup);
-    run.advance_to(k_time);
+    run.advance_to(k_granular_time);
     const auto along = [&](Point p) { return p.x / scale + k_upper_end; };
     Outcome outcome;
     outcome.statistics = compare_with_exact(
@@ -65,7 +65,7 @@ Outcome run_once(double cell_size, Scheme scheme, bool map, double jitter) {
             return ExactState{state.depth / scale, state.qx, 0};  // (h / scale) (u scale)
         },
         [&](Point p) { return along(p) >= -200 && along(p) <= 220; });
-    outcome.block = block_speed(run.flow(), scale) / (incline.drive * k_time) - 1;
+    outcome.block = block_speed(run.flow(), scale) / (incline.drive * k_granular_time) - 1;
     return outcome;
 }
 

@@ -6,7 +6,7 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_side = 10, k_level = 10;
+constexpr double k_lake_side = 10, k_lake_level = 10;
 
 double hill(Point p, double height) {
     const double dx = p.x - 5, dy = p.y - 5;
@@ -27,7 +27,7 @@ Material paper_material() {
 }
 
 Raster bed_of(double cell_size, const std::function<double(Point)>& z) {
-    const std::int64_t cells = std::llround(k_side / cell_size);
+    const std::int64_t cells = std::llround(k_lake_side / cell_size);
     return sample_raster(plain_grid(cells, cells, cell_size), z);
 }
 
@@ -38,11 +38,11 @@ double own(const CaseStatistics& statistics, std::size_t i) {
 CaseStatistics run_table_1(double cell_size, Scheme scheme, const std::function<double(Point)>& z) {
     const Raster bed = bed_of(cell_size, z);
     constexpr double k_mark = 1e-12;
-    CaseStatistics statistics = run_lake(bed, k_level, paper_material(), scheme, 0, 1);
+    CaseStatistics statistics = run_lake(bed, k_lake_level, paper_material(), scheme, 0, 1);
     double momentum = own(statistics, 1);
     for (const auto& [material, jitter] :
          {std::pair{paper_material(), 0.8}, std::pair{water(), 0.0}, std::pair{water(), 0.8}}) {
-        const CaseStatistics other = run_lake(bed, k_level, material, scheme, jitter, 1);
+        const CaseStatistics other = run_lake(bed, k_lake_level, material, scheme, jitter, 1);
         momentum = std::max(momentum, own(other, 1));
         statistics.steps += other.steps;
         statistics.wall_seconds += other.wall_seconds;
@@ -59,8 +59,8 @@ CaseStatistics run_table_1(double cell_size, Scheme scheme, const std::function<
 
 CaseStatistics run_island(double cell_size, Scheme scheme) {
     const Raster bed = bed_of(cell_size, [](Point p) { return hill(p, 13); });
-    CaseStatistics statistics = run_lake(bed, k_level, water(), scheme, 0, 10);
-    const CaseStatistics random = run_lake(bed, k_level, water(), scheme, 0.8, 10);
+    CaseStatistics statistics = run_lake(bed, k_lake_level, water(), scheme, 0, 10);
+    const CaseStatistics random = run_lake(bed, k_lake_level, water(), scheme, 0.8, 10);
     for (CaseStatistic& statistic : statistics.own) statistic.mark = 1e-10;
     statistics.own.push_back({"greatest speed, random particles [m/s]", own(random, 2), {}});
     return statistics;

@@ -4,7 +4,7 @@
 namespace frana::bench {
 namespace {
 
-constexpr std::string_view k_mean = "mean depth error [m]", k_depth = "relative L2 of depth",
+constexpr std::string_view k_mean = "mean depth error [m]", k_depth_error = "relative L2 of depth",
                            k_momentum = "relative L2 of momentum",
                            k_depth_random = "relative L2 of depth, random particles",
                            k_momentum_random = "relative L2 of momentum, random particles";
@@ -24,17 +24,17 @@ constexpr PeerResult k_peers[] = {
     {"ritter", "D-Claw 1.0", 2.5, k_mean, 0.0151, 5.2},
     {"ritter", "TITAN2D, order 2", 2.9, k_mean, 0.0197, 1.7},
     {"ritter", "r.avaflow", 5, k_mean, 0.060, 2.5},
-    {"similarity", "com1DFA", 5, k_depth, 0.049, 0},
+    {"similarity", "com1DFA", 5, k_depth_error, 0.049, 0},
     {"similarity", "com1DFA", 5, k_momentum, 0.061, 0},
-    {"similarity", "com1DFA", 3, k_depth, 0.036, 0},
+    {"similarity", "com1DFA", 3, k_depth_error, 0.036, 0},
     {"similarity", "com1DFA", 3, k_momentum, 0.048, 0},
-    {"similarity", "com1DFA", 2, k_depth, 0.028, 78},
+    {"similarity", "com1DFA", 2, k_depth_error, 0.028, 78},
     {"similarity", "com1DFA", 2, k_momentum, 0.039, 78},
     {"granular-slope", "com1DFA", 5, k_depth_random, 0.100, 0},
     {"granular-slope", "com1DFA", 5, k_momentum_random, 0.91, 0},
     {"granular-slope", "com1DFA", 2, k_depth_random, 0.059, 0},
     {"granular-slope", "com1DFA", 2, k_momentum_random, 0.54, 0},
-    {"granular-slope", "com1DFA", 5, k_depth, 0.045, 0},
+    {"granular-slope", "com1DFA", 5, k_depth_error, 0.045, 0},
     {"granular-slope", "com1DFA", 5, k_momentum, 0.14, 0},
 };
 

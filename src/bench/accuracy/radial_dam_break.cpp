@@ -7,8 +7,8 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_radius = 60, k_depth = 10, k_time = 6, k_side = 352;
-constexpr Point k_middle{0.5 * k_side, 0.5 * k_side};
+constexpr double k_radial_radius = 60, k_radial_depth = 10, k_radial_time = 6, k_radial_side = 352;
+constexpr Point k_radial_middle{0.5 * k_radial_side, 0.5 * k_radial_side};
 constexpr double k_reference_extent = 250;  // past the grid's corners
 constexpr int k_reference_cells = 6250;     // 40 mm each: a 25th of the finest grid
 
@@ -17,7 +17,8 @@ Ring circle() {
     Ring ring;
     for (int i = 0; i < k_corners; ++i) {
         const double angle = 360.0 * k_degree * i / k_corners;
-        ring.push_back({k_middle.x + k_radius * std::cos(angle), k_middle.y + k_radius * std::sin(angle)});
+        ring.push_back({k_radial_middle.x + k_radial_radius * std::cos(angle),
+                        k_radial_middle.y + k_radial_radius * std::sin(angle)});
     }
     return ring;
 }
@@ -26,9 +27,9 @@ Ring circle() {
 double reach(const Raster& field, double cosine, double sine, double depth) {
     const GridSpec& grid = field.grid;
     const double step = 0.05 * grid.cell_size;
-    for (double r = 0.5 * k_side - 2 * grid.cell_size; r > 0; r -= step) {
-        const double x = (k_middle.x + r * cosine) / grid.cell_size - 0.5;
-        const double y = (k_middle.y + r * sine) / grid.cell_size - 0.5;
+    for (double r = 0.5 * k_radial_side - 2 * grid.cell_size; r > 0; r -= step) {
+        const double x = (k_radial_middle.x + r * cosine) / grid.cell_size - 0.5;
+        const double y = (k_radial_middle.y + r * sine) / grid.cell_size - 0.5;
         const auto i = static_cast<std::int64_t>(x), j = static_cast<std::int64_t>(y);
         const double a = x - static_cast<double>(i), b = y - static_cast<double>(j);
         const auto h = [&](std::int64_t column, std::int64_t row) { return field.at(grid.rows - 1 - row, column); };
@@ -40,23 +41,25 @@ double reach(const Raster& field, double cosine, double sine, double depth) {
 
 CaseStatistics run_radial(double cell_size, Scheme scheme, double outside, double front_depth, double mark) {
     Setup setup;
-    const std::int64_t cells = std::llround(k_side / cell_size);
+    const std::int64_t cells = std::llround(k_radial_side / cell_size);
     const GridSpec grid = plain_grid(cells, cells, cell_size);
     setup.bed = Raster(grid, 0.0);
     fill_outline(
-        {{circle(), {}}}, 0.5 * cell_size, [](Point) { return k_depth; }, setup.seeds);
+        {{circle(), {}}}, 0.5 * cell_size, [](Point) { return k_radial_depth; }, setup.seeds);
     if (outside > 0) {
-        const Polygon rest{{{0, 0}, {k_side, 0}, {k_side, k_side}, {0, k_side}}, {circle()}};
+        const Polygon rest{{{0, 0}, {k_radial_side, 0}, {k_radial_side, k_radial_side}, {0, k_radial_side}},
+                           {circle()}};
         fill_outline(
             {rest}, 0.5 * cell_size, [&](Point) { return outside; }, setup.seeds);
     }
     setup.material = water();
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
-    run.advance_to(k_time);
-    const RadialReference reference(k_radius, k_depth, outside, k_reference_extent, k_time, k_reference_cells);
+    run.advance_to(k_radial_time);
+    const RadialReference reference(k_radial_radius, k_radial_depth, outside, k_reference_extent, k_radial_time,
+                                    k_reference_cells);
     CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
-        const double x = p.x - k_middle.x, y = p.y - k_middle.y, r = std::hypot(x, y);
+        const double x = p.x - k_radial_middle.x, y = p.y - k_radial_middle.y, r = std::hypot(x, y);
         const WaterState state = reference.at(r);
         const double q = r > 0 ? state.depth * state.velocity / r : 0;
         return ExactState{state.depth, q * x, q * y};

@@ -7,8 +7,9 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_depth = 10, k_time = 20, k_behind = 720, k_half_width = 245, k_half_strip = 25, k_stretch = 500;
-constexpr double k_side = 1360;          // of the square grid [m]
+constexpr double k_rotated_depth = 10, k_rotated_time = 20, k_behind = 720, k_half_width = 245, k_half_strip = 25,
+                 k_rotated_stretch = 500;
+constexpr double k_rotated_side = 1360;  // of the square grid [m]
 constexpr Point k_dam_middle{780, 660};  // the water and its sideways spread remain inside
 const double k_cosine = std::cos(30 * k_degree), k_sine = std::sin(30 * k_degree);
 
@@ -24,29 +25,30 @@ Point from_flow(double front, double side) {
 
 CaseStatistics run_rotated(double cell_size, Scheme scheme) {
     Setup setup;
-    const GridSpec grid = plain_grid(std::llround(k_side / cell_size), std::llround(k_side / cell_size), cell_size);
+    const GridSpec grid =
+        plain_grid(std::llround(k_rotated_side / cell_size), std::llround(k_rotated_side / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
     Polygon water_body;
     water_body.outer = {from_flow(-k_behind, -k_half_width), from_flow(0, -k_half_width), from_flow(0, k_half_width),
                         from_flow(-k_behind, k_half_width)};
     fill_outline(
-        {water_body}, 0.5 * cell_size, [](Point) { return k_depth; }, setup.seeds);
+        {water_body}, 0.5 * cell_size, [](Point) { return k_rotated_depth; }, setup.seeds);
     setup.material = water();
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::open);
     TimedFlow run(setup);
-    run.advance_to(k_time);
+    run.advance_to(k_rotated_time);
 
-    const DamBreak exact(k_depth, 0, k_gravity);
+    const DamBreak exact(k_rotated_depth, 0, k_gravity);
     CaseStatistics statistics = compare_with_exact(
         run,
         [&](Point p) {
-            const WaterState state = exact.at(along_flow(p).x, k_time);
+            const WaterState state = exact.at(along_flow(p).x, k_rotated_time);
             const double q = state.depth * state.velocity;
             return ExactState{state.depth, q * k_cosine, q * k_sine};
         },
         [](Point p) {
             const Point place = along_flow(p);
-            return std::abs(place.x) <= k_stretch && std::abs(place.y) <= k_half_strip;
+            return std::abs(place.x) <= k_rotated_stretch && std::abs(place.y) <= k_half_strip;
         });
     statistics.own.push_back({"mean depth error [m]", statistics.mean_depth_error, {}});
     return statistics;

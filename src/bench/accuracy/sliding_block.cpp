@@ -6,7 +6,7 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_middle = 120, k_window = 20;
+constexpr double k_slab_middle = 120, k_window = 20;
 constexpr std::int64_t k_rows = 8;
 
 double middle_speed(const Flow& flow, double middle) {
@@ -78,9 +78,9 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab, const st
     SlabOutcome outcome;
     run.advance_to(slab.time, [&](const voellmy_bingham::StepReport& report) {
         // The velocity after a step is that of the particles' motion in it.
-        outcome.distance += middle_speed(run.flow(), k_middle + travel(run.flow().time())) * report.dt;
+        outcome.distance += middle_speed(run.flow(), k_slab_middle + travel(run.flow().time())) * report.dt;
     });
-    const double middle = k_middle + slab.travel;
+    const double middle = k_slab_middle + slab.travel;
     outcome.mean_speed = middle_speed(run.flow(), middle);
     outcome.statistics = compare_with_exact(
         run,

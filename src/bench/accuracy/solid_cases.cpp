@@ -33,7 +33,7 @@ class Watch {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-CaseStatistics run_wave(double cell) {
+CaseStatistics run_pressure_wave(double cell) {
     constexpr double k_wave_length = 20, k_middle = 45, k_time = 0.08, k_speed = 0.01;
     Watch watch;
     ThreadPool pool(1);
@@ -162,7 +162,7 @@ CaseStatistics run_drag(double dt) {
 std::vector<AccuracyCase> solid_cases() {
     const auto of = [](CaseStatistics (*run)(double)) { return [run](double size, Scheme) { return run(size); }; };
     std::vector<AccuracyCase> cases{
-        {"p-wave", "pressure wave in structured solids", {12, 6, 3, 1.5}, false, of(run_wave)},
+        {"p-wave", "pressure wave in structured solids", {12, 6, 3, 1.5}, false, of(run_pressure_wave)},
         {"rigid-rotation", "structured solids that turn as a whole", {12, 6, 3, 1.5}, true, of(run_rotation)},
         {"incline-block",
          "structured block on an incline, sliding and at rest",

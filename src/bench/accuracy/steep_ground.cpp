@@ -159,7 +159,7 @@ Seed flowing(const Turned& frame, Point p, Point middle, double radius, double h
     return seed;
 }
 
-constexpr double k_margin = 80, k_radius = 12;
+constexpr double k_margin = 80, k_film_radius = 12;
 
 // A film that flows along a profile, at an angle to the grid.
 FilmRun along(const Profile& profile, double length, double start, double height, double angle_deg, double cell_size,
@@ -169,7 +169,7 @@ FilmRun along(const Profile& profile, double length, double start, double height
         2 * k_margin + length * frame.cosine, 2 * k_margin + length * frame.sine, cell_size, scheme,
         [=](Point p) { return profile(frame.in(p).x); },
         [&](Point p) {
-            return flowing(frame, p, {start, 0}, k_radius, height, profile);
+            return flowing(frame, p, {start, 0}, k_film_radius, height, profile);
         },
         thickness);
 }
@@ -254,7 +254,7 @@ CaseStatistics run_bowl(double cell_size, Scheme scheme) {
         k_side, k_side, cell_size, scheme,
         [=](Point p) { return (square(p.x - middle.x) + square(p.y - middle.y)) / (2 * k_curve); },
         [=](Point p) {
-            Seed seed = disc(p, {middle.x + k_away, middle.y}, k_radius);
+            Seed seed = disc(p, {middle.x + k_away, middle.y}, k_film_radius);
             seed.v = 20;
             return seed;
         });
@@ -294,7 +294,7 @@ CaseStatistics run_gully_bend(double cell_size, Scheme scheme) {
     const Turned frame({60, centre.y - k_bend}, 0);
     const double height = k_height + 10;
     FilmRun run(460, 520, cell_size, scheme, ground, [&](Point p) {
-        Seed seed = flowing(frame, p, {40, 0}, k_radius, height, [=](double s) { return k_height - k_slope * s; });
+        Seed seed = flowing(frame, p, {40, 0}, k_film_radius, height, [=](double s) { return k_height - k_slope * s; });
         const double slope = 1 + k_slope * k_slope, spare = height - ground(p);
         seed.u = spare > 0 ? std::sqrt(2 * k_gravity * spare / slope) : 0;
         return seed;

@@ -7,9 +7,9 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_deep = 10, k_radius = 100, k_swing = 20, k_stretch = 0.5, k_side = 400;
-constexpr Point k_middle{0.5 * k_side, 0.5 * k_side};
-constexpr double k_pi = 180 * k_degree;
+constexpr double k_disc_deep = 10, k_disc_radius = 100, k_disc_swing = 20, k_disc_stretch = 0.5, k_disc_side = 400;
+constexpr Point k_disc_middle{0.5 * k_disc_side, 0.5 * k_disc_side};
+constexpr double k_half_turn = 180 * k_degree;
 
 // The exact water at time zero and after whole periods: a paraboloid about a middle, with depth `deep` there and dry
 // from `radius` on, moving with one velocity.
@@ -26,14 +26,18 @@ struct Disc {
 };
 
 Disc planar() {
-    const double w = std::sqrt(2 * k_gravity * k_deep) / k_radius;
-    return {{k_middle.x + k_swing, k_middle.y}, k_deep, k_radius, k_swing * w, 2 * k_pi / w};
+    const double w = std::sqrt(2 * k_gravity * k_disc_deep) / k_disc_radius;
+    return {{k_disc_middle.x + k_disc_swing, k_disc_middle.y},
+            k_disc_deep,
+            k_disc_radius,
+            k_disc_swing * w,
+            2 * k_half_turn / w};
 }
 
 Disc radial() {
-    const double w = std::sqrt(8 * k_gravity * k_deep) / k_radius, b = 1 - k_stretch;
-    const double s = std::sqrt(1 - k_stretch * k_stretch);
-    return {k_middle, k_deep * s / b, k_radius * std::sqrt(b / s), 0, 2 * k_pi / w};
+    const double w = std::sqrt(8 * k_gravity * k_disc_deep) / k_disc_radius, b = 1 - k_disc_stretch;
+    const double s = std::sqrt(1 - k_disc_stretch * k_disc_stretch);
+    return {k_disc_middle, k_disc_deep * s / b, k_disc_radius * std::sqrt(b / s), 0, 2 * k_half_turn / w};
 }
 
 // Energy per density [m5/s2], with the bed of the scheme's shape functions.
@@ -51,7 +55,7 @@ double shoreline_error(const ParticleSet& particles, const Disc& disc) {
     std::array<double, 32> reach{};
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double x = particles[Field::x][p] - disc.middle.x, y = particles[Field::y][p] - disc.middle.y;
-        const double turn = (std::atan2(y, x) + k_pi) / (2 * k_pi);
+        const double turn = (std::atan2(y, x) + k_half_turn) / (2 * k_half_turn);
         double& sector = reach[static_cast<std::size_t>(turn * 32) % 32];
         sector = std::max(sector, std::hypot(x, y) + 0.5 * std::sqrt(particles[Field::area][p]));
     }
@@ -62,12 +66,12 @@ double shoreline_error(const ParticleSet& particles, const Disc& disc) {
 }
 
 CaseStatistics run_thacker(double cell_size, Scheme scheme, const Disc& disc) {
-    const std::int64_t cells = std::llround(k_side / cell_size);
+    const std::int64_t cells = std::llround(k_disc_side / cell_size);
     const GridSpec grid = plain_grid(cells, cells, cell_size);
     Setup setup;
     setup.bed = sample_raster(grid, [](Point p) {
-        const double x = p.x - k_middle.x, y = p.y - k_middle.y;
-        return k_deep * ((x * x + y * y) / (k_radius * k_radius) - 1);
+        const double x = p.x - k_disc_middle.x, y = p.y - k_disc_middle.y;
+        return k_disc_deep * ((x * x + y * y) / (k_disc_radius * k_disc_radius) - 1);
     });
     setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) { return Seed{disc.depth(p), 0, disc.v}; });
     setup.material = water();
@@ -77,11 +81,11 @@ CaseStatistics run_thacker(double cell_size, Scheme scheme, const Disc& disc) {
     // The same volume at rest is a disc about the bed's middle with a level surface: h^2 over h + Z = level.
     double volume = 0;
     for (std::size_t p = 0; p < setup.seeds.size(); ++p) volume += setup.seeds[Field::volume][p];
-    const double rest_deep = std::sqrt(2 * volume * k_deep / (k_pi * k_radius * k_radius));
-    const double rest_radius2 = k_radius * k_radius * rest_deep / k_deep;
+    const double rest_deep = std::sqrt(2 * volume * k_disc_deep / (k_half_turn * k_disc_radius * k_disc_radius));
+    const double rest_radius2 = k_disc_radius * k_disc_radius * rest_deep / k_disc_deep;
     // Integral of g (h Z + h^2 / 2) with h = d (1 - r^2/R^2), Z = d - D - h.
     const double rest =
-        k_gravity * ((rest_deep - k_deep) * volume - 0.5 * k_pi * rest_radius2 * rest_deep * rest_deep / 3);
+        k_gravity * ((rest_deep - k_disc_deep) * volume - 0.5 * k_half_turn * rest_radius2 * rest_deep * rest_deep / 3);
     TimedFlow run(setup);
     run.advance_to(3 * disc.period);
     CaseStatistics statistics = compare_with_exact(run, [&](Point p) {

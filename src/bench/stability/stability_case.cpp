@@ -10,8 +10,8 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_radius = 15, k_deep = 3;
-constexpr Point k_middle{30, 40};
+constexpr double k_heap_radius = 15, k_heap_deep = 3;
+constexpr Point k_heap_middle{30, 40};
 
 double speed_limit(const Setup& setup, double fastest) {
     double lowest = std::numeric_limits<double>::infinity();
@@ -85,8 +85,8 @@ double usual_slope(Point place) {
 }
 
 double usual_cap(Point place) {
-    const double x = place.x - k_middle.x, y = place.y - k_middle.y;
-    return k_deep * (1 - (x * x + y * y) / (k_radius * k_radius));
+    const double x = place.x - k_heap_middle.x, y = place.y - k_heap_middle.y;
+    return k_heap_deep * (1 - (x * x + y * y) / (k_heap_radius * k_heap_radius));
 }
 
 Setup usual_slide_on(double cell_size, const std::function<double(Point)>& bed) {

@@ -167,13 +167,13 @@ TEST_F(StructuredPlaces, TheR2SequenceSpreadsTheSameVolume) {
     }
 }
 
-struct Refused {
+struct RefusedPlaces {
     std::string name;
     std::vector<std::string> set;
     std::vector<std::string> words;
 };
 
-class StructuredPlacesRefuse : public StructuredPlaces, public ::testing::WithParamInterface<Refused> {};
+class StructuredPlacesRefuse : public StructuredPlaces, public ::testing::WithParamInterface<RefusedPlaces> {};
 
 TEST_P(StructuredPlacesRefuse, ByName) {
     write_zones("west.geojson", {{0, 45, R"("c": 1e4)"}});
@@ -189,41 +189,41 @@ TEST_P(StructuredPlacesRefuse, ByName) {
 
 INSTANTIATE_TEST_SUITE_P(
     What, StructuredPlacesRefuse,
-    ::testing::Values(Refused{"release_not_covered",
-                              {"structured.zones=west.geojson", "structured.cohesion=attribute:c"},
-                              {"structured.cohesion", "has no value on part of the release", "32 cells"}},
-                      Refused{"no_such_column",
-                              {"structured.zones=zones.geojson", "structured.cohesion=attribute:strength"},
-                              {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
-                      Refused{
+    ::testing::Values(RefusedPlaces{"release_not_covered",
+                                    {"structured.zones=west.geojson", "structured.cohesion=attribute:c"},
+                                    {"structured.cohesion", "has no value on part of the release", "32 cells"}},
+                      RefusedPlaces{"no_such_column",
+                                    {"structured.zones=zones.geojson", "structured.cohesion=attribute:strength"},
+                                    {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
+                      RefusedPlaces{
                           "empty_in_some_features",
                           {"structured.zones=partly.geojson", "structured.cohesion=attribute:c"},
                           {"frana: --set structured.cohesion: is empty (NULL) in the attribute c of 2 of 3 features",
                            "the first of them feature 1"}},
-                      Refused{"zones_that_nothing_reads",
-                              {"structured.zones=zones.geojson"},
-                              {"structured.zones: names a file that nothing of the scene reads"}},
-                      Refused{"raster_out_of_range",
-                              {"structured.cohesion=raster:negative.asc"},
-                              {"structured.cohesion", "least value", "-1 Pa"}},
-                      Refused{"negative_phase",
-                              {"release.thickness=phases:ones.asc,negative.asc"},
-                              {"release.thickness", "a depth is negative", "negative.asc"}},
-                      Refused{"solids_share_told_twice",
-                              {"release.thickness=phases:ones.asc,ones.asc", "structured.solid-fraction=0.5"},
-                              {"structured.solid-fraction", "is given twice"}},
-                      Refused{"grains_that_float",
-                              {"structured.grain-density=1000"},
-                              {"structured.grain-density", "not denser than the fluid", "1000 kg/m3"}},
-                      Refused{"grains_that_float_in_mud",
-                              {"structured.fluid-density=2500"},
-                              {"structured.grain-density", "more than structured.fluid-density, 2500 kg/m3"}},
-                      Refused{"phases_of_fluid_alone",
-                              {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
-                              {"release.thickness", "gives solids and fluid separately"}},
-                      Refused{"a_perimeter_without_the_column",
-                              {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
-                              {"structured.cohesion", "no number in the attribute c"}}),
+                      RefusedPlaces{"zones_that_nothing_reads",
+                                    {"structured.zones=zones.geojson"},
+                                    {"structured.zones: names a file that nothing of the scene reads"}},
+                      RefusedPlaces{"raster_out_of_range",
+                                    {"structured.cohesion=raster:negative.asc"},
+                                    {"structured.cohesion", "least value", "-1 Pa"}},
+                      RefusedPlaces{"negative_phase",
+                                    {"release.thickness=phases:ones.asc,negative.asc"},
+                                    {"release.thickness", "a depth is negative", "negative.asc"}},
+                      RefusedPlaces{"solids_share_told_twice",
+                                    {"release.thickness=phases:ones.asc,ones.asc", "structured.solid-fraction=0.5"},
+                                    {"structured.solid-fraction", "is given twice"}},
+                      RefusedPlaces{"grains_that_float",
+                                    {"structured.grain-density=1000"},
+                                    {"structured.grain-density", "not denser than the fluid", "1000 kg/m3"}},
+                      RefusedPlaces{"grains_that_float_in_mud",
+                                    {"structured.fluid-density=2500"},
+                                    {"structured.grain-density", "more than structured.fluid-density, 2500 kg/m3"}},
+                      RefusedPlaces{"phases_of_fluid_alone",
+                                    {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
+                                    {"release.thickness", "gives solids and fluid separately"}},
+                      RefusedPlaces{"a_perimeter_without_the_column",
+                                    {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
+                                    {"structured.cohesion", "no number in the attribute c"}}),
     [](const auto& tested) { return tested.param.name; });
 
 struct Dubious {

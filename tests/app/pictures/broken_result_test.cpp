@@ -29,7 +29,7 @@ const std::map<std::string, Arguments> k_commands{
 enum class Damage { missing, empty, half, garbage, other };
 
 /// A file of a result, and the exit codes of the commands that read it, by damage: 2 is a refusal that names the file.
-struct Case {
+struct ReadFile {
     std::string file;
     Arguments readers;
     std::map<Damage, int> codes;
@@ -42,7 +42,7 @@ const std::map<Damage, int> k_exchanged{{Damage::other, 2}};
 const std::map<Damage, int> k_optional{{Damage::missing, 0}, {Damage::other, 2}};
 const std::map<Damage, int> k_optional_table{{Damage::missing, 0}, {Damage::empty, 2}, {Damage::half, 2}};
 
-const std::vector<Case> k_cases{
+const std::vector<ReadFile> k_cases{
     {"frames/frames.csv", {"film", "plates", "view", "particles"}, k_needed},
     {"frames/depth_0000.tif", {"film", "plates"}, k_needed},
     {"frames/depth_0004.tif", {"film"}, k_exchanged},
@@ -132,7 +132,7 @@ class BrokenResult : public TinyScene {
 };
 
 TEST_F(BrokenResult, FilesAreNamedAndNothingCrashes) {
-    for (const Case& one : k_cases)
+    for (const ReadFile& one : k_cases)
         for (const std::string& command : one.readers)
             for (const auto& [how, code] : one.codes) {
                 // One reader tests all damages of a file; for the others the empty file is enough.

@@ -15,13 +15,13 @@ namespace {
 const std::vector<std::string> k_numbers{"output.maps=off", "output.animation=off", "output.frames=off"},
     k_pictures{"output.maps=on", "output.animation=on", "time.frame-interval=0.5"};
 
-struct Case {
+struct MemoryCase {
     const char* name;
     bool structured;
     std::vector<std::string> output, keys;
 };
 
-class Memory : public TinyScene, public testing::WithParamInterface<Case> {
+class Memory : public TinyScene, public testing::WithParamInterface<MemoryCase> {
   protected:
     [[nodiscard]] std::vector<std::string> command(const std::string& name) const {
         std::vector<std::string> words{name, "scene.ini", "--threads", "2"};
@@ -63,37 +63,38 @@ TEST_P(Memory, IsPredictedAndRatherTooMuchThanTooLittle) {
 
 INSTANTIATE_TEST_SUITE_P(
     , Memory,
-    testing::Values(Case{"least", false, k_numbers, {}},
-                    Case{"many_cells", false, k_numbers, {"terrain.cell-size=0.3", "time.end=0.1"}},
-                    Case{"many_particles",
-                         false,
-                         k_numbers,
-                         {"terrain.cell-size=0.4", "numerics.particles-per-cell=16", "time.end=0.05"}},
-                    Case{"pictures", false, k_pictures, {"terrain.cell-size=1", "time.end=1"}},
-                    Case{"large_map",
-                         false,
-                         {"output.maps=max_depth", "output.animation=off", "output.charts=off"},
-                         {"output.map-size=4000x3500", "time.end=1"}},
-                    Case{"large_maps_and_views",
-                         false,
-                         {"output.maps=max_depth, max_depth_3d", "output.animation=off"},
-                         {"output.map-size=3000x2500", "time.end=1"}},
-                    Case{"many_steps",
-                         false,
-                         {"output.maps=max_depth", "output.animation=off", "output.frames=off"},
-                         {"output.map-size=640x480", "numerics.cfl=0.02", "time.end=400", "time.stop-when-still=off"}},
-                    Case{"frames_of_particles",
-                         false,
-                         {"output.maps=off", "output.animation=off"},
-                         {"output.formats=particles-gpkg, particles-vtp", "terrain.cell-size=0.5",
-                          "numerics.particles-per-cell=16", "time.end=0.02", "time.frame-interval=0.01"}},
-                    Case{"fluid", true, k_numbers, {"structured.phases=fluid", "terrain.cell-size=0.5"}},
-                    Case{"solids",
-                         true,
-                         k_numbers,
-                         {"structured.phases=solids-and-fluid", "structured.cohesion=2e3",
-                          "structured.internal-friction-angle=28", "structured.bed-friction-angle=12",
-                          "structured.young-modulus=1e6", "structured.bulk-modulus=1e6", "terrain.cell-size=1"}}),
+    testing::Values(MemoryCase{"least", false, k_numbers, {}},
+                    MemoryCase{"many_cells", false, k_numbers, {"terrain.cell-size=0.3", "time.end=0.1"}},
+                    MemoryCase{"many_particles",
+                               false,
+                               k_numbers,
+                               {"terrain.cell-size=0.4", "numerics.particles-per-cell=16", "time.end=0.05"}},
+                    MemoryCase{"pictures", false, k_pictures, {"terrain.cell-size=1", "time.end=1"}},
+                    MemoryCase{"large_map",
+                               false,
+                               {"output.maps=max_depth", "output.animation=off", "output.charts=off"},
+                               {"output.map-size=4000x3500", "time.end=1"}},
+                    MemoryCase{"large_maps_and_views",
+                               false,
+                               {"output.maps=max_depth, max_depth_3d", "output.animation=off"},
+                               {"output.map-size=3000x2500", "time.end=1"}},
+                    MemoryCase{
+                        "many_steps",
+                        false,
+                        {"output.maps=max_depth", "output.animation=off", "output.frames=off"},
+                        {"output.map-size=640x480", "numerics.cfl=0.02", "time.end=400", "time.stop-when-still=off"}},
+                    MemoryCase{"frames_of_particles",
+                               false,
+                               {"output.maps=off", "output.animation=off"},
+                               {"output.formats=particles-gpkg, particles-vtp", "terrain.cell-size=0.5",
+                                "numerics.particles-per-cell=16", "time.end=0.02", "time.frame-interval=0.01"}},
+                    MemoryCase{"fluid", true, k_numbers, {"structured.phases=fluid", "terrain.cell-size=0.5"}},
+                    MemoryCase{"solids",
+                               true,
+                               k_numbers,
+                               {"structured.phases=solids-and-fluid", "structured.cohesion=2e3",
+                                "structured.internal-friction-angle=28", "structured.bed-friction-angle=12",
+                                "structured.young-modulus=1e6", "structured.bulk-modulus=1e6", "terrain.cell-size=1"}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 // The shell's limit replaces a machine of little memory: the program finds the limit itself, without --memory-limit.

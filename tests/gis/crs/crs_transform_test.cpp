@@ -26,7 +26,7 @@ struct Case {
 // its last digit: echo X Y | gdaltransform -s_srs FROM -t_srs TO -output_xy
 // 1 cm is the accuracy needed for a map. The accuracies are those stated by projinfo -s FROM -t TO --summary.
 constexpr double k_metres = 0.01;
-constexpr double k_degrees = 1e-7;
+constexpr double k_degree_rounding = 1e-7;
 
 class Known : public testing::TestWithParam<Case> {};
 
@@ -35,7 +35,7 @@ TEST_P(Known, AgreesWithGdaltransform) {
     const CrsTransform transform(crs_from_user(c.from, ""), crs_from_user(c.to, ""),
                                  Bounds{c.start.x, c.start.y, c.start.x, c.start.y});
     const Point end = transform(c.start);
-    const double tolerance = std::string(c.to) == "EPSG:4326" ? k_degrees : k_metres;
+    const double tolerance = std::string(c.to) == "EPSG:4326" ? k_degree_rounding : k_metres;
     EXPECT_NEAR(end.x, c.end.x, tolerance);
     EXPECT_NEAR(end.y, c.end.y, tolerance);
     const Point back = transform.inverse(end);

@@ -19,8 +19,8 @@ namespace {
 using test::Folder;
 
 // One tile of 3 blocks, each as wide as the grid and 4 rows high; the last is only partly used.
-constexpr int k_columns = 8, k_rows = 10, k_block_rows = 4, k_blocks = 3;
-constexpr double k_west = 527000, k_north = 5095000, k_cell = 5;
+constexpr int k_grid_columns = 8, k_grid_rows = 10, k_block_rows = 4, k_blocks = 3;
+constexpr double k_grid_west = 527000, k_grid_north = 5095000, k_grid_cell = 5;
 constexpr float k_esri_nodata = -3.4028234663852886e38F;
 
 class BigEndian {
@@ -57,12 +57,15 @@ void write_grid(const std::string& folder) {
     BigEndian header;
     header.put<std::uint64_t>(0x47524944312E3200).put<std::int64_t>(0);  // "GRID1.2"
     header.put<std::int32_t>(2).put<std::int32_t>(1).zeros_to(256);      // real numbers, not compressed
-    header.put(k_cell).put(k_cell).put(0.0).put(0.0);                    // cells, reference
-    header.put<std::int32_t>(1).put<std::int32_t>(k_blocks).put<std::int32_t>(k_columns);
+    header.put(k_grid_cell).put(k_grid_cell).put(0.0).put(0.0);          // cells, reference
+    header.put<std::int32_t>(1).put<std::int32_t>(k_blocks).put<std::int32_t>(k_grid_columns);
     header.put<std::int32_t>(1).put<std::int32_t>(k_block_rows).zeros_to(308);
     header.write(folder + "/hdr.adf");
     BigEndian bounds;
-    bounds.put(k_west).put(k_north - k_rows * k_cell).put(k_west + k_columns * k_cell).put(k_north);
+    bounds.put(k_grid_west)
+        .put(k_grid_north - k_grid_rows * k_grid_cell)
+        .put(k_grid_west + k_grid_columns * k_grid_cell)
+        .put(k_grid_north);
     bounds.write(folder + "/dblbnd.adf");
     BigEndian statistics;
     statistics.put(1000.25).put(1023.25).put(1011.0).put(5.0).write(folder + "/sta.adf");
@@ -71,13 +74,13 @@ void write_grid(const std::string& folder) {
     BigEndian data, index;
     data.put(k_magic).zeros_to(100);
     index.put(k_magic).zeros_to(100);
-    constexpr int k_shorts = 2 * k_columns * k_block_rows;
+    constexpr int k_shorts = 2 * k_grid_columns * k_block_rows;
     for (int block = 0; block < k_blocks; ++block) {
         index.put(static_cast<std::int32_t>(data.size() / 2)).put<std::int32_t>(k_shorts);
         data.put<std::int16_t>(k_shorts);
         for (int row = block * k_block_rows; row < (block + 1) * k_block_rows; ++row)
-            for (int column = 0; column < k_columns; ++column)
-                data.put(row < k_rows ? ground(row, column) : k_esri_nodata);
+            for (int column = 0; column < k_grid_columns; ++column)
+                data.put(row < k_grid_rows ? ground(row, column) : k_esri_nodata);
     }
     // Both contain their length in shorts at byte 24.
     data.put_at(24, static_cast<std::int32_t>(data.size() / 2)).write(folder + "/w001001.adf");
@@ -93,15 +96,16 @@ TEST(EsriGrid, AFolderOfAdfFilesIsARaster) {
     write_grid(path);
     const RasterInfo info = inspect_raster(path, "terrain.dtm");
     EXPECT_EQ(info.driver, "AIG");
-    EXPECT_EQ(info.columns, k_columns);
-    EXPECT_EQ(info.rows, k_rows);
+    EXPECT_EQ(info.columns, k_grid_columns);
+    EXPECT_EQ(info.rows, k_grid_rows);
     EXPECT_FALSE(info.crs_wkt.empty());  // UTM zone 32 is tested below, where nothing is resampled
-    const GridSpec grid{k_west, k_north, k_cell, k_columns, k_rows, crs_from_user("EPSG:32632", "")};
+    const GridSpec grid{k_grid_west,    k_grid_north, k_grid_cell,
+                        k_grid_columns, k_grid_rows,  crs_from_user("EPSG:32632", "")};
     const RasterRead read = read_raster_on(path, grid, "", Resampling::automatic);
     EXPECT_EQ(read.resampling_used, "exact copy");
     EXPECT_EQ(read.nodata_cells, 1);
-    for (int row = 0; row < k_rows; ++row) {
-        for (int column = 0; column < k_columns; ++column) {
+    for (int row = 0; row < k_grid_rows; ++row) {
+        for (int column = 0; column < k_grid_columns; ++column) {
             if (row == 9 && column == 7)
                 EXPECT_TRUE(std::isnan(read.raster.at(row, column)));
             else

@@ -78,37 +78,41 @@ void expect_ground(const std::string& path, double tolerance = 0) {
     }
 }
 
-struct Format {
+struct RasterFile {
     const char* name;
     const char* driver;
     const char* file;
     GDALDataType type;
 };
-void PrintTo(const Format& format, std::ostream* out) {
+void PrintTo(const RasterFile& format, std::ostream* out) {
     *out << format.name;
 }
 
-class RasterFormat : public testing::TestWithParam<Format> {};
+class RasterFormat : public testing::TestWithParam<RasterFile> {};
 
 TEST_P(RasterFormat, IsReadAsTheSameGround) {
     const GdalSession session;
     const Folder folder;
-    const Format& format = GetParam();
+    const RasterFile& format = GetParam();
     const std::string path = folder.file(format.file);
     write_as(format.driver, path, *part_of_ground(0, k_columns, format.type));
     expect_ground(path);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats, RasterFormat,
-    testing::Values(
-        Format{"geotiff_float", "GTiff", "a.tif", GDT_Float32}, Format{"geotiff_int16", "GTiff", "a.tif", GDT_Int16},
-        Format{"geotiff_uint16", "GTiff", "a.tif", GDT_UInt16}, Format{"geotiff_int32", "GTiff", "a.tif", GDT_Int32},
-        Format{"geotiff_uint32", "GTiff", "a.tif", GDT_UInt32}, Format{"geotiff_int64", "GTiff", "a.tif", GDT_Int64},
-        Format{"ascii_grid", "AAIGrid", "a.asc", GDT_Float32}, Format{"esri_binary", "EHdr", "a.flt", GDT_Float32},
-        Format{"esri_bil", "EHdr", "a.bil", GDT_Int16}, Format{"imagine", "HFA", "a.img", GDT_Float32},
-        Format{"netcdf", "netCDF", "a.nc", GDT_Float32}, Format{"envi", "ENVI", "a.dat", GDT_Float64}),
-    [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(Formats, RasterFormat,
+                         testing::Values(RasterFile{"geotiff_float", "GTiff", "a.tif", GDT_Float32},
+                                         RasterFile{"geotiff_int16", "GTiff", "a.tif", GDT_Int16},
+                                         RasterFile{"geotiff_uint16", "GTiff", "a.tif", GDT_UInt16},
+                                         RasterFile{"geotiff_int32", "GTiff", "a.tif", GDT_Int32},
+                                         RasterFile{"geotiff_uint32", "GTiff", "a.tif", GDT_UInt32},
+                                         RasterFile{"geotiff_int64", "GTiff", "a.tif", GDT_Int64},
+                                         RasterFile{"ascii_grid", "AAIGrid", "a.asc", GDT_Float32},
+                                         RasterFile{"esri_binary", "EHdr", "a.flt", GDT_Float32},
+                                         RasterFile{"esri_bil", "EHdr", "a.bil", GDT_Int16},
+                                         RasterFile{"imagine", "HFA", "a.img", GDT_Float32},
+                                         RasterFile{"netcdf", "netCDF", "a.nc", GDT_Float32},
+                                         RasterFile{"envi", "ENVI", "a.dat", GDT_Float64}),
+                         [](const auto& tested) { return tested.param.name; });
 
 TEST(RasterFiles, AMosaicOfTilesIsOneRaster) {
     const GdalSession session;

@@ -11,6 +11,7 @@
 #include "gis/crs/crs.h"
 #include "gis/vector/vector_in.h"
 #include "gis/vector/vector_source.h"
+#include "perimeter_layer.h"
 #include "support/files.h"
 
 namespace frana::gis {
@@ -18,34 +19,25 @@ namespace {
 
 using test::error_of;
 using test::Folder;
+using test::k_where;
 using test::make_vector;
+using test::total_area;
+using test::utm;
 
-const char* const k_where = "scene.ini: release.perimeter";
-
-std::string utm() {
-    return crs_from_user("EPSG:32632", "");
-}
-
-double total_area(const PolygonLayer& layer) {
-    double sum = 0;
-    for (const PolygonFeature& feature : layer.features) sum += area(feature.parts);
-    return sum;
-}
-
-struct Format {
+struct VectorFile {
     const char* name;
     const char* driver;
     const char* file;
 };
-void PrintTo(const Format& format, std::ostream* out) {
+void PrintTo(const VectorFile& format, std::ostream* out) {
     *out << format.name;
 }
 
-class VectorFormat : public testing::TestWithParam<Format> {};
+class VectorFormat : public testing::TestWithParam<VectorFile> {};
 
 TEST_P(VectorFormat, IsReadWhereItWasDrawn) {
     const Folder folder;
-    const Format& format = GetParam();
+    const VectorFile& format = GetParam();
     // A square of a thousandth of a degree with heights; gdaltransform puts its southern corners at
     // 529424.272, 5094117.682 and 529501.704, 5094118.052.
     make_vector(folder.file(format.file), format.driver, "EPSG:4326",
@@ -72,7 +64,7 @@ std::map<std::string, std::string> contents(const Folder& folder) {
 
 TEST_P(VectorFormat, NoFileIsCreatedBesideIt) {
     const Folder folder;
-    const Format& format = GetParam();
+    const VectorFile& format = GetParam();
     make_vector(folder.file(format.file), format.driver, "EPSG:4326",
                 {"POLYGON((9.38 46.0,9.381 46.0,9.381 46.001,9.38 46.001,9.38 46.0))"});
     // Without its schema, GDAL would write another beside the GML.
@@ -83,13 +75,12 @@ TEST_P(VectorFormat, NoFileIsCreatedBesideIt) {
     EXPECT_EQ(contents(folder), before);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, VectorFormat,
-                         testing::Values(Format{"shapefile", "ESRI Shapefile", "a.shp"},
-                                         Format{"geopackage", "GPKG", "a.gpkg"},
-                                         Format{"geojson", "GeoJSON", "a.geojson"},
-                                         Format{"flatgeobuf", "FlatGeobuf", "a.fgb"}, Format{"gml", "GML", "a.gml"},
-                                         Format{"mapinfo", "MapInfo File", "a.tab"}),
-                         [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Formats, VectorFormat,
+    testing::Values(VectorFile{"shapefile", "ESRI Shapefile", "a.shp"}, VectorFile{"geopackage", "GPKG", "a.gpkg"},
+                    VectorFile{"geojson", "GeoJSON", "a.geojson"}, VectorFile{"flatgeobuf", "FlatGeobuf", "a.fgb"},
+                    VectorFile{"gml", "GML", "a.gml"}, VectorFile{"mapinfo", "MapInfo File", "a.tab"}),
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(VectorFiles, KmlHasItsOwnColumns) {
     const Folder folder;

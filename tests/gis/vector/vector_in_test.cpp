@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "gis/crs/crs.h"
+#include "perimeter_layer.h"
 #include "support/files.h"
 
 namespace frana::gis {
@@ -14,19 +15,10 @@ namespace {
 
 using test::error_of;
 using test::Folder;
+using test::k_where;
 using test::make_vector;
-
-const char* const k_where = "scene.ini: release.perimeter";
-
-std::string utm() {
-    return crs_from_user("EPSG:32632", "");
-}
-
-double total_area(const PolygonLayer& layer) {
-    double sum = 0;
-    for (const PolygonFeature& feature : layer.features) sum += area(feature.parts);
-    return sum;
-}
+using test::total_area;
+using test::utm;
 
 TEST(ReadPolygons, KeepsHolesPartsAndAttributes) {
     const Folder folder;

@@ -11,7 +11,7 @@
 namespace frana::test {
 namespace {
 
-constexpr double k_density = 2000;
+constexpr double k_exchanged_density = 2000;
 
 double momentum_x(const Flow& flow) {
     double sum = 0;
@@ -33,7 +33,7 @@ Flow drifting_sheet(const Entrainment& entrainment, Scheme scheme = Scheme::stan
         return bench::Seed{p.x > 20 && p.x < 60 && p.y > 5 && p.y < 15 ? 1.0 : 0, 5, 0};
     });
     Material material = water();
-    material.density = k_density;
+    material.density = k_exchanged_density;
     Numerics how = numerics(scheme, SlopeCorrection::normal, Boundary::open);
     how.gravity = 1e-12;
     how.curvature = false;  // deposited material would deflect the motion
@@ -87,7 +87,7 @@ SteadySlab steady_slab(const Entrainment& entrainment, double along, double spee
         return bench::Seed{p.x > 10 && p.x < 110 ? 1.0 : 0, speed, 0};
     });
     Material material = water();
-    material.density = k_density;
+    material.density = k_exchanged_density;
     material.friction_coefficient = along / 9;
     Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{along, 0, 9}, zones, entrainment);
@@ -113,7 +113,7 @@ TEST(ShearStressErosion, ErodesAtItsRateDownToItsPotentialDepth) {
     EXPECT_NEAR(steady_slab(e, 2, 4, 1).eroded, 0.025, 0.01 * 0.025);
     e.potential_depth = 1e-5;  // 0.02 m for 2 kPa, and 0.01 m for each kPa added by the growing slab
     const double depth = steady_slab(e, 2, 4, 3).eroded;
-    EXPECT_NEAR(depth, 0.02 / (1 - 1e-5 * k_density * 2), 0.01 * 0.02);
+    EXPECT_NEAR(depth, 0.02 / (1 - 1e-5 * k_exchanged_density * 2), 0.01 * 0.02);
     e.critical_shear = 4500;
     EXPECT_EQ(steady_slab(e, 2, 4, 1).eroded, 0);
 }
@@ -127,7 +127,7 @@ TEST(MechanicalErosion, IsTheExcessOfStressOverMomentum) {
     e.bed_pore_pressure_ratio = 0.2;
     e.velocity_ratio = 0.8;
     // Strength 500 + 0.8 x 18000 x 0.1 = 1940 Pa; the rate increases with the slab and as it slows down: a short time.
-    const double rate = (4000 - 1940) / (k_density * 0.8 * 4), time = 0.05;
+    const double rate = (4000 - 1940) / (k_exchanged_density * 0.8 * 4), time = 0.05;
     EXPECT_NEAR(steady_slab(e, 2, 4, time).eroded, rate * time, 0.03 * rate * time);
 }
 
@@ -147,7 +147,7 @@ TEST(Deposition, SettlesAtItsRateWhereStressIsBelowCapacity) {
     // At rest on level ground: tau = 0, the full rate.
     EXPECT_NEAR(steady_slab(e, 0, 0, 5).deposited, 0.02 * 5, 1e-9);
     // Sliding: tau = rho d g_x decreases with the slab's thickness, d' = -w (1 - rho d g_x / tau_d).
-    const double k = 0.02 * k_density * 2 / 5000, limit = 5000 / (k_density * 2);
+    const double k = 0.02 * k_exchanged_density * 2 / 5000, limit = 5000 / (k_exchanged_density * 2);
     const double thickness = limit + (1 - limit) * std::exp(k * 4);
     EXPECT_NEAR(steady_slab(e, 2, 4, 4).deposited, 1 - thickness, 0.01 * (1 - thickness));
     e.deposition_shear = 3500;

@@ -9,8 +9,6 @@
 namespace frana::test {
 namespace {
 
-constexpr double k_gravity = 9.81;
-
 // Returns the mean speed (map view) of particles in the middle of a slab 200 m long that started at rest at 20 m < x <
 // 220 m.
 double slab_speed(double slope_deg, const Material& material, SlopeCorrection slope, double jitter, double time,

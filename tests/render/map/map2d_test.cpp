@@ -12,11 +12,7 @@
 namespace frana::render {
 namespace {
 
-/// Returns the pixel of a map point.
-std::pair<int, int> pixel(const MapLayout& layout, Point map) {
-    return {static_cast<int>(layout.map.left + (map.x - layout.window.west) / layout.metres_per_pixel),
-            static_cast<int>(layout.map.top + (layout.window.north - map.y) / layout.metres_per_pixel)};
-}
+using test::pixel;
 
 const LegendEntry* entry(const MapLayout& layout, double value) {
     for (const LegendEntry& one : layout.legend) {
