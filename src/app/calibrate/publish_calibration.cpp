@@ -91,6 +91,20 @@ void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog
     for (const Sentence& sentence : result.sentences) log.info(sentence.text());
 }
 
+/// All runs, each with the table that has its row.
+std::vector<RunOfStudy> runs_of(const CalibrationRuns& runs) {
+    std::vector<RunOfStudy> all;
+    const auto add = [&](const Stage& stage, const char* table) {
+        for (RunOfStudy& run : stage.runs()) {
+            run.table = table;
+            all.push_back(std::move(run));
+        }
+    };
+    add(runs.design, k_design_table);
+    if (runs.refined) add(*runs.refined, k_posterior_table);
+    return all;
+}
+
 bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
     const std::size_t failed = runs.last().failed(), all = runs.last().size() * events;
     if (failed == 0) return false;
@@ -110,17 +124,21 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     const CalibrationResult result = calibration_result(input, runs);
     StudyOutcome outcome;
-    std::vector<RunOfStudy> all = runs.design.runs();
-    if (runs.refined)
-        for (RunOfStudy& run : runs.refined->runs()) all.push_back(std::move(run));
+    const std::vector<RunOfStudy> all = runs_of(runs);
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
     if (troubles.open > 0) {
         const Sentence told = headline(troubles);
         log.warn(told);
-        log.warn(
-            worded("The scores of runs that were cut or left the ground are those of unfinished flows, and so is the "
-                   "posterior: raise time.end, or use a larger DTM"));
+        const bool in_posterior = troubles_of(runs.last().runs(), false).open > 0;
+        if (in_posterior)
+            log.warn(
+                worded("The scores of runs that were cut or left the ground are those of unfinished flows, and so is "
+                       "the posterior: raise time.end, or use a larger DTM"));
+        else
+            log.warn(
+                worded("The scores of runs that were cut or left the ground are those of unfinished flows; all of them "
+                       "are rows of design.csv, none of posterior.csv"));
     }
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
     for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);

@@ -19,6 +19,7 @@ Sentence count(std::size_t number) {
 /// A warning of the runs, told with the one whose figure is the worst.
 struct KindOfWarning {
     Sentence worst;
+    std::string table;
     std::size_t member = 0, runs = 0;
     double severity = 0;
 };
@@ -66,14 +67,18 @@ std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, con
             if (!is_new && !(severity > kind.severity)) continue;
             kind.worst = warning;
             kind.member = run.member;
+            kind.table = run.table;
             kind.severity = severity;
         }
     }
     std::vector<Sentence> sentences;
     for (const std::string& pattern : order) {
         const KindOfWarning& kind = kinds.at(pattern);
-        sentences.push_back(worded("{1} of {2} runs warn, most of all member {3}: {4}",
-                                   {count(kind.runs), count(runs.size()), count(kind.member), kind.worst}));
+        const Sentence some = count(kind.runs), all = count(runs.size()), member = count(kind.member);
+        sentences.push_back(kind.table.empty() ? worded("{1} of {2} runs warn, most of all member {3}: {4}",
+                                                        {some, all, member, kind.worst})
+                                               : worded("{1} of {2} runs warn, most of all member {3} of {4}: {5}",
+                                                        {some, all, member, kind.table, kind.worst}));
     }
     return sentences;
 }

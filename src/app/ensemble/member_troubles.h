@@ -16,6 +16,7 @@ struct RunOfStudy {
     std::size_t member = 0;
     study::MemberEnd end;
     std::string failure;  ///< empty: it finished
+    std::string table{};  ///< whose row it is, of a study with several tables of members
 };
 
 /// @param each_counts as Troubles::each_counts

@@ -101,7 +101,11 @@ std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, 
                           {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
                            number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
     if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
-        text += " " + words("{1} runs were cut or failed and may have come farther: these values are lower bounds.",
+        text += " " + words(facts.troubles.on_levels
+                                ? worded("{1} runs were cut or failed and may have come farther: as each is one of a "
+                                         "pair, these values may be too small or too large.")
+                                : worded("{1} runs were cut or failed and may have come farther: these values are "
+                                         "lower bounds."),
                             {std::to_string(unfinished)});
     return paragraph(words("Where it goes."), text);
 }

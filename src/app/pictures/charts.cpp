@@ -16,6 +16,7 @@
 #include "core/utf8.h"
 #include "gis/access/table_in.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
@@ -117,7 +118,16 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
                      {words("bed plus maximum depth"), k_blue, surface("max_depth"), 2, Stroke::dashed},
                      {words("bed"), k_ground, on_line(bed), 2.4}};
     relief.fraction = 1.5;
-    render::ChartPanel depths{words("Depths, vertical"), metres, words("depth [m]"), {}, {0}};
+    // Tables of older results lack the column.
+    const bool is_normal =
+        table.rows() > 0 && table.has("depth_direction") && table.text(0, "depth_direction") == k_normal;
+    if (is_normal)  // it does not give the surface
+        relief.series = {relief.series[1], relief.series[3]};
+    render::ChartPanel depths{words(is_normal ? worded("Depths, normal to the bed") : worded("Depths, vertical")),
+                              metres,
+                              words("depth [m]"),
+                              {},
+                              {0}};
     depths.series = {{words("maximum"), k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
                      {words("released"), k_green, on_line(column("release_m")), 2, Stroke::dotted},
                      {words("at the end"), k_vermilion, on_line(column("final_depth")), 2}};

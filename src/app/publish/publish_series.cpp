@@ -81,13 +81,17 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
     const std::vector<Column> columns = columns_of(result);
     gis::LineLayer lines{"lines", {}};
     gis::PointLayer points{"stations", {}};
+    // Of max_depth and final_depth; what was released is vertical.
+    const std::string direction = result.depth_is_normal ? k_normal : k_vertical;
     std::string text = "line,distance_m,x,y";
     for (const Column& column : columns) text += "," + column.name;
-    text += '\n';
+    text += ",depth_direction\n";
     for (const gis::NamedLine& line : profile_lines(prepared, result, run_out)) {
         lines.features.push_back({line.line, {}, {{"name", line.name}}});
         for (const Station& station : stations(line.line, prepared.scene.grid.cell_size)) {
-            gis::PointFeature point{station.place, {{"distance_m", station.distance}}, {{"name", line.name}}};
+            gis::PointFeature point{station.place,
+                                    {{"distance_m", station.distance}},
+                                    {{"name", line.name}, {"depth_direction", direction}}};
             text += csv_cell(line.name);
             add_numbers(text, {station.distance, station.place.x, station.place.y});
             for (const Column& column : columns) {
@@ -95,7 +99,7 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
                 point.numbers[column.name] = value;
                 text += "," + (std::isnan(value) ? "" : shortest_text(value));
             }
-            text += '\n';
+            text += "," + direction + '\n';
             points.features.push_back(std::move(point));
         }
     }

@@ -24,6 +24,7 @@ Sentence percent(double fraction) {
 }  // namespace
 
 bool Troubles::are_first() const noexcept {
+    if (on_levels) return unfinished() > 0;
     return open > 0 && (each_counts || static_cast<double>(open) > k_many * static_cast<double>(runs));
 }
 
@@ -36,6 +37,10 @@ Sentence headline(const Troubles& t) {
         parts.push_back(worded("{1} of {2} runs left the computed ground (up to {3} % of the volume)",
                                {count(t.left), count(t.runs), percent(t.most_left)}));
     if (t.failed > 0) parts.push_back(worded("{1} of {2} runs failed", {count(t.failed), count(t.runs)}));
+    // A sum of differences: what coarser runs of a pair did not reach raises it.
+    if (t.on_levels)
+        return worded("Extent, run-out and probabilities may be too small or too large, without bounds: {1}",
+                      {listed(parts)});
     return worded("Extent, run-out and probabilities are lower bounds: {1}", {listed(parts)});
 }
 
@@ -47,6 +52,7 @@ Json json_of(const Troubles& t) {
             {"warned", t.warned},
             {"lower_bounds", t.open},
             {"each_counts", t.each_counts},
+            {"on_levels", t.on_levels},
             {"greatest_moving_fraction", t.most_moving},
             {"greatest_left_domain_fraction", t.most_left}};
 }
@@ -65,7 +71,8 @@ std::optional<Troubles> troubles_in(const Json& summary) {
                     whole("lower_bounds"),
                     value_in<double>(summary, "/run_troubles/greatest_moving_fraction").value_or(0),
                     value_in<double>(summary, "/run_troubles/greatest_left_domain_fraction").value_or(0),
-                    value_in<bool>(summary, "/run_troubles/each_counts").value_or(false)};
+                    value_in<bool>(summary, "/run_troubles/each_counts").value_or(false),
+                    value_in<bool>(summary, "/run_troubles/on_levels").value_or(false)};
 }
 
 }  // namespace frana::app

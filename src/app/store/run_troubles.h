@@ -16,10 +16,12 @@ struct Troubles {
     std::size_t open = 0;                   ///< that were cut or left the ground, each once
     double most_moving = 0, most_left = 0;  ///< fractions of the volume, of the runs that were cut, that left
     bool each_counts = false;               ///< of a region: every slope is somebody's
+    bool on_levels = false;                 ///< where one run of a finer level weighs as much as many others
 
     /// Whether a run was cut, left the ground or failed: what --strict makes an error.
     [[nodiscard]] bool any() const noexcept { return cut + left + failed > 0; }
-    /// Whether so many runs were cut or left the ground that the study's first line says so: over 5 %, of a region any.
+    /// Whether so many runs were cut or left the ground that the study's first line says so: over 5 %, of a region
+    /// any, on levels any, and any that failed.
     [[nodiscard]] bool are_first() const noexcept;
     /// Runs whose reach is not known: cut, gone or failed.
     [[nodiscard]] std::size_t unfinished() const noexcept { return open + failed; }

@@ -115,6 +115,16 @@ TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
     EXPECT_EQ(summary["run_troubles"]["cut"], 16);
     EXPECT_NE(summary["warnings"][0].get<std::string>().find("16 of 16 runs were cut"), std::string::npos);
     EXPECT_NE(summary["warnings"][1].get<std::string>().find("posterior"), std::string::npos);
+    // The number of a member alone names two runs.
+    int named = 0;
+    for (const std::string warning : summary["warnings"]) {
+        if (warning.find("most of all member") == std::string::npos) continue;
+        ++named;
+        EXPECT_TRUE(warning.find(" of design.csv: ") != std::string::npos ||
+                    warning.find(" of posterior.csv: ") != std::string::npos)
+            << warning;
+    }
+    EXPECT_GT(named, 0);
     for (const auto& row : table("out/posterior.csv")) EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
     EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
 }

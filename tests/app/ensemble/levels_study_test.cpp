@@ -191,6 +191,10 @@ TEST_F(LevelsStudy, APairWithAFailedRunIsLeftOut) {
         EXPECT_GE(value, 0);
         EXPECT_LE(value, 1);
     }
+    // Neither a lower nor an upper bound, as the first line says.
+    const std::string first = parse_json(read_text(path("out/summary.json")))["warnings"][0];
+    EXPECT_NE(first.find("too small or too large"), std::string::npos) << first;
+    EXPECT_NE(first.find(std::to_string(failed) + " of "), std::string::npos) << first;
 }
 
 TEST_F(LevelsStudy, WhatCannotBeOnLevelsIsRefused) {

@@ -212,13 +212,15 @@ TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
     const std::vector<std::string> rows = rows_of(text("profiles.csv"));
     ASSERT_GT(rows.size(), 42U);
     EXPECT_EQ(rows[0],
-              "line,distance_m,x,y,bed_m,release_m,max_depth,max_velocity,final_depth,arrival_time,max_pressure");
+              "line,distance_m,x,y,bed_m,release_m,max_depth,max_velocity,final_depth,arrival_time,max_pressure,"
+              "depth_direction");
     const Raster depth = raster("max_depth.tif"), bed = raster("bed.tif");
     int on_axis = 0;
     double path_length = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const std::vector<std::string> cells = cells_of(rows[i]);
-        ASSERT_EQ(cells.size(), 11U) << rows[i];
+        ASSERT_EQ(cells.size(), 12U) << rows[i];
+        EXPECT_EQ(cells[11], "vertical");
         const double x = std::stod(cells[2]), y = std::stod(cells[3]);
         const auto row = static_cast<std::int64_t>((bed.grid.north - y) / k_cell);
         const auto column = static_cast<std::int64_t>((x - bed.grid.west) / k_cell);
