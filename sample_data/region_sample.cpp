@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/file_aside.h"
+#include "core/files.h"
 #include "core/geometry.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
 #include "sample_data/bindo_landslide.h"

@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "core/file_aside.h"
+#include "core/files.h"
 #include "core/raster.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/raster/raster_out.h"
 
 namespace frana::sample {

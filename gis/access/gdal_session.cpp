@@ -4,7 +4,9 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
+#include <ogr_api.h>
 #include <ogr_srs_api.h>
+#include <proj.h>
 #include <sys/resource.h>
 
 #include <mutex>
@@ -15,6 +17,15 @@
 #include "gis/access/network.h"
 
 namespace frana::gis {
+
+std::string library_versions() {
+    int major = 0, minor = 0, micro = 0;
+    std::string text = std::string("GDAL ") + GDALVersionInfo("RELEASE_NAME") + "\n";
+    if (OGRGetGEOSVersion(&major, &minor, &micro))
+        text += "GEOS " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(micro) + "\n";
+    return text + "PROJ " + proj_info().version + "\n";
+}
+
 namespace {
 
 void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {

@@ -7,6 +7,9 @@
 
 namespace frana::gis {
 
+/// Returns the versions of GDAL with GEOS, and PROJ, at run time: one "NAME VERSION" per line.
+std::string library_versions();
+
 /// While an instance exists, GDAL is initialised and its messages on this thread are collected here instead of being
 /// written to stderr. Sessions nest: each function of gis opens its own, and the innermost collects.
 class GdalSession {

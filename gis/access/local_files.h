@@ -1,7 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <string>
+
+#include "core/files.h"
+
 namespace frana::gis {
+
+/// A folder of GDAL's in memory. If the disk fails for a moment while GDAL writes its tiles, a wrong file can remain
+/// without an error; therefore files are made here, and frana itself writes their bytes to the disk and checks each
+/// write. A raster's file needs as much memory as its size on the disk, besides the raster itself.
+class MemoryFolder {
+  public:
+    MemoryFolder();
+    /// Deletes its files.
+    ~MemoryFolder();
+    MemoryFolder(const MemoryFolder&) = delete;
+    MemoryFolder& operator=(const MemoryFolder&) = delete;
+
+    /// Returns where GDAL must write the file for a path on the disk; files beside it are written with it.
+    [[nodiscard]] std::string place_of(const std::string& path) const;
+    /// Writes all its files to the folder of `path`, synced to the disk. Throws Error(environment).
+    void write_to_disk(const std::string& path, Sync sync = Sync::yes) const;
+
+  private:
+    std::string folder_;
+};
 
 /// Filters all access of GDAL and its drivers to local files: FIFOs, devices and sockets are not opened (a refused
 /// access is noted), whatever file names them. GdalSession calls it once.

@@ -4,17 +4,35 @@
 #include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 
 #include "core/error.h"
-#include "core/utf8.h"
+#include "core/text.h"
 #include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/network.h"
-#include "gis/access/time_limit.h"
 
 namespace frana::gis {
+
+std::string date_text(double seconds) {
+    using namespace std::chrono;
+    constexpr sys_days k_origin = year{2000} / January / 1;
+    const auto passed = milliseconds(std::llround(seconds * 1000));
+    const days whole = floor<days>(passed);
+    const year_month_day date{k_origin + whole};
+    const hh_mm_ss<milliseconds> time{passed - whole};
+    char text[80];
+    std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02lld:%02lld:%02lld.%03lldZ", static_cast<int>(date.year()),
+                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                  static_cast<long long>(time.hours().count()), static_cast<long long>(time.minutes().count()),
+                  static_cast<long long>(time.seconds().count()), static_cast<long long>(time.subseconds().count()));
+    return text;
+}
+
 namespace {
 
 constexpr std::size_t k_most_rows = 10'000'000;

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "gis/access/gdal_session.h"
-#include "gis/crs/vertical_unit.h"
+#include "gis/crs/crs.h"
 #include "gis/raster/raster_warp.h"
 
 namespace frana::gis {

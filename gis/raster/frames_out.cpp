@@ -6,16 +6,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "core/error.h"
+#include "core/json.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/time_origin.h"
+#include "gis/access/table_in.h"
 #include "gis/raster/raster_out.h"
-#include "gis/raster/raster_text.h"
-#include "gis/raster/zarr_metadata.h"
 
 namespace frana::gis {
 namespace {
+
+[[noreturn]] void refuse_metadata(const std::string& file) {
+    throw Error(ErrorKind::environment, Problem{"the frames' metadata cannot be written", file, "", "",
+                                                "Check that the folder exists, may be written and has free space"});
+}
+
+void write(const std::string& file, const Json& content) {
+    constexpr bool k_only_ascii = true;
+    std::ofstream out(file, std::ios::binary);
+    out << content.dump(2, ' ', k_only_ascii, Json::error_handler_t::replace) << '\n';
+    out.close();
+    if (!out) refuse_metadata(file);
+}
+
+/// Converts the metadata that GDAL wrote into a Zarr (version 2) folder to the form that zarr and xarray read: every
+/// array lists its dimensions, also one without any (_ARRAY_DIMENSIONS), and the files contain only ASCII, as zarr
+/// decodes them.
+void finish_zarr_metadata(const std::string& folder) {
+    const std::string all = folder + "/.zmetadata", attributes = "/.zattrs", array = "/.zarray";
+    std::ifstream file(all, std::ios::binary);
+    Json root = Json::parse(file, nullptr, false);
+    if (!root.contains("metadata")) refuse_metadata(all);
+    Json& parts = root["metadata"];
+    for (const auto& [name, part] : parts.items()) {
+        if (!name.ends_with(array) || !part.contains("shape") || !part["shape"].empty()) continue;
+        const std::string beside = name.substr(0, name.size() - array.size()) + attributes;
+        if (parts.contains(beside)) parts[beside]["_ARRAY_DIMENSIONS"] = Json::array();
+    }
+    for (const auto& [name, part] : parts.items()) write(folder + "/" + name, part);
+    write(all, root);
+}
 
 using Array = std::shared_ptr<GDALMDArray>;
 

@@ -13,7 +13,7 @@ namespace frana::gis {
 enum class StackFormat { netcdf, zarr };
 
 /// Frames as arrays (time, y, x) in one NetCDF-4 file or Zarr (version 2) folder, following the CF conventions (1.8):
-/// time as a date (gis/access/time_origin.h), coordinates of cell centres with standard names, units, grid mapping,
+/// time as a date (gis/access/table_in.h), coordinates of cell centres with standard names, units, grid mapping,
 /// _FillValue -9999. Depth and velocity, Float32, compressed. Frames are written one by one, so that memory contains
 /// only one.
 class FrameStack {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +9,31 @@
 #include "core/grid_spec.h"
 
 namespace frana::gis {
+
+/// The most pixels of a logo's side: it is printed a few centimetres wide.
+inline constexpr int k_largest_logo = 8000;
+
+/// A logo as it is printed.
+struct Logo {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;  ///< on white where the file is transparent
+    std::uint32_t checksum = 0;
+};
+
+/// Reads a PNG or JPEG file. `where` names the key or option. Throws Error(input).
+Logo read_logo(const std::string& path, const std::string& where);
+
+/// A picture for a page of HTML.
+struct PagePicture {
+    std::string mime;   ///< "image/jpeg"
+    std::string bytes;  ///< of the file
+    int width = 0, height = 0;
+};
+
+/// Returns a PNG file as it is if it is small, otherwise as JPEG: at most `most_columns` wide, in the best quality that
+/// needs no more than `most_bytes`. A relief needs a fifth of its bytes as PNG, and the letters on it stay sharp.
+/// Throws Error(environment) if the file cannot be read or the picture cannot be made.
+PagePicture page_picture(const std::string& path, int most_columns, std::size_t most_bytes);
 
 /// Checks that a file can be the background of a map: an orthophoto or a scanned or tiled map in bytes, in one band
 /// (grey or with a colour table) or three and more, with a position on the ground. `crs_wkt` is the map's. `where`

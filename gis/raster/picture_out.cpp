@@ -11,11 +11,11 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/file_aside.h"
-#include "core/utf8.h"
+#include "core/files.h"
+#include "core/text.h"
 #include "gis/access/gdal_session.h"
+#include "gis/access/local_files.h"
 #include "gis/access/memory_dataset.h"
-#include "gis/access/memory_folder.h"
 
 namespace frana::gis {
 namespace {

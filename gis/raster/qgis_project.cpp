@@ -10,11 +10,10 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "core/file_aside.h"
-#include "core/markup.h"
-#include "core/shortest_text.h"
+#include "core/files.h"
+#include "core/text.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/time_origin.h"
+#include "gis/access/table_in.h"
 
 namespace frana::gis {
 namespace {

@@ -20,7 +20,7 @@ struct ProjectLayer {
     std::string style{};        ///< QML document; empty: QGIS's own choice
     bool visible = false;
     std::optional<std::pair<double, double>>
-        seconds{};  ///< shown from the first to the second, both included (gis/access/time_origin.h)
+        seconds{};  ///< shown from the first to the second, both included (gis/access/table_in.h)
 };
 
 struct ProjectGroup {

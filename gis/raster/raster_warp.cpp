@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/memory_dataset.h"
 

@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "core/file_aside.h"
-#include "core/markup.h"
-#include "core/shortest_text.h"
+#include "core/files.h"
+#include "core/text.h"
 
 namespace frana::gis {
 namespace {

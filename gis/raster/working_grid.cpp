@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
 

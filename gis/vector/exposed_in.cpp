@@ -8,11 +8,10 @@
 #include <memory>
 
 #include "gis/access/gdal_session.h"
+#include "gis/access/network.h"
 #include "gis/access/remembered_reads.h"
-#include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"
-#include "gis/vector/declared_crs.h"
-#include "gis/vector/polygon_geometry.h"
+#include "gis/vector/outline_check.h"
 #include "gis/vector/vector_source.h"
 
 namespace frana::gis {

@@ -10,8 +10,44 @@
 
 #include "core/geometry.h"
 #include "core/words/sentence.h"
+#include "gis/crs/crs_transform.h"
 
 namespace frana::gis {
+
+/// The certain result of a sweep over a polygon's edges.
+struct OutlineVerdict {
+    bool sound = false;             ///< no two edges meet except at their common vertex; holes are inside, and apart
+    std::optional<Point> crossing;  ///< two edges cross here
+};
+
+/// Searches for edges that meet, from west to east, each compared with its neighbours only (Shamos and Hoey 1976): the
+/// time is proportional to n log n whatever the outline's shape. If edges touch, or nearly within rounding, there is no
+/// verdict: neither sound nor a crossing.
+OutlineVerdict sweep(const Polygon& polygon);
+
+/// Converts to GDAL's polygon, rings closed.
+std::unique_ptr<OGRPolygon> to_ogr(const Polygon& polygon);
+std::unique_ptr<OGRMultiPolygon> to_ogr(const MultiPolygon& polygons);
+
+/// Converts from GDAL's polygon; rings of fewer than three different points are omitted.
+std::optional<Polygon> from_ogr(const OGRPolygon& polygon);
+
+/// No map extends further, whatever its unit.
+inline constexpr double k_furthest = 1e9;
+
+/// The polygons in any geometry: curves made straight, collections opened, closed lines read as polygons.
+struct PolygonParts {
+    std::vector<std::unique_ptr<OGRPolygon>> polygons;
+    int closed_lines = 0;   ///< read as polygons
+    int open_lines = 0;     ///< ignored, including polygons with a ring that is not closed
+    double widest_gap = 0;  ///< of the open lines [CRS units]
+    int others = 0;         ///< points and other geometries without area
+    int unbounded = 0;      ///< ignored: a coordinate is NaN or beyond k_furthest
+};
+PolygonParts polygon_parts(const OGRGeometry& geometry);
+
+/// Returns a polygon in another CRS, its edges curved as by the projection, to `tolerance` [target units].
+Polygon transformed(const Polygon& polygon, const CrsTransform& transform, double tolerance);
 
 /// The result of checking an outline. Either `crossing` or `hole_outside` is set or `polygons` is not empty, or none of
 /// these if no area is left.

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/counted_texts.h"
 #include "core/error.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/access/gdal_session.h"
+#include "gis/access/network.h"
 #include "gis/access/remembered_reads.h"
-#include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"
-#include "gis/vector/declared_crs.h"
 #include "gis/vector/outline_check.h"
-#include "gis/vector/polygon_geometry.h"
 #include "gis/vector/vector_source.h"
 
 namespace frana::gis {

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/markup.h"
-#include "core/shortest_text.h"
-#include "gis/vector/value_style.h"
+#include "core/text.h"
 
 namespace frana::gis {
 namespace {
@@ -145,6 +143,23 @@ StyleText style_of(const std::string& name, Shape shape, const std::string& attr
                      "\" symbollevels=\"0\" enableorderby=\"0\" forceraster=\"0\">\n    <categories>\n" + categories +
                      "    </categories>\n    <symbols>\n" + symbols + "    </symbols>\n  </renderer-v2>\n"),
         sld_document(name, name, rules)};
+}
+
+StyleText titled(StyleText style, const std::string& title, const AttributeTitles& attributes) {
+    const std::string begin = "<Title>", end = "</Title>", root_end = "</qgis>", categories = "styleCategories=\"";
+    if (const std::size_t at = style.sld.find(begin); at != std::string::npos) {
+        const std::size_t from = at + begin.size();
+        style.sld.replace(from, style.sld.find(end, from) - from, escaped_markup(title));
+    }
+    const std::size_t place = style.qml.rfind(root_end);
+    if (place == std::string::npos || attributes.empty()) return style;
+    std::string aliases = "  <aliases>\n";
+    for (const auto& [name, text] : attributes)
+        aliases += "    <alias field=\"" + escaped_markup(name) + "\" name=\"" + escaped_markup(text) + "\"/>\n";
+    style.qml.insert(place, aliases + "  </aliases>\n");
+    if (const std::size_t at = style.qml.find(categories); at != std::string::npos)
+        style.qml.insert(at + categories.size(), "Fields|");
+    return style;
 }
 
 }  // namespace frana::gis

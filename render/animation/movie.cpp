@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/file_aside.h"
+#include "core/files.h"
 #include "render/animation/gif_palette.h"
-#include "render/canvas/drawing_modules.h"
+#include "render/canvas/drawing.h"
 
 namespace frana::render {
 namespace {

@@ -13,6 +13,9 @@
 
 namespace frana::render {
 
+/// Returns the strokes of a dashed line; `dashes` are lengths of stroke, gap, stroke, gap... in the line's unit.
+std::vector<Polyline> dashed(std::span<const Point> points, const std::vector<double>& dashes);
+
 /// Pixels with opacity, colours premultiplied by it (as OpenGL blends over transparent black), from the top; `left` and
 /// `top` are the position of the first one on a page.
 struct OverlayImage {

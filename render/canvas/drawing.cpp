@@ -6,9 +6,29 @@
 #include <sstream>
 #include <utility>
 
-#include "core/utf8.h"
+#include "core/files.h"
+#include "core/text.h"
 
 namespace frana::render {
+
+const VtkFunctions& vtk() {
+    static const auto& functions = module_table<VtkFunctions>("vtk");
+    return functions;
+}
+
+const LibavFunctions& libav() {
+    static const auto& functions = module_table<LibavFunctions>("libav");
+    return functions;
+}
+
+void write_vtk_points(const std::string& path, const PointTable& table, const std::vector<double>& heights,
+                      double time) {
+    FileAside file(path);
+    call_module([&] { vtk().write_points(file.partial_path(), path, table, heights, time); });
+    file.sync_to_disk();
+    file.rename_into_place();
+}
+
 namespace {
 
 constexpr std::size_t k_paragraph_letters = 2000;  // of a paragraph

@@ -5,10 +5,27 @@
 #include <string>
 #include <vector>
 
+#include "core/module.h"
+#include "core/point_table.h"
 #include "render/canvas/canvas.h"
 #include "render/canvas/lettering.h"
+#include "render/libav/functions.h"
+#include "render/vtk/functions.h"
 
 namespace frana::render {
+
+/// Loads VTK and OSMesa when it is first called, which takes longer than the start of the program and what `check`
+/// does. Throws Error(environment) if that is not possible.
+const VtkFunctions& vtk();
+
+/// The same for the encoders of animations.
+const LibavFunctions& libav();
+
+/// Writes VTK XML polydata (.vtp, compressed): one vertex per point, the table's columns as point data, and the time as
+/// field data "TimeValue". Written aside and renamed. Throws Error(environment).
+/// @param heights z of the points [m], one per point
+void write_vtk_points(const std::string& path, const PointTable& table, const std::vector<double>& heights,
+                      double time);
 
 /// A page to draw on, in pixels from the upper left corner, independent of the file format: lines and filled shapes,
 /// later ones over earlier ones, and texts over all of them.

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "core/words/words.h"
-#include "render/canvas/page_style.h"
-#include "render/canvas/sheet.h"
+#include "render/canvas/page.h"
 
 namespace frana::render {
 

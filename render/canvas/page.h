@@ -5,10 +5,61 @@
 #include <string>
 #include <vector>
 
+#include "render/canvas/drawing.h"
 #include "render/canvas/image.h"
+#include "render/canvas/lettering.h"
 #include "render/canvas/overlay.h"
 
 namespace frana::render {
+
+/// Sizes of everything on a page, from the page's size: letters shrink more slowly than the page, since a small page is
+/// read from the same distance as a large one.
+struct PageStyle {
+    /// `density` below 1 makes letters and gaps smaller, to fit more on the page. No letter is smaller than `least_px`.
+    PageStyle(int width, int height, double density = 1, int least_px = k_least_letters);
+
+    double scale = 1;  ///< of lines and gaps; 1 on a page 1600 x 1200
+    double margin = 28, gap = 14;
+    TextStyle title, subtitle, heading, label, small;
+
+    /// A length given for a page 1600 x 1200.
+    [[nodiscard]] double length(double at_full_size) const { return at_full_size * scale; }
+    /// The same for the width of a line, with a visible minimum.
+    [[nodiscard]] double line(double at_full_size) const;
+};
+
+/// Ways of reducing the size of parts of a page, tried one after the other until everything fits.
+struct Crowding {
+    double density = 1;          ///< of letters and gaps
+    bool notes_at_foot = false;  ///< side notes at the foot of the page, where they need far less height than beside
+                                 ///< the map
+};
+inline constexpr Crowding k_crowdings[] = {{1, false}, {0.88, false}, {0.77, false}, {0.66, false}, {0.66, true}};
+
+inline constexpr Rgb k_ink{25, 28, 32};            ///< of letters and frames
+inline constexpr Rgb k_soft_ink{84, 90, 98};       ///< of less prominent parts
+inline constexpr Rgb k_no_terrain{236, 237, 238};  ///< inside the frame where there is no terrain
+
+/// A page's lines, shapes and texts, and the positions of the texts.
+class Sheet : public Drawing {
+  public:
+    Sheet(int width, int height);
+
+    [[nodiscard]] const std::vector<TextBox>& texts() const noexcept { return boxes_; }
+
+    void line(std::span<const Point> points, const LineStyle& style, bool closed = false) override;
+    void fill(std::span<const Point> corners, Rgb colour, double opacity = 1) override;
+    using Drawing::fill;
+    void frame(const PageBox& box, const LineStyle& style) override;
+    void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) override;
+
+    /// Returns everything; the sheet is empty then, but for the positions of its texts.
+    [[nodiscard]] Overlay take();
+
+  private:
+    std::shared_ptr<Overlay::Content> content_;
+    std::vector<TextBox> boxes_;
+};
 
 /// A white page with pictures and drawings on it, later ones over earlier ones, from which any file format is made:
 /// pixels by VTK through OSMesa, or vectors, texts and pictures by Cairo (PDF) or as SVG. Copies share the content.

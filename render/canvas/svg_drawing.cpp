@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base64.h"
-#include "core/markup.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "render/canvas/page.h"
 
 namespace frana::render {

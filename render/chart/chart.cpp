@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "render/canvas/furniture.h"
-#include "render/canvas/sheet.h"
+#include "render/canvas/page.h"
 #include "render/canvas/svg_drawing.h"
 #include "render/chart/chart_parts.h"
 

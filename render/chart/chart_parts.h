@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/canvas/drawing.h"
-#include "render/canvas/page_style.h"
+#include "render/canvas/page.h"
 #include "render/chart/chart.h"
 
 namespace frana::render {

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/canvas/page_style.h"
-#include "render/canvas/sheet.h"
+#include "render/canvas/page.h"
 #include "render/map/map_body.h"
 
 namespace frana::render {

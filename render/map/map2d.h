@@ -13,9 +13,9 @@
 #include "core/words/words.h"
 #include "render/canvas/canvas.h"
 #include "render/canvas/image.h"
+#include "render/canvas/lettering.h"
 #include "render/canvas/map_layout.h"
 #include "render/canvas/page.h"
-#include "render/canvas/text_style.h"
 
 namespace frana::render {
 

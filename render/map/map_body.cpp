@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "render/canvas/page_style.h"
-#include "render/canvas/raster_window.h"
+#include "render/canvas/image.h"
+#include "render/canvas/page.h"
 #include "render/map/hillshade.h"
 
 namespace frana::render {

@@ -4,12 +4,21 @@
 #include <memory>
 #include <vector>
 
-#include "render/canvas/page_style.h"
-#include "render/canvas/sheet.h"
+#include "render/canvas/page.h"
 #include "render/map/map2d.h"
 #include "render/map/map_body.h"
 
 namespace frana::render {
+
+/// Returns the grid with the CRS of a map.
+const GridSpec& map_grid(const MapSpec& spec);
+
+/// Returns what a map must show: the requested window, else the flow and the outlines, else the whole terrain.
+Bounds required_window(const MapSpec& spec);
+
+/// Returns the ground shown in a frame of width x height pixels: what the map must show, with a margin and at the scale
+/// of its print (window_at_scale); within the terrain as far as possible. Throws as window_at_scale.
+Bounds map_window(const MapSpec& spec, int width, int height);
 
 /// The parts of a map below and above its raster that do not depend on it: relief or picture, contour lines, outlines,
 /// frame and coordinates. Drawing them is most of a map's work.

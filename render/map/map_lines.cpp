@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "render/canvas/raster_window.h"
+#include "render/canvas/image.h"
 #include "render/canvas/ticks.h"
 #include "render/map/colour_scale.h"
 #include "render/map/contours.h"

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "render/canvas/page_style.h"
-#include "render/canvas/sheet.h"
+#include "render/canvas/page.h"
 #include "render/map/map2d.h"
 #include "render/map/map_body.h"
 

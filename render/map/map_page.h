@@ -2,16 +2,84 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "render/canvas/furniture.h"
 #include "render/canvas/map_layout.h"
 #include "render/canvas/page.h"
 #include "render/map/colour_scale.h"
+#include "render/map/legend.h"
 #include "render/map/map2d.h"
+#include "render/map/map_body.h"
 #include "render/map/map_ground.h"
-#include "render/map/page_plan.h"
 
 namespace frana::render {
+
+/// Where the parts of a title block are on a page.
+struct BlockPlace {
+    std::vector<std::string> lines;  ///< broken to the width left of the logo; empty: none, or at the foot
+    bool lines_at_foot = false;      ///< there are too many for their place
+    PageBox logo;                    ///< empty: none, or it would be too small to be recognised
+    double height = 0;
+};
+
+/// Arranges a title block in a place beside the title. It never needs more height than `most`: the logo becomes smaller
+/// and is omitted if that would make it smaller than 24 pixels; lines that do not fit go to the foot of the page.
+BlockPlace place_title_block(const TitleBlock& block, const PageStyle& style, const Sheet& sheet, Point corner,
+                             double width, double most);
+
+/// Writes the lines; the caller puts the logo (logo_picture) on the page.
+void draw_title_block(const BlockPlace& place, const PageStyle& style, Point corner, Sheet& sheet);
+
+/// Returns a logo in the given number of pixels, averaged.
+Image logo_picture(const Image& logo, int width, int height);
+
+/// The texts of a page that determine how much room its frame leaves.
+struct PageText {
+    std::vector<std::string> titles, subtitles;  ///< the highest pair counts
+    std::string legend_title, unit;
+    ColourScale scale;
+    std::vector<std::string> notes, foot;  ///< `foot`: without the notes
+};
+
+std::string contour_words(double interval, const Words& words);
+
+/// The texts of this map.
+PageText own_text(const MapSpec& spec, const ColourScale& scale);
+/// Texts as long as those of the longest map of its series are expected to be.
+PageText series_text(const MapSpec& spec);
+
+/// Places of the parts of a page round the map's frame.
+struct PagePlan {
+    Crowding crowding;
+    PageStyle style;
+    double titles_bottom = 0, title_width = 0;
+    BlockPlace block;
+    PageBox column;  ///< of the legend, beside the frame
+    double column_start = 0;
+    double foot_top = 0;
+    MapFrame frame;  ///< without its window
+
+    /// The small print of a map on this page.
+    [[nodiscard]] std::vector<std::string> foot(const MapSpec& spec, const PageText& text) const;
+};
+
+/// Plans a page for texts. `subtitle_later`: room for one is left. None if the frame would be too small.
+std::optional<PagePlan> plan_page(const MapSpec& spec, const PageText& text, const Crowding& crowding,
+                                  bool subtitle_later);
+
+/// Draws scale bar, scale and north arrow upwards from the foot of a column; returns the y of their upper edge.
+double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapFrame& frame,
+                        const PageBox& column, bool words_at_foot, MapLayout& layout);
+
+/// Draws titles and title block; returns the y below them.
+double draw_page_head(Sheet& sheet, const PagePlan& plan, const MapSpec& spec, bool subtitle_later, Point& subtitle_at);
+
+/// Plans the page of a series' map: the first way of reducing its parts in which the legend of its longest map fits
+/// beside the frame. None: none does.
+std::optional<PagePlan> plan_series_page(const MapSpec& spec, bool subtitle_later);
 
 /// A map without its raster: ground, legend and texts drawn once, to receive one raster after another.
 class MapPage {

@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "render/canvas/furniture.h"
-#include "render/canvas/page_style.h"
-#include "render/canvas/sheet.h"
+#include "render/canvas/page.h"
 
 namespace frana::render {
 namespace {

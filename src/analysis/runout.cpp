@@ -4,11 +4,221 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <queue>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace frana {
+namespace {
+
+std::optional<std::size_t> cell_of(const GridSpec& grid, Point place) {
+    const auto column = static_cast<std::int64_t>(std::floor((place.x - grid.west) / grid.cell_size));
+    const auto row = static_cast<std::int64_t>(std::floor((grid.north - place.y) / grid.cell_size));
+    if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) return std::nullopt;
+    return static_cast<std::size_t>(row * grid.columns + column);
+}
+
+std::size_t require_cell(const GridSpec& grid, Point place) {
+    if (const auto cell = cell_of(grid, place)) return *cell;
+    throw Error(ErrorKind::input, Problem{"a flow path ends outside the grid", "flow path",
+                                          shortest_text(place.x) + ", " + shortest_text(place.y), "", ""});
+}
+
+/// Cost per metre through each cell: 1 / depth. Depths below a bound have the cost of the bound: with an infinite cost
+/// no path would exist.
+std::vector<float> costs_of(const Raster& depth) {
+    constexpr double k_thinnest = 1e-6;  // [m]
+    double least = std::numeric_limits<double>::infinity();
+    for (const double value : depth.values)
+        if (value > 0) least = std::min(least, std::max(value, k_thinnest));
+    if (std::isinf(least)) least = 1;
+    std::vector<float> costs(depth.values.size(), static_cast<float>(100 / least));
+    for (std::size_t i = 0; i < costs.size(); ++i)
+        if (depth.values[i] > 0) costs[i] = static_cast<float>(1 / std::max(depth.values[i], k_thinnest));
+    return costs;
+}
+
+/// Returns the neighbour from which each cell was reached, as a direction 0..7; 8: not reached.
+std::vector<std::uint8_t> search(const GridSpec& grid, const std::vector<float>& costs, std::size_t from,
+                                 std::size_t to, const int (&steps)[8][2]) {
+    struct Entry {
+        double cost;
+        std::size_t cell;
+        bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : cell > other.cell; }
+    };
+    std::vector<double> best(costs.size(), std::numeric_limits<double>::infinity());
+    std::vector<std::uint8_t> arrived_from(costs.size(), 8);
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    best[from] = 0;
+    open.push({0, from});
+    while (!open.empty()) {
+        const Entry now = open.top();
+        open.pop();
+        if (now.cell == to) break;
+        if (now.cost > best[now.cell]) continue;
+        const auto row = static_cast<std::int64_t>(now.cell) / grid.columns;
+        const auto column = static_cast<std::int64_t>(now.cell) % grid.columns;
+        for (std::uint8_t d = 0; d < 8; ++d) {
+            const std::int64_t r = row + steps[d][0], c = column + steps[d][1];
+            if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns) continue;
+            const auto next = static_cast<std::size_t>(r * grid.columns + c);
+            const double metres = std::hypot(steps[d][0], steps[d][1]);
+            const double cost = now.cost + metres * 0.5 * (costs[now.cell] + costs[next]);
+            if (cost >= best[next]) continue;
+            best[next] = cost;
+            arrived_from[next] = d;
+            open.push({cost, next});
+        }
+    }
+    return arrived_from;
+}
+
+double distance_to_segment(Point p, Point a, Point b) {
+    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+    const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
+    return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+/// Douglas and Peucker's line simplification, without recursion.
+Polyline straightened(const Polyline& line, double tolerance) {
+    std::vector<bool> keep(line.size(), false);
+    keep.front() = keep.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> parts{{0, line.size() - 1}};
+    while (!parts.empty()) {
+        const auto [first, last] = parts.back();
+        parts.pop_back();
+        double farthest = tolerance;
+        std::size_t where = 0;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const double off = distance_to_segment(line[i], line[first], line[last]);
+            if (off > farthest) {
+                farthest = off;
+                where = i;
+            }
+        }
+        if (where == 0) continue;
+        keep[where] = true;
+        parts.emplace_back(first, where);
+        parts.emplace_back(where, last);
+    }
+    Polyline result;
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (keep[i]) result.push_back(line[i]);
+    return result;
+}
+
+/// Returns the part of a raster that contains the flow and some places, to limit the cost on a large map. Empty if the
+/// places are in flows that are far apart.
+Raster around_flow(const Raster& depth, const std::vector<Point>& places) {
+    const GridSpec& grid = depth.grid;
+    std::int64_t top = grid.rows, left = grid.columns, bottom = -1, right = -1;
+    const auto include = [&](std::int64_t row, std::int64_t column) {
+        top = std::min(top, row);
+        bottom = std::max(bottom, row);
+        left = std::min(left, column);
+        right = std::max(right, column);
+    };
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        const auto n = static_cast<std::int64_t>(cell);
+        if (value > 0) include(n / grid.columns, n % grid.columns);
+    });
+    for (const Point& place : places) {
+        const auto cell = static_cast<std::int64_t>(require_cell(grid, place));
+        include(cell / grid.columns, cell % grid.columns);
+    }
+    const CellWindow box{top, left, bottom - top + 1, right - left + 1};
+    if (box.rows * box.columns <= CellValues::k_most_dense) return part_of(depth, box);
+    // Flows that are far apart: a path stays in one of them.
+    for (const CellWindow& window : depth.values.stored_windows(grid.columns)) {
+        const Bounds bounds = part_of(grid, window).bounds();
+        if (std::all_of(places.begin(), places.end(), [&](Point p) { return bounds.contains(p.x, p.y); }))
+            return part_of(depth, window);
+    }
+    return {};
+}
+
+}  // namespace
+
+Polyline flow_path(const Raster& whole, Point from, Point to) {
+    require_cell(whole.grid, from);
+    require_cell(whole.grid, to);
+    const Raster depth = around_flow(whole, {from, to});
+    if (depth.values.empty()) return {from, to};
+    constexpr int k_steps[8][2]{{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
+    const GridSpec& grid = depth.grid;
+    const std::size_t start = require_cell(grid, from), end = require_cell(grid, to);
+    if (start == end) return {from, to};
+    const std::vector<std::uint8_t> arrived_from = search(grid, costs_of(depth), start, end, k_steps);
+    Polyline line{to};
+    for (std::size_t cell = end; cell != start;) {
+        const auto row = static_cast<std::int64_t>(cell) / grid.columns - k_steps[arrived_from[cell]][0];
+        const auto column = static_cast<std::int64_t>(cell) % grid.columns - k_steps[arrived_from[cell]][1];
+        cell = static_cast<std::size_t>(row * grid.columns + column);
+        if (cell != start) line.push_back(grid.cell_centre(row, column));
+    }
+    line.push_back(from);
+    std::reverse(line.begin(), line.end());
+    return straightened(line, grid.cell_size);
+}
+
+double length(const Polyline& line) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+    return sum;
+}
+
+double path_coordinate(const Polyline& line, Point point) {
+    double nearest = std::numeric_limits<double>::infinity(), coordinate = 0, travelled = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Point a = line[i - 1], b = line[i];
+        const double dx = b.x - a.x, dy = b.y - a.y, piece = std::hypot(dx, dy);
+        if (piece == 0) continue;
+        const double t = std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / (piece * piece), 0.0, 1.0);
+        const double off = std::hypot(point.x - a.x - t * dx, point.y - a.y - t * dy);
+        if (off < nearest) {
+            nearest = off;
+            coordinate = travelled + t * piece;
+        }
+        travelled += piece;
+    }
+    return coordinate;
+}
+
+double runout_along(const Polyline& path, const Raster& mask) {
+    double farthest = 0;
+    mask.values.for_each_stored([&](std::size_t cell, double value) {
+        if (value == 0 || std::isnan(value)) return;
+        const auto n = static_cast<std::int64_t>(cell);
+        const Point centre = mask.grid.cell_centre(n / mask.grid.columns, n % mask.grid.columns);
+        farthest = std::max(farthest, path_coordinate(path, centre));
+    });
+    return farthest;
+}
+
+std::vector<Station> stations(const Polyline& line, double spacing) {
+    std::vector<Station> list;
+    if (!line.empty()) list.push_back({0, line.front()});
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Point a = line[i - 1], b = line[i];
+        const double piece = std::hypot(b.x - a.x, b.y - a.y), before = list.back().distance;
+        const auto count = static_cast<int>(std::ceil(piece / spacing));
+        for (int k = 1; k <= count; ++k) {
+            const double t = static_cast<double>(k) / count;
+            list.push_back({before + t * piece, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}});
+        }
+    }
+    return list;
+}
+
+double cell_value(const Raster& raster, Point place) {
+    const auto cell = cell_of(raster.grid, place);
+    return cell ? raster.values[*cell] : k_no_data;
+}
 
 std::vector<Runout> runouts_by_flow(const SeparateFlows& flows, const Raster& bed, const Raster& release,
                                     const Raster& trace) {

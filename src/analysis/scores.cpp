@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,46 @@
 #include "core/error.h"
 
 namespace frana {
+
+DepositScores compare_deposit(const Raster& simulated, const Raster& observed, double threshold) {
+    if (!simulated.grid.same_cells(observed.grid)) {
+        throw Error(ErrorKind::input, Problem{"simulated and observed deposit do not have the same cells", "comparison",
+                                              "", "", "Bring both onto one grid"});
+    }
+    double count = 0, sum_s = 0, sum_o = 0, absolute = 0, squares = 0, ss = 0, oo = 0, so = 0;
+    for (std::size_t i = 0; i < simulated.values.size(); ++i) {
+        if (std::isnan(observed.values[i])) continue;
+        const double s = simulated.values[i] > 0 ? simulated.values[i] : 0;
+        const double o = observed.values[i] > 0 ? observed.values[i] : 0;
+        if (!(s > threshold) && !(o > threshold)) continue;
+        ++count;
+        sum_s += s;
+        sum_o += o;
+        absolute += std::abs(s - o);
+        squares += (s - o) * (s - o);
+        ss += s * s;
+        oo += o * o;
+        so += s * o;
+    }
+    if (count == 0) {
+        throw Error(ErrorKind::input, Problem{"neither the simulation nor the survey has a deposit", "comparison", "",
+                                              "", "Lower the threshold"});
+    }
+    const double cell = simulated.grid.cell_area();
+    DepositScores scores;
+    scores.area_m2 = count * cell;
+    scores.observed_volume_m3 = sum_o * cell;
+    scores.simulated_volume_m3 = sum_s * cell;
+    scores.bias_m = (sum_s - sum_o) / count;
+    scores.mean_absolute_error_m = absolute / count;
+    scores.rmse_m = std::sqrt(squares / count);
+    const double variance_s = ss - sum_s * sum_s / count, variance_o = oo - sum_o * sum_o / count;
+    // Equal values leave a remainder from rounding.
+    const bool both_vary = variance_s > 1e-12 * ss && variance_o > 1e-12 * oo;
+    scores.correlation = both_vary ? (so - sum_s * sum_o / count) / std::sqrt(variance_s * variance_o) : k_no_data;
+    return scores;
+}
+
 namespace {
 
 void check_same_cells(const Raster& depth, const Raster& mask) {
@@ -126,6 +167,145 @@ Raster agreement(const Raster& simulated_depth, const Raster& observed_mask, dou
         if (depth > threshold && !is_observed(observed_mask.values[cell])) set(cell, Agreement::false_alarm);
     });
     return classes;
+}
+
+namespace {
+
+constexpr std::size_t k_classes = 10;
+
+/// Sums over the cells of a class.
+struct ClassSums {
+    double cells = 0, probability = 0, observed = 0;
+};
+
+std::size_t class_of(double probability) {
+    constexpr double k_float32 = 1e-6;  // probabilities of a file are rounded
+    const double place = std::floor(probability * k_classes + k_float32);
+    return std::min(k_classes - 1, static_cast<std::size_t>(std::max(0.0, place)));
+}
+
+}  // namespace
+
+ProbabilityScores score_probability(const Raster& probability, const Raster& observed_mask) {
+    ProbabilityScores scores;
+    scores.roc = roc_curve(probability, observed_mask);
+    scores.auroc = area_below(scores.roc);
+    std::vector<ClassSums> sums(k_classes);
+    double squares = 0, observed_cells = 0, others = 0;
+    const auto add = [&](double p, bool observed) {
+        ClassSums& one = sums[class_of(p)];
+        one.cells += 1;
+        one.probability += p;
+        one.observed += observed ? 1 : 0;
+        squares += (p - (observed ? 1 : 0)) * (p - (observed ? 1 : 0));
+        (observed ? observed_cells : others) += 1;
+    };
+    observed_mask.values.for_each_stored([&](std::size_t cell, double value) {
+        if (!is_observed(value)) return;
+        const double p = probability.values[cell];
+        add(std::isnan(p) ? 0 : p, true);
+    });
+    probability.values.for_each_stored([&](std::size_t cell, double p) {
+        if (p > 0 && !is_observed(observed_mask.values[cell])) add(p, false);
+    });
+    const double dry = std::max(0.0, k_negatives_per_positive * observed_cells - others);  // rightly 0
+    sums.front().cells += dry;
+    const double cells = observed_cells + others + dry, mean = observed_cells / cells;
+    const double cell_area = observed_mask.grid.cell_area();
+    for (std::size_t k = 0; k < k_classes; ++k) {
+        const ClassSums& one = sums[k];
+        ReliabilityClass kind{static_cast<double>(k) / k_classes, static_cast<double>(k + 1) / k_classes,
+                              one.cells * cell_area, 0, 0};
+        if (one.cells > 0) {
+            kind.mean_probability = one.probability / one.cells;
+            kind.observed_fraction = one.observed / one.cells;
+            scores.reliability += one.cells / cells * std::pow(kind.mean_probability - kind.observed_fraction, 2);
+            scores.resolution += one.cells / cells * std::pow(kind.observed_fraction - mean, 2);
+        }
+        scores.classes.push_back(kind);
+    }
+    scores.observed_area_m2 = observed_cells * cell_area;
+    scores.compared_area_m2 = cells * cell_area;
+    scores.brier = squares / cells;
+    scores.uncertainty = mean * (1 - mean);
+    scores.within_classes = scores.brier - (scores.reliability - scores.resolution + scores.uncertainty);
+    scores.brier_skill = 1 - scores.brier / scores.uncertainty;
+    return scores;
+}
+
+namespace {
+
+bool on_one_line(Point a, Point b, Point c) {
+    const double cross = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+    const double along = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+    return along > 0 && std::abs(cross) <= 1e-9 * along;
+}
+
+}  // namespace
+
+LineSet::LineSet(const MultiPolygon& area) {
+    for (const Polygon& polygon : area) {
+        add(polygon.outer, true);
+        for (const Ring& hole : polygon.holes) add(hole, true);
+    }
+    nearest_ = NearestSegment(segments_);
+}
+
+LineSet::LineSet(const std::vector<Polyline>& lines) {
+    for (const Polyline& line : lines) add(line, false);
+    nearest_ = NearestSegment(segments_);
+}
+
+void LineSet::add(const Polyline& line, bool closed) {
+    const std::size_t first = segments_.size();
+    const std::size_t count = line.size() < 2 ? 0 : line.size() - (closed ? 0 : 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Point from = line[i], to = line[(i + 1) % line.size()];
+        if (from.x == to.x && from.y == to.y) continue;
+        if (segments_.size() > first && on_one_line(segments_.back().from, from, to)) {
+            segments_.back().to = to;
+        } else {
+            segments_.push_back({from, to});
+        }
+    }
+}
+
+double LineSet::distance(Point point) const {
+    return empty() ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(nearest_.square_of_distance(point));
+}
+
+std::vector<Point> LineSet::samples(double spacing) const {
+    std::vector<Point> points;
+    for (const Segment& s : segments_) {
+        const double length = std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
+        const auto count = static_cast<std::size_t>(std::ceil(length / spacing));
+        for (std::size_t i = 0; i < count; ++i) {
+            const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+            points.push_back({s.from.x + t * (s.to.x - s.from.x), s.from.y + t * (s.to.y - s.from.y)});
+        }
+    }
+    return points;
+}
+
+LineDistance distance_statistics(std::vector<double> distances) {
+    for (double& distance : distances) distance = std::abs(distance);
+    std::sort(distances.begin(), distances.end());
+    double sum = 0;
+    for (const double distance : distances) sum += distance;
+    const double count = static_cast<double>(distances.size());
+    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * count)) - 1;
+    return {sum / count, distances[rank], distances.back()};
+}
+
+LineDistance distance_between(const LineSet& one, const LineSet& other, double spacing) {
+    if (one.empty() || other.empty()) {
+        throw Error(ErrorKind::input, Problem{"an outline is empty, so its distance from the other is undefined",
+                                              "comparison", "", "", "Lower the depth threshold or check the files"});
+    }
+    std::vector<double> distances;
+    for (const Point& point : one.samples(spacing)) distances.push_back(other.distance(point));
+    for (const Point& point : other.samples(spacing)) distances.push_back(one.distance(point));
+    return distance_statistics(std::move(distances));
 }
 
 }  // namespace frana

@@ -4,9 +4,26 @@
 #include <cmath>
 #include <vector>
 
+#include "core/geometry.h"
 #include "core/raster.h"
 
 namespace frana {
+
+/// Agreement in depth of a simulated deposit with an observed one, over the cells where either is deeper than the
+/// threshold and the observation has data. With d = simulated minus observed depth:
+struct DepositScores {
+    double area_m2 = 0;             ///< of those cells
+    double observed_volume_m3 = 0;  ///< over those cells
+    double simulated_volume_m3 = 0;
+    double bias_m = 0;                 ///< mean of d
+    double mean_absolute_error_m = 0;  ///< mean of |d|
+    double rmse_m = 0;                 ///< sqrt(mean of d^2)
+    double correlation = 0;            ///< Pearson's, of the two depths; NaN if one does not vary
+};
+
+/// `simulated` final depth [m] (NaN: none), `observed` gain of elevation [m] (NaN: not surveyed; a loss counts as no
+/// deposit), on the same cells. Throws Error(input) if the cells differ or neither has a deposit.
+DepositScores compare_deposit(const Raster& simulated, const Raster& observed, double threshold);
 
 /// Agreement of a simulated trace with an observed one, cell by cell.
 ///
@@ -67,5 +84,75 @@ enum class Agreement { hit = 1, false_alarm = 2, miss = 3 };
 
 /// The same cell by cell: values of Agreement, NaN where neither covers.
 Raster agreement(const Raster& simulated_depth, const Raster& observed_mask, double threshold);
+
+/// Cells whose probability is in one tenth of [0, 1].
+struct ReliabilityClass {
+    double least = 0, most = 0;    ///< probability; the last class contains its upper end
+    double area_m2 = 0;            ///< of its cells
+    double mean_probability = 0;   ///< 0 without cells
+    double observed_fraction = 0;  ///< likewise
+};
+
+/// How well a map of probability foretold an observed outline.
+///
+/// As in ComparisonStatistics the values do not depend on the size of the map: beside the n+ observed cells count five
+/// times as many that were not, those with a probability above 0 first (all of these, if they are more). With the
+/// probability p and o = 1 where observed, else 0, over these n cells: brier = mean of (p - o)^2. With classes k of n_k
+/// cells, means p_k and o_k, and o the mean of all:
+///
+///     brier = reliability - resolution + uncertainty + within_classes
+///     reliability = sum n_k (p_k - o_k)^2 / n,  resolution = sum n_k (o_k - o)^2 / n,  uncertainty = o (1 - o)
+///
+/// (Murphy 1973). within_classes = mean of (p - p_k)^2 - 2 (p - p_k)(o - o_k): 0 if the probabilities of a class are
+/// equal.
+struct ProbabilityScores {
+    double observed_area_m2 = 0;
+    double compared_area_m2 = 0;  ///< of the n cells
+    double brier = 0;
+    double reliability = 0, resolution = 0, uncertainty = 0, within_classes = 0;
+    double brier_skill = 0;  ///< 1 - brier / uncertainty: 0 is as good as the observed fraction everywhere
+    double auroc = 0;        ///< area under the ROC curve over the probability
+    std::vector<ReliabilityClass> classes;
+    std::vector<RocPoint> roc;
+};
+
+/// Compares probabilities (NaN as 0) with a mask (not 0 and not NaN: observed) on the same cells. Throws Error(input)
+/// if the grids differ or nothing was observed.
+ProbabilityScores score_probability(const Raster& probability, const Raster& observed_mask);
+
+/// The lines bounding an area (or drawn by hand), for distances in map view.
+class LineSet {
+  public:
+    /// All rings, including holes; collinear neighbouring segments are joined.
+    explicit LineSet(const MultiPolygon& area);
+    /// Open lines, unchanged.
+    explicit LineSet(const std::vector<Polyline>& lines);
+
+    [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
+    /// Returns the distance from a point to the nearest point of the lines [m]; NaN if there are no lines.
+    [[nodiscard]] double distance(Point point) const;
+    /// Returns points along the lines, at equal distances of at most `spacing` within each straight segment, each in
+    /// the middle of the part it represents.
+    [[nodiscard]] std::vector<Point> samples(double spacing) const;
+
+  private:
+    void add(const Polyline& line, bool closed);
+    std::vector<Segment> segments_;
+    NearestSegment nearest_;  // of the same lines
+};
+
+/// Distance between two sets of lines.
+struct LineDistance {
+    double mean_m = 0;           ///< over the length of both
+    double percentile_95_m = 0;  ///< 95 % of that length is nearer
+    double hausdorff_m = 0;      ///< the greatest distance
+};
+
+/// Returns the distances from each boundary's samples to the other boundary, both directions pooled. The sampling
+/// (spacing [m]) can miss the greatest distance by half a spacing. Throws Error(input) if either set is empty.
+LineDistance distance_between(const LineSet& one, const LineSet& other, double spacing);
+
+/// Returns mean, 95th percentile (nearest rank) and maximum of the absolute values of some distances. At least one.
+LineDistance distance_statistics(std::vector<double> distances);
 
 }  // namespace frana

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/inside_test.h"
+#include "core/geometry.h"
 
 namespace frana {
 namespace {
@@ -95,7 +95,9 @@ class RadiusFraction {
         const std::size_t n = ring_.size(), count = std::min(n, 2 * k_beside + 1);
         std::array<std::size_t, 2 * k_beside + 1> near{};
         for (std::size_t k = 0; k < count; ++k) near[k] = (after + n + k - k_beside) % n;
-        std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
+        // In the order of edges, whichever it begins with.
+        const auto end = near.begin() + static_cast<std::ptrdiff_t>(count);
+        std::rotate(near.begin(), std::min_element(near.begin(), end), end);
         for (std::size_t k = 0; k < count; ++k)
             if (const double fraction = across_edge(near[k], d)) return fraction;
         for (std::size_t i = 0; i < n; ++i)

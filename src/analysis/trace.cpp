@@ -2,9 +2,154 @@
 #include "analysis/trace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace frana {
+namespace {
+
+// The window of positive cells with a rim of one cell, and the area of each of its cells: 0 is none.
+struct Areas {
+    std::int64_t row = 0, column = 0, rows = 0, columns = 0;
+    std::vector<std::int32_t> of_cell;
+    std::int32_t count = 0;
+
+    [[nodiscard]] std::size_t index(std::int64_t r, std::int64_t c) const {
+        return static_cast<std::size_t>(r * columns + c);
+    }
+};
+
+constexpr std::int32_t k_not_yet = -1;
+
+// Gives all cells connected with the last of `open` by edges its area.
+void spread(Areas& areas, std::vector<std::pair<std::int64_t, std::int64_t>>& open) {
+    while (!open.empty()) {
+        const auto [r, c] = open.back();
+        open.pop_back();
+        for (const auto& [dr, dc] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+            std::int32_t& area = areas.of_cell[areas.index(r + dr, c + dc)];
+            if (area != k_not_yet) continue;
+            area = areas.count;
+            open.emplace_back(r + dr, c + dc);
+        }
+    }
+}
+
+Areas areas_where_positive(const GridSpec& grid, std::span<const double> values) {
+    std::int64_t top = grid.rows, bottom = -1, left = grid.columns, right = -1;
+    for (std::int64_t r = 0; r < grid.rows; ++r) {
+        for (std::int64_t c = 0; c < grid.columns; ++c) {
+            if (!(values[static_cast<std::size_t>(r * grid.columns + c)] > 0)) continue;
+            top = std::min(top, r);
+            bottom = r;
+            left = std::min(left, c);
+            right = std::max(right, c);
+        }
+    }
+    Areas areas;
+    if (bottom < 0) return areas;
+    areas.row = top - 1;
+    areas.column = left - 1;
+    areas.rows = bottom - top + 3;
+    areas.columns = right - left + 3;
+    areas.of_cell.assign(static_cast<std::size_t>(areas.rows * areas.columns), 0);
+    for (std::int64_t r = top; r <= bottom; ++r)
+        for (std::int64_t c = left; c <= right; ++c)
+            if (values[static_cast<std::size_t>(r * grid.columns + c)] > 0)
+                areas.of_cell[areas.index(r - areas.row, c - areas.column)] = k_not_yet;
+    std::vector<std::pair<std::int64_t, std::int64_t>> open;
+    for (std::int64_t r = 0; r < areas.rows; ++r) {
+        for (std::int64_t c = 0; c < areas.columns; ++c) {
+            std::int32_t& area = areas.of_cell[areas.index(r, c)];
+            if (area != k_not_yet) continue;
+            area = ++areas.count;
+            open.emplace_back(r, c);
+            spread(areas, open);
+        }
+    }
+    return areas;
+}
+
+// Directions, each a left turn from the one before: east, north, west, south.
+constexpr int k_directions = 4;
+constexpr std::array<std::int64_t, k_directions> k_step_row{0, -1, 0, 1}, k_step_column{1, 0, -1, 0};
+
+// A corner of cells: the north-western one of the cell with its row and column.
+using Corner = std::pair<std::int64_t, std::int64_t>;
+
+// The edges of one area that start at a corner, with the area on their left; at most two.
+using Edges = std::map<Corner, std::array<bool, k_directions>>;
+
+std::vector<Edges> edges_of(const Areas& areas) {
+    std::vector<Edges> edges(static_cast<std::size_t>(areas.count));
+    for (std::int64_t r = 1; r + 1 < areas.rows; ++r) {
+        for (std::int64_t c = 1; c + 1 < areas.columns; ++c) {
+            const std::int32_t area = areas.of_cell[areas.index(r, c)];
+            if (area == 0) continue;
+            Edges& own = edges[static_cast<std::size_t>(area - 1)];
+            const auto is_edge = [&](std::int64_t other_row, std::int64_t other_column) {
+                return areas.of_cell[areas.index(other_row, other_column)] != area;
+            };
+            if (is_edge(r + 1, c)) own[{r + 1, c}][0] = true;
+            if (is_edge(r, c + 1)) own[{r + 1, c + 1}][1] = true;
+            if (is_edge(r - 1, c)) own[{r, c + 1}][2] = true;
+            if (is_edge(r, c - 1)) own[{r, c}][3] = true;
+        }
+    }
+    return edges;
+}
+
+// Follows edges from a corner until it is back, and removes them. Where cells touch at a corner only, it turns left:
+// along the same cell.
+std::vector<Corner> take_ring(Edges& edges) {
+    std::vector<Corner> ring;
+    const Corner first = edges.begin()->first;
+    Corner at = first;
+    int direction = -1;
+    do {
+        auto& there = edges.at(at);
+        int next = 0;
+        if (direction < 0) {
+            while (!there[static_cast<std::size_t>(next)]) ++next;
+        } else {
+            next = (direction + 1) % k_directions;
+            while (!there[static_cast<std::size_t>(next)]) next = (next + k_directions - 1) % k_directions;
+        }
+        if (next != direction) ring.push_back(at);
+        const auto d = static_cast<std::size_t>(next);
+        there[d] = false;
+        if (std::none_of(there.begin(), there.end(), [](bool edge) { return edge; })) edges.erase(at);
+        at = {at.first + k_step_row[d], at.second + k_step_column[d]};
+        direction = next;
+    } while (at != first);
+    return ring;
+}
+
+}  // namespace
+
+MultiPolygon outlines_where_positive(const GridSpec& grid, std::span<const double> values) {
+    const Areas areas = areas_where_positive(grid, values);
+    MultiPolygon outlines;
+    for (Edges& edges : edges_of(areas)) {
+        // The first corner in the order of rows is one of the outer ring.
+        Polygon& polygon = outlines.emplace_back();
+        while (!edges.empty()) {
+            Ring ring;
+            for (const Corner& corner : take_ring(edges))
+                ring.push_back({grid.west + static_cast<double>(areas.column + corner.second) * grid.cell_size,
+                                grid.north - static_cast<double>(areas.row + corner.first) * grid.cell_size});
+            if (polygon.outer.empty())
+                polygon.outer = std::move(ring);
+            else
+                polygon.holes.push_back(std::move(ring));
+        }
+    }
+    return outlines;
+}
 
 Raster trace_mask(const Raster& depth, double threshold) {
     Raster mask(depth.grid);

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
+#include "core/geometry.h"
 #include "core/raster.h"
 
 namespace frana {
+
+/// Returns the outlines, along the edges of cells, of the areas where values are positive; NaN is not. Cells that share
+/// an edge are one area; each area is a polygon with its holes.
+/// @param values one per cell of the grid, row by row from the north
+MultiPolygon outlines_where_positive(const GridSpec& grid, std::span<const double> values);
 
 /// Returns 1 where the depth exceeds the threshold [m], 0 elsewhere (including no data).
 Raster trace_mask(const Raster& depth, double threshold);

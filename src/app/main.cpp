@@ -17,7 +17,7 @@
 #include "app/commands/guarded_process.h"
 #include "app/commands/json_output.h"
 #include "app/commands/library_versions.h"
-#include "app/pictures/letter_warning.h"
+#include "app/pictures/map_source.h"
 #include "app/process/machine_memory.h"
 #include "app/process/signals.h"
 #include "app/process/terminal.h"
@@ -25,9 +25,8 @@
 #include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/error.h"
-#include "core/system_remedy.h"
 #include "gis/access/network.h"
-#include "params/grammar/nearest_name.h"
+#include "params/grammar/value_text.h"
 #include "ranks/job.h"
 
 namespace frana::app {

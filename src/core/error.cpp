@@ -1,11 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/error.h"
 
+#include <algorithm>
+#include <cerrno>
 #include <utility>
 
-#include "core/utf8.h"
+#include "core/text.h"
 
 namespace frana {
+
+std::string system_remedy(int reason) {
+    switch (reason) {
+        case ENOMEM:
+            return "Memory ran out: end other programs, allow more (ulimit -v), or choose larger cells "
+                   "(terrain.cell-size) or smaller pictures (output.map-size)";
+        case EAGAIN:
+            return "The system refused a thread: allow more (ulimit -u, ulimit -v) or use fewer --threads";
+        case EMFILE:
+        case ENFILE:
+            return "Too many files are open: allow more (ulimit -n)";
+        case ENOSPC:
+        case EDQUOT:
+        case EFBIG:
+            return "Free some disk space, then repeat the command";
+        case EACCES:
+        case EPERM:
+        case EROFS:
+            return "Check the rights of the file and its folder";
+        case EINTR:
+            return "Repeat the command";
+        case EIO:
+            return "The disk or the network could not be read or written: check it, then repeat the command";
+        default:
+            return "Check the place's rights and free space";
+    }
+}
+
+namespace {
+
+constexpr std::size_t k_printed = 3;
+
+std::string grouped_digits(std::int64_t count) {
+    std::string text = std::to_string(count);
+    for (std::size_t place = text.size(); place > 3; place -= 3) text.insert(place - 3, " ");
+    return text;
+}
+
+}  // namespace
+
+void CountedTexts::add(const std::string& kind, const Sentence& text) {
+    auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.name == kind; });
+    if (found == kinds_.end()) found = kinds_.insert(kinds_.end(), Kind{kind, {}, 0});
+    if (found->first.size() < k_printed) {
+        found->first.push_back(text);
+    } else {
+        ++found->more;
+    }
+}
+
+std::vector<Sentence> CountedTexts::texts() const {
+    std::vector<Sentence> all;
+    for (const Kind& kind : kinds_) {
+        all.insert(all.end(), kind.first.begin(), kind.first.end());
+        if (kind.more > 0)
+            all.back() = worded("{1}; and {2} more of this kind", {all.back(), numeral(grouped_digits(kind.more))});
+    }
+    return all;
+}
+
 namespace {
 
 constexpr std::size_t k_longest_value = 1000;  // characters

@@ -1,11 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/words/sentence.h"
+
 namespace frana {
+
+/// Returns a remedy for the user after a system call failed for this reason (errno), as a sentence without its full
+/// stop.
+std::string system_remedy(int reason);
+
+/// Many similar messages: the first few of each kind are kept, the rest are counted.
+class CountedTexts {
+  public:
+    void add(const std::string& kind, const Sentence& text);
+
+    /// Returns, in order of first occurrence, the first texts of each kind, then "and 497 more like it".
+    [[nodiscard]] std::vector<Sentence> texts() const;
+
+  private:
+    struct Kind {
+        std::string name;
+        std::vector<Sentence> first;
+        std::int64_t more = 0;
+    };
+    std::vector<Kind> kinds_;
+};
 
 /// The kind of error; determines the program's exit code.
 enum class ErrorKind {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -41,5 +44,56 @@ bool contains(const MultiPolygon& polygons, Point point);
 
 /// Returns the smallest rectangle around all outer rings; all zero if there is none.
 Bounds bounds(const MultiPolygon& polygons);
+
+/// `contains` for many points: the edges are sorted into bands by y, so that a point is compared only with the edges of
+/// its band. The result equals that of `contains` for every point.
+class InsideTest {
+  public:
+    explicit InsideTest(const MultiPolygon& polygons);
+
+    [[nodiscard]] bool operator()(Point point) const;
+
+  private:
+    struct Edge {
+        Point a, b;
+        std::uint32_t polygon, ring;  // ring 0 is the outer one
+    };
+
+    [[nodiscard]] std::size_t band(double y) const;
+
+    double south_ = 0, north_ = 0, height_ = 1;
+    std::vector<Edge> edges_;            // by polygon and ring
+    std::vector<std::size_t> begins_;    // of each band in `listed_`, and the end of the last
+    std::vector<std::uint32_t> listed_;  // edges that cross each band, in their order
+};
+
+struct Segment {
+    Point from, to;  // never equal
+};
+
+/// Finds the segment nearest to a point among many with a tree of bounding boxes, halved at the medians of the
+/// segments. The distance equals that of comparing with every segment, to the bit.
+class NearestSegment {
+  public:
+    NearestSegment() = default;
+    explicit NearestSegment(std::vector<Segment> segments);
+
+    [[nodiscard]] const std::vector<Segment>& segments() const noexcept { return segments_; }
+    /// Returns the square of the distance; infinite if there is no segment.
+    [[nodiscard]] double square_of_distance(Point point) const;
+
+  private:
+    struct Box {
+        Bounds bounds;
+        std::size_t first, last;              // segments
+        std::array<std::size_t, 2> halves{};  // child boxes; both 0: none
+    };
+
+    std::size_t build(std::size_t first, std::size_t last);
+    void search(std::size_t box, Point point, double& nearest) const;
+
+    std::vector<Segment> segments_;
+    std::vector<Box> boxes_;
+};
 
 }  // namespace frana

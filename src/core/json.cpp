@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/utf8.h"
+#include "core/text.h"
 
 namespace frana {
 namespace {

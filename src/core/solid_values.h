@@ -4,7 +4,7 @@
 namespace frana {
 
 /// Material of the structured model's solids, each property of which may vary from place to place; for the scene file's
-/// keys (params/keys/solid_keys.h) and the model alike.
+/// keys (params/keys/material_parameters.h) and the model alike.
 struct SolidValues {
     double solid_fraction = 0.5;   ///< alpha_s of solids with pore fluid [-]
     double confined_fraction = 1;  ///< f_fc, confined fraction of the pore fluid [-]

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 
 namespace frana::facade {
 

@@ -1,25 +1,367 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "facade/prepare_scene.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <numbers>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "analysis/gaussian_field.h"
-#include "analysis/terrain_sanity.h"
+#include "analysis/ground_statistics.h"
+#include "analysis/trace.h"
 #include "core/error.h"
-#include "core/shortest_text.h"
-#include "facade/prepare_areas.h"
-#include "facade/prepare_inflows.h"
-#include "facade/prepare_recording.h"
-#include "facade/presets.h"
-#include "facade/values_in_place.h"
-#include "params/scene/read_keys.h"
-#include "simulation/scene_origin.h"
+#include "core/text.h"
+#include "facade/particle_count.h"
+#include "facade/scene.h"
+#include "facade/scene_data.h"
+#include "params/keys/laws.h"
+#include "params/keys/scene_spec.h"
+#include "params/keys/zone_keys.h"
+#include "params/scene/scene_reader.h"
+#include "simulation/inflow.h"
+#include "simulation/release.h"
+#include "simulation/run_check.h"
+#include "simulation/scene.h"
 #include "simulation/scene_values.h"
-#include "simulation/structured_check.h"
 
 namespace frana::facade {
 namespace {
+
+std::string name_of(const Release& release, std::size_t index) {
+    return "release " + (release.name.empty() ? std::to_string(index + 1) : release.name);
+}
+
+std::string extent_of(const Bounds& box) {
+    return "west " + shortest_text(box.west) + " south " + shortest_text(box.south) + " east " +
+           shortest_text(box.east) + " north " + shortest_text(box.north);
+}
+
+frana::Ring ring_of(const Ring& points) {
+    frana::Ring ring;
+    for (const Point& p : points) ring.push_back({p.x, p.y});
+    return ring;
+}
+
+MultiPolygon outline_of(const Release& release, const GridSpec& grid) {
+    if (release.outline.empty() && !release.thicknesses.empty())
+        return outlines_where_positive(grid, release.thicknesses.cells);
+    MultiPolygon outline;
+    for (const Polygon& polygon : release.outline) {
+        frana::Polygon& own = outline.emplace_back();
+        own.outer = ring_of(polygon.outer);
+        for (const Ring& hole : polygon.holes) own.holes.push_back(ring_of(hole));
+    }
+    return outline;
+}
+
+bool check_outline(const MultiPolygon& outline, const GridSpec& grid, const std::string& where, Problems& problems) {
+    for (const frana::Polygon& polygon : outline) {
+        const bool finite = std::all_of(polygon.outer.begin(), polygon.outer.end(),
+                                        [](const frana::Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+        if (finite && polygon.outer.size() >= 3 && area(polygon) > 0) continue;
+        problems.add({"has an outline without area", where, "", "", "Give at least three points that are not in line"});
+        return false;
+    }
+    const Bounds box = bounds(outline), map = grid.bounds();
+    if (box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north) return true;
+    problems.add({"reaches beyond the terrain", where, extent_of(box), extent_of(map),
+                  "Check the coordinates of both, or give a larger terrain"});
+    return false;
+}
+
+/// A number of the scene by the rule of the key that gives it in a file.
+bool check_number(const std::string& key, double value, const std::string& where, Problems& problems) {
+    std::optional<frana::Problem> problem = problem_of_key(key, shortest_text(value));
+    if (!problem) return true;
+    problem->where = where;
+    problems.add(*problem);
+    return false;
+}
+
+void check_thickness(double thickness, const std::string& where, Problems& problems) {
+    if (thickness >= k_least_thickness && thickness <= k_most_thickness) return;
+    problems.add(
+        {std::string("would be ") + (thickness > k_most_thickness ? "thicker" : "thinner") + " than any landslide",
+         where, shortest_text(thickness) + " m",
+         shortest_text(k_least_thickness) + " to " + shortest_text(k_most_thickness) + " m",
+         "Check the unit and the sign"});
+}
+
+bool check_thicknesses(std::span<const double> cells, const std::string& where, Problems& problems) {
+    double least = 0, greatest = 0;
+    for (const double t : cells) {
+        if (t < least) least = t;
+        if (t > greatest) greatest = t;
+    }
+    if (least < 0) {
+        problems.add({"the thickness is negative", where, shortest_text(least) + " m", "0 or more",
+                      "The difference after minus before has the wrong sign; where there is no data give NaN"});
+    } else if (!(greatest > 0)) {
+        problems.add({"nothing is released: the thickness is nowhere positive", where, "", "", "Check its cells"});
+    } else {
+        if (greatest > k_most_thickness) check_thickness(greatest, where, problems);
+        return greatest <= k_most_thickness;
+    }
+    return false;
+}
+
+/// The areas that fail, checked. Cells without outline get one; thicknesses by cells have the volume of the cells.
+std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid,
+                                       Problems& problems) {
+    std::vector<ReleaseArea> areas;
+    if (data.release.empty() && data.inflows.empty())
+        problems.add({"nothing is released", "scene", "", "", "Add an area of release or an inflow"});
+    for (std::size_t i = 0; i < data.release.size(); ++i) {
+        const Release& release = data.release[i];
+        const std::string where = name_of(release, i);
+        ReleaseArea own;
+        own.name = release.name;
+        own.volume = release.volume;
+        set_uniform_details(spec.release, own);
+        if (release.volume && release_volume_of(spec.release))
+            problems.add({"contradicts release.volume, the volume of all areas", where + ": volume",
+                          shortest_text(*release.volume) + " m3", "", "Keep one of the two"});
+        const bool has_volume =
+            release.volume && check_number("release.volume", *release.volume, where + ": volume", problems);
+        if (release.thicknesses.empty()) {
+            if (check_number("release.thickness", release.thickness, where, problems))
+                check_thickness(release.thickness, where, problems);
+            own.thickness = release.thickness;
+        } else if (check_thicknesses(release.thicknesses.cells, where, problems)) {
+            own.thickness_raster = raster_in_place(grid, release.thicknesses);
+        } else {
+            continue;
+        }
+        own.outline = outline_of(release, grid);
+        if (own.outline.empty()) problems.add({"has no outline", where, "", "", "Give one, or thicknesses by cell"});
+        if (own.outline.empty() || !check_outline(own.outline, grid, where, problems)) continue;
+        if (has_volume) check_thickness(*release.volume / area(own.outline), where + ": volume", problems);
+        check_particle_count(area(own.outline) * spec.numerics.particles_per_cell / grid.cell_area(), where, problems);
+        if (own.thickness_raster && !own.volume && !spec.release.volume && !own.normal_to_bed) {
+            // Interpolated at its edge, a raster would lose volume.
+            MultiPolygon local = own.outline;
+            const auto move = [&](frana::Ring& ring) {
+                for (frana::Point& p : ring) p = grid.local_from_map(p);
+            };
+            for (frana::Polygon& polygon : local) {
+                move(polygon.outer);
+                for (frana::Ring& hole : polygon.holes) move(hole);
+            }
+            if (const double volume = volume_in_cells(*own.thickness_raster, grid.cell_size, local); volume > 0)
+                own.volume = volume;
+        }
+        areas.push_back(std::move(own));
+    }
+    return areas;
+}
+
+/// The values of [zones], checked, in the units of the engine.
+MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid, Problems& problems) {
+    MaterialZones zones;
+    const std::vector<const Law*> laws = laws_of(spec);
+    for (const ZoneKey& key : zone_keys()) {
+        const auto found = data.by_place.find(key.name);
+        if (found == data.by_place.end()) continue;
+        const Values& values = found->second;
+        if (readers_of(key.name, laws).empty())
+            problems.add({"gives the " + key.what + ", which the scene's laws do not use", key.name, "", "",
+                          "Set " + selected_by(readers_of(key.name)) + ", or remove the values"});
+        double greatest = -HUGE_VAL;
+        for (const double value : values.cells) {
+            if (std::isnan(value)) continue;
+            greatest = std::max(greatest, value);
+            if (key.range.has(value)) continue;
+            problems.add({"is out of range", key.name, shortest_text(value) + " " + key.unit, key.range.text(),
+                          "NaN where the value of the material applies"});
+            break;
+        }
+        const auto tangent = [](double degrees) { return std::tan(degrees * std::numbers::pi / 180); };
+        for (const Law* law : laws) {
+            const double friction = key.degrees() ? tangent(greatest) : greatest;
+            if (key.what != "friction" || !(friction > law->greatest_friction)) continue;
+            problems.add({"the friction is too large for the law " + law->word, key.name, shortest_text(friction),
+                          "0 to " + shortest_text(law->greatest_friction), "The law is not defined above that"});
+        }
+        const auto* const zone = std::find_if(std::begin(k_zone_rasters), std::end(k_zone_rasters),
+                                              [&](const ZoneRaster& raster) { return raster.what == key.what; });
+        std::optional<frana::Raster>& target = zones.*zone->raster;
+        if (target)
+            problems.add({"contradicts another key of [zones]: both give the " + key.what, key.name, "", "",
+                          "Keep one of the two"});
+        const Change to_tangents = [tangent](const CellWindow& window, double* of) {
+            for (std::int64_t cell = 0; cell < window.rows * window.columns; ++cell) of[cell] = tangent(of[cell]);
+        };
+        target = raster_in_place(grid, values, key.degrees() ? to_tangents : Change());
+    }
+    return zones;
+}
+
+bool is_amount(double value) {
+    return value >= 0 && value <= k_most_of_hydrograph;
+}
+
+bool check_line(const std::vector<Point>& line, const std::string& where, Problems& problems) {
+    const bool finite =
+        std::all_of(line.begin(), line.end(), [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+    if (finite && line.size() >= 2) return true;
+    problems.add({"has no line", where, std::to_string(line.size()) + " points", "2 or more, finite",
+                  "Give the points of a line"});
+    return false;
+}
+
+bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std::string& where, Problems& problems) {
+    if (hydrograph.size() < 2) {
+        problems.add({"the hydrograph has fewer than two rows", where, std::to_string(hydrograph.size()), "2 or more",
+                      "Give its start and its end"});
+        return false;
+    }
+    bool flows = false;
+    double before = 0;
+    for (const HydrographPoint& point : hydrograph) {
+        const double speed = point.velocity.value_or(0);
+        if (!is_amount(point.time) || !is_amount(point.discharge) || !is_amount(speed)) {
+            problems.add({"the hydrograph is out of range", where,
+                          shortest_text(point.time) + " s, " + shortest_text(point.discharge) + " m3/s, " +
+                              shortest_text(speed) + " m/s",
+                          "0 to " + shortest_text(k_most_of_hydrograph), "Correct it"});
+            return false;
+        }
+        if (point.time < before) {
+            problems.add({"the times of the hydrograph fall", where, shortest_text(point.time) + " s",
+                          shortest_text(before) + " s or later", "Sort it by time"});
+            return false;
+        }
+        if (point.discharge > 0 && point.velocity && !(speed > 0)) {
+            problems.add({"the hydrograph has a discharge without velocity", where,
+                          "at " + shortest_text(point.time) + " s", "greater than 0 m/s",
+                          "Correct it, or give none for the critical speed"});
+            return false;
+        }
+        flows = flows || point.discharge > 0;
+        before = point.time;
+    }
+    if (!flows) problems.add({"the hydrograph has no discharge", where, "", "", "Give a discharge above zero"});
+    return flows;
+}
+
+/// The inflows, checked as frana run checks those of files; where they lie on the ground is checked by the engine.
+std::vector<frana::Inflow> inflows_of(const Scene::Data& data, const SceneSpec& spec, Problems& problems) {
+    constexpr double k_turn = 360;
+    std::vector<frana::Inflow> inflows;
+    for (std::size_t i = 0; i < data.inflows.size(); ++i) {
+        const Inflow& inflow = data.inflows[i];
+        const std::string where = "inflow " + std::to_string(i + 1);
+        frana::Inflow own;
+        for (const Point& p : inflow.line) own.line.push_back({p.x, p.y});
+        if (inflow.direction) {
+            if (!(*inflow.direction >= 0 && *inflow.direction <= k_turn))
+                problems.add({"is out of range", where + ": direction", shortest_text(*inflow.direction) + " degrees",
+                              "0 to " + shortest_text(k_turn), "Count clockwise from north"});
+            own.azimuth = *inflow.direction * std::numbers::pi / 180;
+        }
+        if (!check_line(inflow.line, where, problems) || !check_hydrograph(inflow.hydrograph, where, problems))
+            continue;
+        const double length = length_of(own.line);
+        for (const HydrographPoint& point : inflow.hydrograph) {
+            const double critical = critical_speed(spec.numerics.gravity, point.discharge, length);
+            own.hydrograph.push_back({point.time, point.discharge, point.velocity.value_or(critical)});
+        }
+        inflows.push_back(std::move(own));
+    }
+    return inflows;
+}
+
+/// Refuses inflows with more particles than can be counted. Needs the grid, the numerics and the end of the scene.
+void check_inflow_counts(const frana::Scene& scene, Problems& problems) {
+    for (std::size_t i = 0; i < scene.inflows.size(); ++i)
+        check_particle_count(particles_of(scene.inflows[i], lattice_spacing(scene), scene.time.end),
+                             "inflow " + std::to_string(i + 1), problems);
+}
+
+/// Refuses a place that no cell contains; NaN too.
+void check_inside(const std::vector<Point>& places, const std::string& where, const GridSpec& grid,
+                  Problems& problems) {
+    const Bounds map = grid.bounds();
+    for (const Point& p : places) {
+        if (p.x >= map.west && p.x <= map.east && p.y >= map.south && p.y <= map.north) continue;
+        problems.add({"lies outside the terrain", where, shortest_text(p.x) + ", " + shortest_text(p.y),
+                      "west " + shortest_text(map.west) + " south " + shortest_text(map.south) + " east " +
+                          shortest_text(map.east) + " north " + shortest_text(map.north),
+                      "Check the coordinates of both, or give a larger terrain"});
+        return;
+    }
+}
+
+/// Names what is to be recorded: each has its own.
+class Names {
+  public:
+    Names(std::string what, Problems& problems) : what_(std::move(what)), problems_(problems) {}
+    std::string next(const std::string& given) {
+        ++count_;
+        std::string name = given.empty() ? std::to_string(count_) : given;
+        if (!names_.insert(name).second)
+            problems_.add({"two have the same name", what_, name, "", "Give each a unique name"});
+        return name;
+    }
+
+  private:
+    std::string what_;
+    Problems& problems_;
+    std::set<std::string> names_;
+    std::size_t count_ = 0;
+};
+
+/// The gauges and cross-sections, checked as frana run checks those of files.
+Recording recording_of(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid, Problems& problems) {
+    Recording recording;
+    Names gauges("gauges", problems), sections("cross-sections", problems);
+    for (const Gauge& gauge : data.gauges) {
+        const std::string name = gauges.next(gauge.name);
+        check_inside({gauge.place}, "gauge " + name, grid, problems);
+        recording.gauges.push_back({name, {gauge.place.x, gauge.place.y}});
+    }
+    for (const CrossSection& section : data.sections) {
+        const std::string name = sections.next(section.name), where = "cross-section " + name;
+        if (section.line.size() < 2)
+            problems.add({"has no line", where, std::to_string(section.line.size()) + " points", "2 or more",
+                          "Give the points of a line"});
+        check_inside(section.line, where, grid, problems);
+        frana::CrossSection& own = recording.sections.emplace_back(frana::CrossSection{name, {}});
+        for (const Point& p : section.line) own.line.push_back({p.x, p.y});
+    }
+    recording.interval = spec.output.sample_interval.value_or(0);
+    recording.normal_depth = spec.output.depth == k_normal_depth;
+    return recording;
+}
+
+namespace fs = std::filesystem;
+
+/// Returns the folder of material presets: that of FRANA_SHARE, else the one installed with this library. Throws
+/// Error(environment) if there is none.
+std::string presets_directory() {
+    if (const char* named = std::getenv("FRANA_SHARE"); named != nullptr && *named != '\0')
+        return (fs::path(named) / "materials").string();
+    // PREFIX/lib/libfrana.so, PREFIX/lib/x86_64-linux-gnu/libfrana.so, PREFIX/lib/python3/dist-packages/frana/...
+    Dl_info here{};
+    std::error_code error;
+    if (dladdr(reinterpret_cast<const void*>(&presets_directory), &here) != 0 && here.dli_fname != nullptr) {
+        const fs::path library = fs::canonical(here.dli_fname, error);
+        for (fs::path folder = library.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+            for (const char* share : {"share/frana/materials", "share/materials"})
+                if (fs::is_directory(folder / share, error)) return (folder / share).string();
+    }
+    throw frana::Error(ErrorKind::environment, frana::Problem{"the share folder with the material presets is missing",
+                                                              here.dli_fname == nullptr ? "frana" : here.dli_fname, "",
+                                                              "", "Set FRANA_SHARE to it"});
+}
 
 /// Keys of scene files for which a scene in memory has values.
 std::vector<std::string> given_otherwise(const Scene::Data& data) {

@@ -3,13 +3,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/inside_test.h"
+#include "core/geometry.h"
 #include "core/json.h"
 #include "facade/guarded.h"
 #include "facade/result_data.h"
 #include "params/keys/result_rasters.h"
-#include "simulation/raster_of_row.h"
 #include "simulation/run_summary.h"
+#include "simulation/run_values.h"
 
 namespace frana::facade {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "core/zero_array.h"
 #include "mpm/node_grid.h"
-#include "mpm/node_tiles.h"
 #include "particles/tile_order.h"
 
 namespace frana {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "mpm/curvature.h"
-#include "mpm/node_tiles.h"
+#include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
-#include "mpm/particle_shape.h"
+#include "mpm/particle_update.h"
 #include "mpm/shape.h"
 
 namespace frana {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "mpm/node_grid.h"
-#include "mpm/node_tiles.h"
 
 namespace frana {
 

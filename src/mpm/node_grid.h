@@ -11,9 +11,53 @@
 
 #include "core/raster.h"
 #include "core/zero_array.h"
-#include "mpm/node_record.h"
+#include "particles/tile_order.h"
 
 namespace frana {
+
+// A node's record of one cache line, whose slots have a different meaning in each phase of a step. Each half is loaded
+// at once by a fast kernel; `mass` is the same in all phases.
+
+/// Sums over particles.
+struct alignas(64) NodeSums {
+    double px, py;           ///< momentum, along the bed if particles carry it so [m4/s]
+    double bed_squares;      ///< area times squared elevation of the bed relative to the node's bed [m4]
+    double surface_squares;  ///< the same of the particles' surface; both only with reference levels
+    double mass;             ///< volume: density is constant and divided out [m3]
+    double area;             ///< area that the particles claim [m2]
+    double area_bed;         ///< area times elevation of the bed relative to the node's bed [m3]; with reference levels
+                             ///< only
+    double unused;
+};
+
+/// Forces on the node.
+struct alignas(64) NodeForces {
+    double px, py;    ///< momentum in map view [m4/s]
+    double fx, fy;    ///< force over density [m4/s2]
+    double mass;      ///< [m3]
+    double area;      ///< [m2]
+    double crowding;  ///< see crowding(), 0 without reference levels
+    double held;      ///< 1: friction keeps the node at rest
+};
+
+/// Results that the particles gather; kept until the node is cleared.
+struct alignas(64) NodeMotion {
+    double u, v;            ///< velocity in map view [m/s]
+    double back_u, back_v;  ///< velocity, along the bed if particles carry it so, or, with FLIP, its change [m/s]
+    double mass;            ///< [m3]
+    double fraction;        ///< of the cell that the particles claim, phi [-]
+    double climb;           ///< v . grad Z [m/s], only with curvature
+    double support;         ///< NodeLevel::support
+};
+
+/// The phase of the records of a grid.
+enum class NodePhase { sums, forces, motion };
+
+union NodeRecord {
+    NodeSums sums;
+    NodeForces forces;
+    NodeMotion motion;
+};
 
 /// Nodes outside the terrain on every side: a particle in the outermost half cell reaches one of them.
 inline constexpr std::int64_t k_ghost = 2;
@@ -237,5 +281,37 @@ class NodeGrid {
     ZeroArray<std::uint8_t> solid_;
     std::unique_ptr<Demand> demand_;  // null: the terrain was read as a whole
 };
+
+/// The padded index range [i0, i1) x [j0, j1) of a tile's nodes; each node belongs to exactly one tile.
+struct NodeRange {
+    std::int64_t i0, i1, j0, j1;
+
+    NodeRange(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes) noexcept
+        : i0(within(tile % tiles.tiles_x() * k_tile - tiles.before_x(), nodes.stride())),
+          i1(within((tile % tiles.tiles_x() + 1) * k_tile - tiles.before_x(), nodes.stride())),
+          j0(within(tile / tiles.tiles_x() * k_tile - tiles.before_y(), nodes.padded_rows())),
+          j1(within((tile / tiles.tiles_x() + 1) * k_tile - tiles.before_y(), nodes.padded_rows())) {}
+
+    /// Calls visit(index, i, j) for every node, i and j padded.
+    template <class Visit>
+    void for_each(std::int64_t stride, const Visit& visit) const {
+        for (std::int64_t j = j0; j < j1; ++j) {
+            for (std::int64_t i = i0; i < i1; ++i) visit(static_cast<std::size_t>(j * stride + i), i, j);
+        }
+    }
+
+  private:
+    static std::int64_t within(std::int64_t node, std::int64_t count) noexcept {
+        return std::clamp<std::int64_t>(node, 0, count);
+    }
+};
+
+/// Zeroes the records of one tile's nodes, in any phase.
+inline void clear_nodes(const NodeRange& range, NodeGrid& nodes) {
+    for (std::int64_t j = range.j0; j < range.j1; ++j) {
+        NodeRecord* row = nodes.records.data() + j * nodes.stride();
+        std::fill(row + range.i0, row + range.i1, NodeRecord{});
+    }
+}
 
 }  // namespace frana

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/along_bed.h"
+#include "mpm/curvature.h"
 #include "mpm/node_grid.h"
 #include "mpm/shape.h"
 #include "particles/particle_set.h"

@@ -4,15 +4,53 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
+#include "core/zero_array.h"
 #include "mpm/curvature.h"
 #include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_report.h"
-#include "mpm/node_tiles.h"
 #include "mpm/shown_depth.h"
 
 namespace frana {
+
+/// Returns the stable time step [s]. The paper's (22) bounds only |v| dt / dx and would allow any step at rest; here:
+///   - wave: nothing travels more than cfl cells, with w = max(|v| + sqrt(g h)) and the increase by gravity within the
+///     step,
+///     (w + g dt) dt <= cfl dx;
+///   - in-plane viscosity, explicit in two dimensions: dt <= dx^2 / (4 D), D = (2 mu + tau_Y / sqrt(I2)) / rho.
+inline double stable_step(double cell_size, double cfl, double wave_speed, double gravity,
+                          double diffusivity) noexcept {
+    const double reach = cfl * cell_size;
+    double dt = 2 * reach / (wave_speed + std::sqrt(wave_speed * wave_speed + 4 * gravity * reach));
+    if (diffusivity > 0) dt = std::min(dt, 0.25 * cell_size * cell_size / diffusivity);
+    return dt;
+}
+
+/// Maxima of each node over time, updated at every step. Padded as the nodes are.
+struct Maxima {
+    ZeroArray<double> depth;           ///< [m]; 0: never reached
+    ZeroArray<double> speed;           ///< along the bed [m/s]
+    ZeroArray<double> arrival_plus_1;  ///< first time reached, plus one so that zero means never [s]
+
+    static constexpr std::size_t k_bytes = 3 * sizeof(double);  ///< per node
+
+    Maxima() = default;
+    explicit Maxima(std::size_t size) : depth(size), speed(size), arrival_plus_1(size) {}
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [h, v, arrival] = *this;
+        archive(h, v, arrival);
+    }
+
+    void update(std::size_t node, double node_depth, double node_speed, double time) noexcept {
+        depth[node] = std::max(depth[node], node_depth);
+        speed[node] = std::max(speed[node], node_speed);
+        if (arrival_plus_1[node] == 0) arrival_plus_1[node] = time + 1;
+    }
+};
 
 /// Effect of steep terrain in the map-plane equations (share/doc/model.md, "Unknowns"), as compile-time choices.
 struct GentleSlope {

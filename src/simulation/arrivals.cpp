@@ -2,6 +2,12 @@
 #include "simulation/arrivals.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "analysis/separate_flows.h"
+#include "simulation/flow.h"
+#include "simulation/stepped_run.h"
+#include "simulation/structured_flow.h"
 
 namespace frana {
 
@@ -41,5 +47,85 @@ std::size_t Arrivals::particles_left() const {
     for (const InflowSource& source : sources_) count += source.particles_left();
     return count;
 }
+
+namespace {
+
+constexpr double k_least_volume = 0.01;  // of the greatest release
+
+struct Group {
+    double volume = 0, x = 0, y = 0;  // sums over its cells
+};
+
+std::vector<Group> groups_of(const Raster& depth) {
+    const SeparateFlows releases(depth, depth);
+    std::vector<Group> groups(releases.count());
+    const GridSpec& grid = depth.grid;
+    depth.values.for_each_stored([&](std::size_t cell, double metres) {
+        if (!(metres > 0)) return;
+        const auto n = static_cast<std::int64_t>(cell);
+        const Point at = grid.local_from_map(grid.cell_centre(n / grid.columns, n % grid.columns));
+        Group& group = groups[releases.flow_of(cell)];
+        group.volume += metres;
+        group.x += metres * at.x;
+        group.y += metres * at.y;
+    });
+    return groups;
+}
+
+}  // namespace
+
+FrontOrigins::FrontOrigins(const Release& release, const Arrivals& arrivals) {
+    if (release.volume > 0) {
+        const std::vector<Group> groups = groups_of(release.depth);
+        double greatest = 0;
+        for (const Group& group : groups) greatest = std::max(greatest, group.volume);
+        for (const Group& group : groups)
+            if (group.volume >= k_least_volume * greatest)
+                places_.push_back({group.x / group.volume, group.y / group.volume});
+        // The particles' own, where there is one.
+        if (places_.size() == 1) places_.front() = release.centroid;
+    }
+    for (const InflowSource& source : arrivals.sources()) places_.push_back(source.midpoint());
+    std::stable_sort(places_.begin(), places_.end(), [](Point a, Point b) { return a.x < b.x; });
+}
+
+double FrontOrigins::squared_distance(Point place) const noexcept {
+    const auto squared = [&](Point origin) {
+        const double x = place.x - origin.x, y = place.y - origin.y;
+        return x * x + y * y;
+    };
+    if (single()) return squared(places_.front());
+    const auto too_far = [&](Point origin, double least) {
+        const double x = place.x - origin.x;
+        return x * x > least;
+    };
+    auto right =
+        std::lower_bound(places_.begin(), places_.end(), place.x, [](Point origin, double x) { return origin.x < x; });
+    auto left = right;
+    double least = HUGE_VAL;
+    for (; right != places_.end() && !too_far(*right, least); ++right) least = std::min(least, squared(*right));
+    for (; left != places_.begin() && !too_far(*std::prev(left), least); --left)
+        least = std::min(least, squared(*std::prev(left)));
+    return least;
+}
+
+void set_origins(Flow& flow, const FrontOrigins& origins) {
+    flow.set_origin(origins.first());
+}
+
+void set_origins(StructuredFlow& flow, const FrontOrigins& origins) {
+    flow.set_origins(origins);
+}
+
+void measure_front(const Flow& flow, const FrontOrigins& origins, StepStatistics& statistics) {
+    if (origins.single()) return;
+    const ParticleSet& particles = flow.particles();
+    double farthest = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        farthest = std::max(farthest, origins.squared_distance({particles[Field::x][p], particles[Field::y][p]}));
+    statistics.front_distance = std::sqrt(farthest);
+}
+
+void measure_front(const StructuredFlow&, const FrontOrigins&, StepStatistics&) {}
 
 }  // namespace frana

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mpm/bed_states.h"
+#include "mpm/bed_exchange.h"
 #include "physics/friction_chezy.h"
 #include "physics/friction_cohesion.h"
 #include "physics/friction_coulomb.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "mpm/shape.h"
-#include "mpm/stable_step.h"
 #include "mpm/update_nodes.h"
 #include "simulation/dispatch.h"
 #include "simulation/dispatch_bed.h"

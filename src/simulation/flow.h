@@ -7,8 +7,8 @@
 #include "core/raster.h"
 #include "core/thread_pool.h"
 #include "models/voellmy_bingham/step.h"
-#include "mpm/maxima.h"
-#include "mpm/node_tiles.h"
+#include "mpm/node_grid.h"
+#include "mpm/update_nodes.h"
 #include "simulation/dispatch.h"
 #include "simulation/scene.h"
 

@@ -8,18 +8,55 @@
 #include <utility>
 
 #include "analysis/ground_statistics.h"
+#include "core/raster.h"
+#include "mpm/node_grid.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/flow.h"
 #include "simulation/particle_table.h"
 #include "simulation/release.h"
-#include "simulation/result_cells.h"
-#include "simulation/step_statistics.h"
+#include "simulation/scene.h"
+#include "simulation/stepped_run.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
 #include "simulation/terrain_sample.h"
 
 namespace frana {
+// Corrections of the rasters of a run before they are returned.
+
 namespace {
+
+/// A wall's cell contains no material, though the nodes there gather a fraction of particles beside it.
+void hide_walls(const Scene& scene, Raster& raster) {
+    if (!scene.walls || raster.values.empty()) return;
+    scene.walls->values.for_each_stored([&](std::size_t cell, double wall) {
+        if (wall == 1 && !std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = k_no_data;
+    });
+}
+
+/// Returns the dynamic pressure [kPa] of a speed [m/s].
+Raster pressure_kpa(const Raster& speed, double density) {
+    Raster pressure = speed;
+    pressure.values.change_each_stored([&](std::size_t, double& value) { value = density * value * value / 1000; });
+    return pressure;
+}
+
+/// Removes non-finite values from the maps of a run that ended with some.
+void hide_non_finite(Raster& raster) {
+    raster.values.change_each_stored([](std::size_t, double& value) {
+        if (!std::isfinite(value)) value = k_no_data;
+    });
+}
+
+/// For terrain read on demand: reads the elevations under all cells that the nodes have covered.
+void read_ground_under(const NodeGrid& nodes, const Raster& terrain, const Raster& bed) {
+    if (!nodes.is_on_demand()) return;
+    nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+        for (const std::int64_t column : {i0, i1 - 1}) {
+            static_cast<void>(bed.at(bed.grid.rows - 1 - j, column));
+            static_cast<void>(terrain.at(terrain.grid.rows - 1 - j, column));
+        }
+    });
+}
 
 StepStatistics statistics_of(const voellmy_bingham::StepReport& report) {
     StepStatistics f;

@@ -1,20 +1,118 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <optional>
 
 #include "simulation/arrivals.h"
-#include "simulation/energy_watch.h"
-#include "simulation/front_origins.h"
 #include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/result.h"
 #include "simulation/run_check.h"
 #include "simulation/scene.h"
 #include "simulation/settling.h"
-#include "simulation/stopping.h"
+#include "simulation/stepped_run.h"
 
 namespace frana {
+
+/// Checks that a flow gains no energy by numerical errors. Motion under gravity and friction alone conserves
+///
+///     E = kinetic energy along the bed + potential energy + energy dissipated by friction so far;
+///
+/// numerical errors may dissipate, never add. error() is the greatest rise of E over an earlier value, relative to the
+/// greatest kinetic energy plus the dissipation by then, which is the work of gravity. Velocities lag half a step
+/// behind positions: a step's kinetic energy is the mean of before and after, and half of its dissipation is counted
+/// before. Steps between which volume entered or left (release, inflow, open edges, erosion) are excluded.
+class EnergyWatch {
+  public:
+    void add(const StepStatistics& statistics) {
+        if (std::isnan(statistics.energy)) return;
+        const double now = statistics.energy, volume = statistics.energy_volume;
+        const double half = 0.5 * statistics.energy_dissipated;
+        if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_)
+            balance_ += now - energy_ + half_dissipated_ + half;
+        dissipated_ += statistics.energy_dissipated;
+        lowest_ = std::min(lowest_, balance_);
+        rise_ = std::max(rise_, balance_ - lowest_);
+        turned_over_ = std::max(turned_over_, statistics.energy_moving + dissipated_);
+        energy_ = now;
+        half_dissipated_ = half;
+        volume_ = volume;
+        known_ = true;
+    }
+    /// None if nothing moved, or if the model does not report energy.
+    [[nodiscard]] std::optional<double> error() const {
+        if (!(turned_over_ > 0)) return std::nullopt;
+        return rise_ / turned_over_;
+    }
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [known, energy, half, volume, balance, lowest, rise, dissipated, turned] = *this;
+        archive(known, energy, half, volume, balance, lowest, rise, dissipated, turned);
+    }
+
+  private:
+    static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
+
+    bool known_ = false;
+    double energy_ = 0, half_dissipated_ = 0, volume_ = 0;  ///< of the previous step
+    double balance_ = 0, lowest_ = 0, rise_ = 0;            ///< of E, relative to the start [m5/s2]
+    double dissipated_ = 0, turned_over_ = 0;
+};
+
+// Conditions that end a run before its end time.
+
+// Determines when a flow has come to rest: at once if nothing moves, otherwise if for some time neither a cell deeper
+// than the minimum nor the root of the whole flow's mean squared speed, however thin, exceeded a creep speed (a mass
+// that barely overcomes friction exceeds it within that time).
+class StillWatch {
+  public:
+    bool still(const StepStatistics& now) {
+        const double mean = now.volume > 0 ? std::sqrt(2 * now.kinetic / now.volume) : 0;
+        const double speed = std::max(now.max_speed, mean);
+        frozen_ = speed > 0 ? 0 : frozen_ + 1;
+        crawling_ = speed > k_crawl ? 0 : crawling_ + now.dt;
+        return frozen_ >= k_frozen_steps || crawling_ >= k_while;
+    }
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [frozen, crawling] = *this;
+        archive(frozen, crawling);
+    }
+
+  private:
+    static constexpr double k_crawl = 0.01;  // [m/s]
+    static constexpr double k_while = 5;     // [s]
+    static constexpr int k_frozen_steps = 10;
+    int frozen_ = 0;
+    double crawling_ = 0;
+};
+
+// Determines when a flow's motion has decreased below a scene's limit: kinetic energy, moving volume or momentum below
+// a fraction of its peak. All grow from zero, so none ends a flow that has not begun.
+class FadeWatch {
+  public:
+    explicit FadeWatch(const TimeControl& time) : time_(time) {}
+
+    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_fraction); }
+    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_fraction); }
+    bool momentum(double now) { return under(now, momentum_peak_, time_.stop_momentum); }
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(energy_peak_, moving_peak_, momentum_peak_);
+    }
+
+  private:
+    static bool under(double now, double& peak, double fraction) {
+        peak = std::max(peak, now);
+        return now < fraction * peak;
+    }
+    const TimeControl& time_;
+    double energy_peak_ = 0, moving_peak_ = 0, momentum_peak_ = 0;
+};
 
 class Flow;
 class StructuredFlow;

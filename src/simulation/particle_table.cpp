@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/structured/solid/stress.h"
+#include "models/structured/solid/solid_laws.h"
 #include "mpm/curvature.h"
 
 namespace frana {

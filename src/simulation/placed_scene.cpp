@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "simulation/release.h"
-#include "simulation/scene_origin.h"
+#include "simulation/scene.h"
 
 namespace frana {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/node_tiles.h"
+#include "mpm/node_grid.h"
 #include "mpm/shown_depth.h"
 
 namespace frana {

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "simulation/arrivals.h"
 #include "simulation/release.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
-#include "simulation/step_statistics.h"
+#include "simulation/stepped_run.h"
 
 namespace frana {
+
+/// Returns the problems of a structured material: values that its laws do not describe.
+/// @param where returns where a key was given, for messages
+std::vector<Problem> structured_problems(const StructuredMaterial& material,
+                                         const std::function<std::string(const std::string&)>& where);
 
 /// Returns the greatest speed possible by a fall without friction [m/s]: free fall from the highest surface to the
 /// lowest ground and the front of a dam break of the greatest depth, sqrt(2 g drop) + 2 sqrt(g depth), besides the

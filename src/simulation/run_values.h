@@ -4,11 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "analysis/hazard.h"
 #include "core/words/words.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 
 namespace frana {
+
+/// Returns the class of intensity of every cell that a run reached, NaN elsewhere.
+Raster intensity_classes(const RunResult& result, const HazardScheme& scheme);
+
+/// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
+const Raster* raster_of_row(const RunResult& result, const ResultRaster& row);
 
 /// A value of a run whose error numerics.accuracy estimates.
 struct RunValue {

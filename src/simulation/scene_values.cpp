@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "params/keys/laws.h"
-#include "params/keys/solid_keys.h"
+#include "params/keys/material_parameters.h"
 
 namespace frana {
 namespace {

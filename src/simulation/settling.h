@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulation/front_origins.h"
+#include "simulation/arrivals.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 

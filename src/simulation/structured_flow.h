@@ -7,12 +7,12 @@
 #include "core/raster.h"
 #include "core/thread_pool.h"
 #include "models/structured/step.h"
-#include "mpm/maxima.h"
+#include "mpm/update_nodes.h"
 #include "particles/particle_set.h"
-#include "simulation/front_origins.h"
+#include "simulation/arrivals.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
-#include "simulation/step_statistics.h"
+#include "simulation/stepped_run.h"
 
 namespace frana {
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "study/cell_statistics.h"
+#include "study/openturns/functions.h"
 
 namespace frana::study {
 namespace {
@@ -187,6 +188,32 @@ std::optional<Sentence> few_members(double effective) {
     return worded(
         "The posterior rests on few members (effective number {1}): its intervals are rough. Raise study.refine.",
         {short_number(effective)});
+}
+
+namespace {
+
+constexpr double k_prior_part = 0.2, k_least_width = 0.02;
+
+/// Width of the kernels along each key.
+std::vector<double> kernel_widths(const Places& design, const std::vector<double>& weights) {
+    const std::size_t keys = design.front().size();
+    const double shrink = std::pow(effective_count(weights), -1.0 / (static_cast<double>(keys) + 4));
+    std::vector<double> widths;
+    for (std::size_t k = 0; k < keys; ++k) {
+        double mean = 0, variance = 0;
+        for (std::size_t i = 0; i < design.size(); ++i) mean += weights[i] * design[i][k];
+        for (std::size_t i = 0; i < design.size(); ++i)
+            variance += weights[i] * (design[i][k] - mean) * (design[i][k] - mean);
+        widths.push_back(std::max(k_least_width, std::sqrt(variance) * shrink));
+    }
+    return widths;
+}
+
+}  // namespace
+
+RefinedPlaces refined_places(const Places& design, const std::vector<double>& weights, std::size_t count,
+                             std::int64_t seed) {
+    return openturns().refined(design, weights, kernel_widths(design, weights), k_prior_part, count, seed);
 }
 
 }  // namespace frana::study

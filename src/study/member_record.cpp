@@ -13,11 +13,11 @@
 #include "analysis/ground_statistics.h"
 #include "core/archive.h"
 #include "core/error.h"
-#include "core/file_aside.h"
+#include "core/files.h"
 #include "core/words/words.h"
 #include "simulation/run_check.h"
-#include "simulation/run_intensity.h"
 #include "simulation/run_summary.h"
+#include "simulation/run_values.h"
 #include "simulation/simulation.h"
 
 namespace frana::study {

@@ -9,10 +9,8 @@
 #include <map>
 #include <set>
 
-#include "core/shortest_text.h"
-#include "params/grammar/absolute_path.h"
+#include "core/text.h"
 #include "params/grammar/ini_file.h"
-#include "params/grammar/nearest_name.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/scene_spec.h"
 

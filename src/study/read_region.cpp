@@ -6,12 +6,11 @@
 #include <functional>
 #include <set>
 
-#include "core/shortest_text.h"
-#include "params/grammar/nearest_name.h"
+#include "core/text.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/former_names.h"
+#include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
-#include "study/varied_key.h"
+#include "study/sampling.h"
 
 namespace frana::study {
 namespace {

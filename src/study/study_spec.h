@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/hazard_degree.h"
+#include "analysis/hazard.h"
 
 namespace frana::study {
 

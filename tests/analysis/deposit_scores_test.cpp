@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/deposit_scores.h"
+#include "analysis/scores.h"
 
 #include <gtest/gtest.h>
 

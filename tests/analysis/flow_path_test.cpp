@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/flow_path.h"
+#include "analysis/runout.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/hazard_degree.h"
+#include "analysis/hazard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/high_values.h"
+#include "analysis/ground_statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/line_distance.h"
-#include "core/counted_texts.h"
-#include "core/inside_test.h"
-#include "core/nearest_segment.h"
+#include "analysis/scores.h"
+#include "core/error.h"
+#include "core/geometry.h"
 
 namespace frana {
 namespace {

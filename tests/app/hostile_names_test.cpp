@@ -2,7 +2,7 @@
 // Unusual names of files, folders, gauges and lines by users and their programs, through the whole program.
 #include <chrono>
 
-#include "core/utf8.h"
+#include "core/text.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {

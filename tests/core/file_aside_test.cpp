@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files get their name when they are complete, and leave nothing if they never are.
-#include "core/file_aside.h"
+#include "core/files.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/team_watch.h"
+#include "core/thread_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "analysis/cell_outlines.h"
+#include "analysis/trace.h"
 #include "small_scene.h"
 
 namespace frana::test {

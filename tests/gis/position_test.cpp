@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "gis/crs/crs.h"
+#include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
-#include "gis/raster/rasterize.h"
 #include "gis/vector/vector_in.h"
 #include "support/files.h"
 

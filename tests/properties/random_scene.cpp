@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "simulation/scene_origin.h"
+#include "simulation/scene.h"
 
 namespace frana::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/geometry.h"
 #include "simulation/release.h"
-#include "simulation/scene_origin.h"
+#include "simulation/scene.h"
 #include "simulation/simulation.h"
 
 namespace frana::test {

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/raster.h"
-#include "study/calibration_design.h"
 #include "study/calibration_posterior.h"
 #include "study/distribution_text.h"
 

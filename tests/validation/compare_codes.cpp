@@ -17,8 +17,8 @@
 #include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
 #include "gis/crs/crs.h"
+#include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
-#include "gis/raster/rasterize.h"
 #include "render/map/map2d.h"
 
 namespace frana {

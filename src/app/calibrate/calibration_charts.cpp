@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "app/pictures/chart_sheet.h"
+#include "app/pictures/charts.h"
 #include "app/text/number_text.h"
 #include "params/keys/scene_parameters.h"
 #include "render/map/contours.h"

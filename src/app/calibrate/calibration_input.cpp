@@ -8,7 +8,7 @@
 #include "app/calibrate/event_survey.h"
 #include "app/ensemble/recorded_study.h"
 #include "app/store/recorded_inputs.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "params/grammar/value_text.h"
 
 namespace frana::app {

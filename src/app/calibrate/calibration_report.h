@@ -4,10 +4,16 @@
 #include <string>
 
 #include "app/calibrate/calibration_result.h"
-#include "app/calibrate/calibration_tables.h"
+#include "app/calibrate/publish_calibration.h"
 #include "app/store/result_directory.h"
 
 namespace frana::app {
+
+/// Writes posterior_EVENT.tif for each event: the probability under the posterior that the maximum depth exceeds the
+/// threshold of the survey, with its standard error as second band. The map of it shows the surveyed outline and the
+/// trace of the best member. Returns false if a map could not be drawn, with a warning. Throws Error(environment).
+bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
+                              const CalibrationResult& result, const ResultDirectory& directory, RunLog& log);
 
 /// Returns the title of a calibration's charts and report.
 std::string calibration_title(const CalibrationInput& input);

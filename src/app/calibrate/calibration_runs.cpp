@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "app/ensemble/member_runs.h"
+#include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
-#include "app/store/saved_work.h"
 #include "core/raster.h"
-#include "study/calibration_design.h"
+#include "study/calibration_posterior.h"
 #include "study/cell_statistics.h"
 
 namespace frana::app {

@@ -8,9 +8,8 @@
 
 #include "app/calibrate/calibration_input.h"
 #include "app/calibrate/event_survey.h"
-#include "app/ensemble/member_troubles.h"
 #include "app/ensemble/rank_pool.h"
-#include "app/ensemble/rank_worker.h"
+#include "app/ensemble/study_result.h"
 #include "app/text/run_log.h"
 #include "study/calibration_posterior.h"
 

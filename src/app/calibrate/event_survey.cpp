@@ -5,14 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/deposit_scores.h"
 #include "analysis/runout.h"
 #include "analysis/scores.h"
 #include "analysis/trace.h"
-#include "app/compare/comparison_input.h"
-#include "gis/raster/rasterize.h"
+#include "app/compare/comparison.h"
+#include "gis/raster/footprint.h"
 #include "simulation/release.h"
-#include "simulation/run_statistics.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/line_distance.h"
+#include "analysis/scores.h"
 #include "app/input/prepare.h"
 #include "core/error.h"
 #include "study/calibration_spec.h"

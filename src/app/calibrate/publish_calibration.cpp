@@ -1,24 +1,239 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/calibrate/publish_calibration.h"
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "app/calibrate/calibration_charts.h"
-#include "app/calibrate/calibration_maps.h"
 #include "app/calibrate/calibration_report.h"
-#include "app/calibrate/calibration_tables.h"
 #include "app/ensemble/study_result.h"
 #include "app/input/scene_language.h"
 #include "app/pictures/charts.h"
-#include "app/store/provenance.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "app/text/today.h"
+#include "app/text/version.h"
+#include "core/json.h"
+#include "core/text.h"
 #include "params/grammar/picture_text.h"
 #include "params/scene/write_scene.h"
-#include "render/canvas/drawing_modules.h"
+#include "render/canvas/drawing.h"
 
 namespace frana::app {
+namespace {
+
+/// A stage as a table: everything but the weights follows from the members.
+struct Columns {
+    std::vector<std::string> names;
+    std::vector<std::vector<std::string>> rows;  ///< by member
+};
+
+std::string cell(double value) {
+    return std::isnan(value) ? "" : shortest_text(value);
+}
+
+void add_keys(const study::CalibrationSpec& calibration, const Stage& stage, Columns& to) {
+    const std::size_t shared = calibration.study.vary.size();
+    for (std::size_t k = 0; k < shared; ++k) to.names.push_back(calibration.study.vary[k].key);
+    for (const study::EventSpec& event : calibration.events)
+        for (const study::Variation& one : event.vary)
+            to.names.push_back(column_of(calibration, {one.key, event.name, one.distribution, {}, {}, {}}));
+    for (std::size_t i = 0; i < stage.size(); ++i) {
+        for (std::size_t k = 0; k < shared; ++k) to.rows[i].push_back(stage.tables.front().values[i][k]);
+        for (const study::SampleTable& table : stage.tables)
+            for (std::size_t k = shared; k < table.keys.size(); ++k) to.rows[i].push_back(table.values[i][k]);
+    }
+}
+
+void add_misfits(const study::CalibrationSpec& calibration, const Stage& stage, Columns& to) {
+    for (std::size_t e = 0; e < stage.events.size(); ++e) {
+        const std::string& event = calibration.events[e].name;
+        to.names.push_back("score " + event);
+        for (const study::Weight& one : stage.events[e].measures)
+            to.names.push_back(std::string("misfit ") + row_of(one.measure).name + " " + event);
+    }
+    to.names.emplace_back("engine_seconds");
+    to.names.insert(to.names.end(), std::begin(study::k_end_columns), std::end(study::k_end_columns));
+    to.names.emplace_back("reason");
+    for (std::size_t i = 0; i < stage.size(); ++i) {
+        std::string reason;
+        double seconds = 0;
+        study::MemberEnd worst;  // of the events
+        for (std::size_t e = 0; e < stage.events.size(); ++e) {
+            const MemberOutcome& one = stage.events[e].members[i];
+            const bool finished = one.failure.empty();
+            to.rows[i].push_back(finished ? shortest_text(1 - one.agreement.misfit) : "");
+            for (std::size_t m = 0; m < stage.events[e].measures.size(); ++m)
+                to.rows[i].push_back(finished ? shortest_text(one.agreement.parts[m]) : "");
+            if (!finished) reason += (reason.empty() ? "" : "; ") + calibration.events[e].name + ": " + one.failure;
+            seconds += one.engine_seconds;
+            worst.stop_reason += (e == 0 ? "" : "; ") + one.end.stop_reason;
+            worst.moving_fraction = std::max(worst.moving_fraction, one.end.moving_fraction);
+            worst.left_fraction = std::max(worst.left_fraction, one.end.left_fraction);
+            worst.energy_error = std::fmax(worst.energy_error, one.end.energy_error);
+            worst.warnings.insert(worst.warnings.end(), one.end.warnings.begin(), one.end.warnings.end());
+        }
+        to.rows[i].push_back(shortest_text(seconds));
+        for (std::string& cell : end_values(worst)) to.rows[i].push_back(std::move(cell));
+        to.rows[i].push_back(reason);
+    }
+}
+
+Columns columns_of(const CalibrationInput& input, const Stage& stage, const std::vector<double>* weights) {
+    Columns columns;
+    columns.names = {"member", "status"};
+    if (weights != nullptr) columns.names.emplace_back("weight");
+    columns.names.emplace_back("score");
+    const study::Misfits misfits = stage.misfits();
+    for (std::size_t i = 0; i < stage.size(); ++i) {
+        const double score = score_of(misfits[i]);
+        auto& row = columns.rows.emplace_back();
+        row = {std::to_string(i), std::isnan(score) ? "failed" : "finished"};
+        if (weights != nullptr) row.push_back(shortest_text((*weights)[i]));
+        row.push_back(cell(score));
+    }
+    add_keys(input.spec(), stage, columns);
+    add_misfits(input.spec(), stage, columns);
+    return columns;
+}
+
+std::string line_of(const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+    return text + "\n";
+}
+
+std::string csv_of(const Columns& columns) {
+    std::string text = line_of(columns.names);
+    for (const auto& row : columns.rows) text += line_of(row);
+    return text;
+}
+
+Json json_of(const study::KeyPosterior& key, const std::string& best) {
+    Json json{{"key", key.key}};
+    if (!key.event.empty()) json["event"] = key.event;
+    json["best"] = best;
+    if (key.nominal) {
+        for (const auto& [value, probability] : key.values) json["probabilities"][value] = probability;
+        return json;
+    }
+    json["q05"] = key.low;
+    json["q50"] = key.median;
+    json["q95"] = key.high;
+    json["prior_q05"] = key.prior_low;
+    json["prior_q95"] = key.prior_high;
+    json["width_of_prior"] = key.width;
+    return json;
+}
+
+Json json_of(const CalibrationResult& result, const Explained& one) {
+    if (!one.possible) return nullptr;
+    Json json{{"best_member", one.best}, {"best_score", one.best_score},
+              {"mean_score", one.mean},  {"q05", one.low},
+              {"q95", one.high},         {"effective_members", one.effective}};
+    for (std::size_t k = 0; k < one.posteriors.size(); ++k)
+        json["intervals"].push_back(json_of(one.posteriors[k], result.keys[k].texts[one.best]));
+    return json;
+}
+
+}  // namespace
+
+std::vector<std::string> best_values(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event) {
+    return runs.last().tables[event].overrides(result.best);
+}
+
+std::string posterior_csv(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
+    return csv_of(columns_of(input, runs.last(), &result.weights));
+}
+
+std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event) {
+    const study::SampleTable& table = runs.last().tables[event];
+    Columns columns{{"member", "weight", "score"}, {}};
+    columns.names.insert(columns.names.end(), table.keys.begin(), table.keys.end());
+    const study::Misfits misfits = runs.last().misfits();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        auto& row = columns.rows.emplace_back();
+        row = {std::to_string(i), shortest_text(result.weights[i]),
+               std::isnan(misfits[i][event]) ? "" : shortest_text(1 - misfits[i][event])};
+        row.insert(row.end(), table.values[i].begin(), table.values[i].end());
+    }
+    return csv_of(columns);
+}
+
+std::string design_csv(const CalibrationInput& input, const CalibrationRuns& runs) {
+    return csv_of(columns_of(input, runs.design, nullptr));
+}
+
+std::string calibration_json(const CalibrationInput& input, const CalibrationRuns& runs,
+                             const CalibrationResult& result) {
+    const study::CalibrationSpec& calibration = input.spec();
+    const Stage& stage = runs.last();
+    const study::Misfits misfits = stage.misfits();
+    Json json{{"format", k_result_format},
+              {"members", stage.size()},
+              {"effective_members", result.effective},
+              {"exponent", calibration.exponent},
+              {"exponent_used", result.exponent},
+              {"best_member", result.best},
+              {"best_score", score_of(misfits[result.best])}};
+    Json& objective = json["objective"] = Json::object();
+    for (const study::Weight& one : calibration.objective) objective[row_of(one.measure).name] = one.weight;
+    Json& keys = json["intervals"] = Json::array();
+    for (std::size_t k = 0; k < result.posteriors.size(); ++k)
+        keys.push_back(json_of(result.posteriors[k], result.keys[k].texts[result.best]));
+    Json& pairs = json["indistinct"] = Json::array();
+    for (const study::IndistinctPair& pair : result.indistinct)
+        pairs.push_back({{"first", column_of(calibration, result.keys[pair.first])},
+                         {"second", column_of(calibration, result.keys[pair.second])},
+                         {"correlation", pair.correlation}});
+    Json& events = json["events"] = Json::array();
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventRuns& runs_of_event = stage.events[e];
+        Json event{{"name", calibration.events[e].name},
+                   {"scene", calibration.events[e].members.study.scene},
+                   {"cell_size", runs_of_event.cell_size},
+                   {"fitted", json_of(result, result.events[e].fitted)}};
+        if (runs_of_event.observed_runout > 0) event["observed_runout_m"] = runs_of_event.observed_runout;
+        const MemberAgreement& best = runs_of_event.members[result.best].agreement;
+        for (std::size_t m = 0; m < runs_of_event.measures.size(); ++m)
+            event["best_misfits"][row_of(runs_of_event.measures[m].measure).name] = best.parts[m];
+        if (input.events() > 1) event["leave_one_out"] = json_of(result, result.events[e].predicted);
+        events.push_back(std::move(event));
+    }
+    json["says"] = texts_of(result.sentences);
+    return json_text(json);
+}
+
+std::string calibration_summary_json(const CalibrationInput& input, const CalibrationRuns& runs,
+                                     const CalibrationFacts& facts) {
+    const study::StudySpec& study = input.spec().study;
+    const std::size_t members = runs.design.size() + (runs.refined ? runs.refined->size() : 0),
+                      failed = runs.design.failed() + (runs.refined ? runs.refined->failed() : 0);
+    Json json{
+        {"program", k_program},
+        {"version", k_version},
+        {"format", k_result_format},
+        {"date", facts.date},
+        {"kind", "calibration"},
+        {"study", study.file},
+        {"sampling", study::name_of(study.sampling)},
+        {"seed", study.seed},
+        {"samples", runs.design.size()},
+        {"refine", runs.refined ? runs.refined->size() : 0},
+        {"runs", members * input.events()},
+        {"failed_runs", failed},
+        {"run_troubles", json_of(facts.troubles)},
+        {"wall_seconds", facts.wall_seconds},
+        {"threads", facts.threads},
+        {"runs_per_hour", facts.wall_seconds > 0 ? 3600 * static_cast<double>(runs.computed) / facts.wall_seconds : 0},
+        {"warnings", texts_of(facts.warnings)}};
+    return json_text(json);
+}
+
 namespace {
 
 MapSource chart_source(const CalibrationInput& input) {

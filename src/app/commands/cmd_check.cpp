@@ -1,40 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "app/commands/accuracy_search.h"
-#include "app/commands/calibration_check.h"
-#include "app/commands/check_document.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
-#include "app/commands/input_table.h"
 #include "app/commands/json_output.h"
 #include "app/commands/memory_forecast.h"
-#include "app/commands/memory_limit.h"
 #include "app/commands/study_check.h"
 #include "app/commands/time_estimate.h"
-#include "app/commands/writing_forecast.h"
-#include "app/input/check_exposure.h"
 #include "app/input/check_ground.h"
 #include "app/input/check_release.h"
 #include "app/input/memory_bound.h"
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
-#include "app/input/thickness_volume.h"
-#include "app/input/thin_release.h"
+#include "app/input/thickness_on_demand.h"
+#include "app/input/transform_report.h"
 #include "app/process/machine_memory.h"
 #include "app/process/stopwatch.h"
+#include "app/process/terminal.h"
 #include "app/publish/publish_pictures.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
-#include "core/shortest_text.h"
+#include "core/json.h"
+#include "core/text.h"
 #include "params/keys/zone_keys.h"
 #include "simulation/release.h"
 #include "simulation/simulation.h"
@@ -42,6 +43,126 @@
 #include "study/read_region.h"
 
 namespace frana::app {
+namespace {
+
+/// What `frana check SCENE --json` says: share/doc/scripts.md.
+struct CheckedScene {
+    const Prepared& prepared;
+    const RunEstimate& expected;
+    const std::optional<TimeEstimate>& trial;
+    const WritingForecast& writing;
+    std::int64_t memory_bytes;
+    int threads;
+    std::string result;  ///< folder
+    const std::vector<Sentence>& warnings;
+};
+
+Json bounds_json(const Bounds& box) {
+    return Json::array({box.west, box.south, box.east, box.north});
+}
+
+Json ground_json(const std::optional<GroundStatistics>& ground) {
+    if (!ground) return {};
+    return {{"lowest_m", ground->lowest},
+            {"highest_m", ground->highest},
+            {"mean_slope_deg", ground->mean_slope_deg},
+            {"steepest_slope_deg", ground->steepest_slope_deg}};
+}
+
+Json input_json(const UsedFile& file) {
+    Json json{{"role", file.role}, {"file", file.path}, {"layer", file.layer.empty() ? Json() : Json(file.layer)}};
+    const bool placed = !file.crs_label.empty();  // a table of numbers has no position
+    json["crs"] = placed ? Json(file.crs_label) : Json();
+    json["bounds"] = placed ? bounds_json(file.bounds) : Json();
+    json["content"] = file.content;
+    json["nodata"] = file.nodata;
+    json["transformation"] = placed ? Json(transform_text(file.transform)) : Json();
+    json["accuracy_m"] = placed && file.transform.accuracy_m >= 0 ? Json(file.transform.accuracy_m) : Json();
+    return json;
+}
+
+Json check_document(const CheckedScene& checked) {
+    const Prepared& prepared = checked.prepared;
+    const RunEstimate& expected = checked.expected;
+    const GridSpec& grid = prepared.scene.grid;
+    Json json = document_of("check");
+    json["scene"] = prepared.spec.file;
+    json["warnings"] = texts_of(checked.warnings);
+    json["inputs"] = Json::array();
+    for (const UsedFile& file : prepared.files) json["inputs"].push_back(input_json(file));
+    json["grid"] = {{"crs", prepared.ground.crs_label},
+                    {"columns", grid.columns},
+                    {"rows", grid.rows},
+                    {"cell_size_m", grid.cell_size},
+                    {"bounds", bounds_json(grid.bounds())},
+                    {"nodata_cells", prepared.ground.nodata_cells},
+                    {"filled_cells", prepared.ground.filled_cells}};
+    json["release"] = {{"volume_m3", expected.volume},
+                       {"area_m2", prepared.release.area_m2},
+                       {"inflow_m3", expected.inflow},
+                       {"dtm_contains_release", prepared.scene.terrain_contains_release},
+                       {"ground", ground_json(prepared.release.ground)}};
+    const auto& trial = checked.trial;
+    const double engine = engine_seconds(expected, trial);
+    json["run"] = {{"particles", expected.particles},
+                   {"particles_at_most", trial ? Json(trial->particles_peak) : Json()},
+                   {"memory_bytes", checked.memory_bytes},
+                   {"first_step_s", expected.first_step_seconds},
+                   {"end_s", prepared.scene.time.end},
+                   {"threads", checked.threads},
+                   {"estimated_seconds", engine + checked.writing.seconds},
+                   {"engine_seconds", engine},
+                   {"disk_bytes", checked.writing.disk_bytes},
+                   {"estimate_is_lower_bound", !trial.has_value()},
+                   {"path", trial ? ground_json(trial->path) : Json()},
+                   {"terms", expected.terms}};
+    const std::string place = result_path(checked.result);
+    json["result"] = {{"folder", place}, {"exists", has_files(place)}};
+    return json;
+}
+
+std::string corners(const Bounds& box, bool degrees) {
+    char text[160];
+    const int decimals = degrees ? 6 : 2;
+    std::snprintf(text, sizeof text, "%.*f %.*f\n%.*f %.*f", decimals, box.west, decimals, box.south, decimals,
+                  box.east, decimals, box.north);
+    return text;
+}
+
+void add(TextTable& table, const UsedFile& file) {
+    const std::string name = file.role + "\n" + std::filesystem::path(file.path).filename().string() +
+                             (file.layer.empty() ? "" : "\nlayer " + file.layer);
+    const bool placed = !file.crs_label.empty();  // a table of numbers has no position
+    table.add(
+        {name, file.crs_label, placed ? corners(file.bounds, file.degrees) : "", file.content, file.nodata,
+         placed ? transform_text(file.transform) + (file.resampling.empty() ? "" : "\nresampling: " + file.resampling)
+                : "",
+         placed ? accuracy_text(file.transform) : ""});
+}
+
+/// Returns every input as interpreted, and the working grid, as one table. `memory_bytes`: memory of a run on that
+/// grid.
+std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
+    TextTable table({{"Input", 24},
+                     {"CRS", 22},
+                     {"Extent (west south, east north)", 31},
+                     {"Resolution, content", 22},
+                     {"No data", 14},
+                     {"Operation to the working CRS", 34},
+                     {"Accuracy", 8}});
+    for (const UsedFile& file : prepared.files) add(table, file);
+    const TerrainInput& ground = prepared.ground;
+    const GridSpec& grid = prepared.scene.grid;
+    const std::string filled = ground.filled_cells > 0 ? grouped(ground.filled_cells) + " filled"
+                                                       : "policy " + prepared.spec.terrain.nodata_policy;
+    table.add({"Working grid", ground.crs_label, corners(grid.bounds(), false),
+               grouped(grid.columns) + " x " + grouped(grid.rows) + " of\n" + shortest_text(grid.cell_size) + " m",
+               grouped(ground.nodata_cells) + "\n" + filled,
+               "memory of a run: about " + bytes_text(static_cast<double>(memory_bytes)), ""});
+    return table.text(output_width());
+}
+
+}  // namespace
 
 CommandForm check_form() {
     CommandForm form{

@@ -1,43 +1,169 @@
 // SPDX-License-Identifier: Apache-2.0
+
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/trace.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
-#include "app/commands/compare_pairs.h"
 #include "app/commands/json_output.h"
 #include "app/commands/memory_forecast.h"
-#include "app/commands/memory_limit.h"
-#include "app/commands/refuse_scene.h"
 #include "app/compare/comparison.h"
-#include "app/compare/comparison_table.h"
 #include "app/compare/probability_comparison.h"
 #include "app/compare/ranking.h"
 #include "app/input/check_release.h"
+#include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
-#include "app/publish/report_probability.h"
-#include "app/store/main_statistics.h"
+#include "app/store/accuracy_record.h"
+#include "app/store/json_file.h"
 #include "app/store/manifest.h"
-#include "app/store/own_files.h"
 #include "app/store/replace_result.h"
+#include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/error.h"
-#include "core/utf8.h"
+#include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "params/grammar/ini_file.h"
-#include "params/keys/former_names.h"
+#include "params/keys/output_parameters.h"
+#include "params/keys/parameter.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
+namespace {
+
+/// One result or raster against one survey, and the folder of the files.
+struct Pair {
+    std::string operand;
+    std::optional<std::string> scar;
+    std::string name, folder;
+};
+
+namespace fs = std::filesystem;
+
+bool names_same_file(const std::string& recorded, const std::string& given) {
+    std::error_code error;
+    return recorded == given || fs::weakly_canonical(recorded, error) == fs::weakly_canonical(given, error);
+}
+
+/// Name for folders and the ranking.
+std::string compared_name(const std::string& operand) {
+    if (!fs::is_directory(operand)) return fs::path(operand).stem().string();
+    const fs::path folder = fs::absolute(ResultReader(operand).directory()).lexically_normal();
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+}
+
+/// Beside the first of the results, whatever folder one is in.
+std::string ranking_folder(const std::string& operand) {
+    const fs::path first = fs::is_directory(operand) ? fs::path(ResultReader(operand).directory()) : fs::path(operand);
+    const fs::path folder = fs::absolute(first).lexically_normal();
+    const fs::path beside = (folder.has_filename() ? folder : folder.parent_path()).parent_path();
+    const fs::path near = beside.lexically_relative(fs::current_path());
+    return near.empty() || *near.begin() == ".." ? beside.string() : near.string();
+}
+
+std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::vector<std::string>& scars,
+                           const std::optional<std::string>& out, Ranking& ranking) {
+    std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
+    if (surveyed.empty()) surveyed.emplace_back();
+    if (operands.size() == 1 && surveyed.size() == 1) {
+        const std::string& only = operands.front();
+        const std::string usual = fs::is_directory(only) ? ResultReader(only).directory() : ".";
+        return {{only, surveyed.front(), "", out.value_or(usual)}};
+    }
+    std::vector<Pair> pairs;
+    const std::string folder = out.value_or(ranking_folder(operands.front()));
+    for (const std::string& operand : operands) {
+        for (const auto& scar : surveyed) {
+            const std::string name =
+                ranking.folder_for(compared_name(operand), scar ? fs::path(*scar).stem().string() : "deposit");
+            pairs.push_back({operand, scar, name, (fs::path(folder) / name).lexically_normal().string()});
+        }
+    }
+    return pairs;
+}
+
+std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
+    std::vector<std::string> files = comparison_files(pair.folder);
+    for (const std::string& picture : comparison_pictures(style, pair.folder)) files.push_back(picture);
+    return files;
+}
+
+/// Checks, before anything is computed, that no input and no file of a result would be overwritten. Throws
+/// Error(input).
+void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit,
+                   const std::string& ranking_file) {
+    KeptFiles kept;
+    MapStyle any;
+    any.formats = picture_formats();
+    for (const Pair& pair : pairs) {
+        if (fs::is_directory(pair.operand)) {
+            const std::string result = ResultReader(pair.operand).directory();
+            kept.add_result(result, comparison_files(result));
+        }
+    }
+    for (const Pair& pair : pairs) {  // whatever their names
+        if (!fs::is_directory(pair.operand)) kept.add(pair.operand);
+        kept.add(pair.scar.value_or(""));
+    }
+    kept.add(deposit.value_or(""));
+    Problems problems;
+    for (const Pair& pair : pairs) {
+        const std::vector<std::string> files = files_of(pair, any);
+        kept.check(files, "--out", problems);
+        problems.throw_if_any();  // one problem per file
+        check_own(pair.folder, files, "--out", {pair.operand}, problems);
+    }
+    if (pairs.size() > 1) {
+        kept.check({ranking_file}, "--out", problems);
+        std::vector<std::string> reads;
+        for (const Pair& pair : pairs) reads.push_back(pair.operand);
+        check_own(fs::path(ranking_file).parent_path().string(), {ranking_file}, "--out", reads, problems);
+    }
+    problems.throw_if_any();
+}
+
+/// The same survey may be compared again; what another one gave is not replaced unasked. Throws Error(input).
+void refuse_other_survey(const std::vector<Pair>& pairs, const std::string& deposit) {
+    Problems problems;
+    for (const Pair& pair : pairs) {
+        const std::optional<Json> older = read_json_file((fs::path(pair.folder) / k_comparison_file).string());
+        if (!older) continue;
+        const std::string observed = value_in<std::string>(*older, "/observed").value_or(""),
+                          of_deposit = value_in<std::string>(*older, "/deposit/observed").value_or("");
+        if (names_same_file(observed, pair.scar.value_or("")) && names_same_file(of_deposit, deposit)) continue;
+        problems.add({"contains the comparison with another survey", "--out", pair.folder,
+                      observed.empty() ? of_deposit : observed,
+                      "Choose another folder with --out, or add --overwrite"});
+    }
+    problems.throw_if_any();
+}
+
+/// Of a map of probability: its scores are others, so it is in no ranking. Throws Error(input).
+void refuse_in_ranking(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit) {
+    for (const Pair& pair : pairs) {
+        if (!is_probability(pair.operand)) continue;
+        if (pairs.size() > 1)
+            throw Error(ErrorKind::input,
+                        Problem{"is a map of probability, which cannot be ranked", "RESULT_DIR|RASTER", pair.operand,
+                                "", "Compare it alone, with one --observed"});
+        if (deposit)
+            throw Error(ErrorKind::input, Problem{"cannot be compared with a map of probability", "--deposit", *deposit,
+                                                  "", "Name the surveyed outline: --observed VECTOR"});
+    }
+}
+
+}  // namespace
 
 CommandForm compare_form() {
     CommandForm form{"frana compare RESULT_DIR|RASTER... --observed VECTOR... [--deposit FILE] [options]",

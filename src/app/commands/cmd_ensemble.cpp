@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/commands.h"
 #include "app/commands/run_study.h"
-#include "app/commands/study_command.h"
 #include "study/read_region.h"
 
 namespace frana::app {

@@ -1,18 +1,211 @@
 // SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
-#include "app/commands/scene_draft.h"
 #include "app/input/share_directory.h"
+#include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "core/error.h"
-#include "params/grammar/absolute_path.h"
+#include "core/text.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
+#include "gis/vector/vector_in.h"
+#include "params/grammar/ini_file.h"
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 
 namespace frana::app {
+namespace {
+
+/// A scene to begin with, and what was found in its files.
+struct SceneDraft {
+    std::string dtm, perimeter;  ///< as the scene names them
+    std::string thickness;       ///< empty: open
+    std::string preset;          ///< empty: open
+    std::string title;
+    std::string cell_size;  ///< of the DTM [m]; empty: it is not in metres
+    std::vector<std::string> about_dtm, about_crs, about_cells, about_unit, about_perimeter, about_thickness;
+};
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_of_preset = "Where given, it replaces that of the preset.";
+
+/// A line of the draft.
+struct DraftLine {
+    std::string key, value;
+    bool commented = false;
+    std::vector<std::string> notes{};
+};
+
+/// Names of columns in which surveyors write a thickness, in the languages of the reports.
+bool looks_like_thickness(std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::vector<std::string> words{"thick", "depth",   "spess", "profond", "potenza",    "epais", "\u00e9pais",
+                                         "espes", "espesor", "dicke", "tiefe",   "m\u00e4cht", "maecht"};
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return name.find(word) != std::string::npos; });
+}
+
+/// A question for each column of the perimeter that may be the thickness.
+std::vector<std::string> questions(const gis::PolygonLayer& layer) {
+    std::map<std::string, std::pair<double, double>> columns;
+    for (const PolygonFeature& feature : layer.features) {
+        for (const auto& [name, value] : feature.numbers) {
+            if (!looks_like_thickness(name) || std::isnan(value)) continue;
+            const auto [at, added] = columns.try_emplace(name, value, value);
+            at->second = {std::min(at->second.first, value), std::max(at->second.second, value)};
+        }
+    }
+    std::vector<std::string> lines;
+    for (const auto& [name, range] : columns) {
+        lines.push_back("Is the column " + one_line(name) + " (" + number_text(range.first) + " to " +
+                        number_text(range.second) +
+                        ") the thickness in metres? Then write: thickness = attribute:" + one_line(name));
+    }
+    return lines;
+}
+
+const Parameter& declared(const std::string& key) {
+    static const std::vector<Parameter>& k_keys = scene_parameters();
+    return *find_parameter(k_keys, key);
+}
+
+std::string comment(const std::string& text) {
+    constexpr std::size_t k_width = 100;
+    std::string lines;
+    for (const std::string& line : wrapped(text, k_width)) lines += "# " + line + '\n';
+    return lines;
+}
+
+/// What a preset says of a key of the material: its value, else what it gives in its place. Empty without a preset.
+std::string of_preset(const std::string& name, const std::string& key) {
+    if (name.empty()) return "";
+    std::string others;
+    for (const MaterialPreset& preset : material_presets(materials_directory())) {
+        if (preset.name != name) continue;
+        for (const IniEntry& entry : preset.entries) {
+            if (entry.name == key) return entry.value;
+            others += (others.empty() ? "" : ", ") + entry.name.substr(entry.name.find('.') + 1) + " = " + entry.value;
+        }
+    }
+    return "(the preset has " + others + ")";
+}
+
+std::string text_of(const DraftLine& line) {
+    const Parameter& key = declared(line.key);
+    std::string facts = key.meaning;
+    if (!key.unit.empty()) facts += " [" + key.unit + "]";
+    if (!key.limits.empty()) facts += " Values: " + key.limits + ".";
+    std::string text = comment(facts);
+    for (const std::string& note : line.notes) text += comment(note);
+    const std::string fixed = key.default_text();
+    const std::string value =
+        line.value.empty() && line.commented ? (fixed.empty() ? "(" + key.absent + ")" : fixed) : line.value;
+    return text + (line.commented ? "# " : "") + key.key + " =" + (value.empty() ? "" : " " + value) + '\n';
+}
+
+std::string presets() {
+    std::string names;
+    for (const MaterialPreset& preset : material_presets(materials_directory()))
+        names += (names.empty() ? "" : ", ") + preset.name;
+    return names;
+}
+
+/// Reads the head of the DTM and the perimeter. Throws Error(input) if one cannot be read or they do not overlap.
+SceneDraft draft_of(const std::string& dtm, const std::string& perimeter) {
+    SceneDraft draft;
+    const gis::RasterInfo info = gis::inspect_raster(dtm, "DTM");
+    const gis::PolygonLayer layer = gis::read_polygons(perimeter, info.crs_wkt, "PERIMETER");
+    const Bounds &map = info.bounds, &box = layer.bounds;
+    const bool degrees = !info.crs_wkt.empty() && gis::longitude_turn(info.crs_wkt) > 0;
+    if (box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north)
+        throw Error(ErrorKind::input, Problem{"lies outside the DTM", "PERIMETER", extent_text(box, degrees),
+                                              "the DTM's " + extent_text(map, degrees) + ", in " + info.crs_label,
+                                              "Check the coordinate reference systems of both files"});
+    draft.title = fs::path(dtm.substr(0, dtm.find('|'))).stem().string();
+    draft.about_dtm = {"Found: " + info.driver + " of " + grouped(info.columns) + " x " + grouped(info.rows) +
+                       " cells, " + extent_text(map, degrees) + "."};
+    if (info.crs_wkt.empty())
+        draft.about_crs = {"The DTM names no CRS: give it with dtm-crs (for example EPSG:32632)."};
+    else if (gis::is_projected_in_metres(info.crs_wkt))
+        draft.about_crs = {"The DTM is in " + one_line(info.crs_label) + ", in metres: frana computes in that."};
+    else
+        draft.about_crs = {"The DTM is in " + one_line(info.crs_label) + ": frana computes in the local UTM zone."};
+    if (!degrees && !info.crs_wkt.empty() && gis::is_projected_in_metres(info.crs_wkt))
+        draft.cell_size = shortest_text(std::max(info.cell_x, info.cell_y));
+    draft.about_cells = {"Those of the DTM: " + shortest_text(info.cell_x) + " x " + shortest_text(info.cell_y) +
+                         (degrees                   ? " degrees."
+                          : draft.cell_size.empty() ? " of its units."
+                                                    : " m.") +
+                         " Larger cells are quicker: twice the size takes about an eighth of the time."};
+    draft.about_unit = {info.vertical_unit_stated ? "The file says: " + info.vertical_unit + "."
+                                                  : "The file does not say: metre is assumed."};
+    const auto count = layer.features.size();
+    draft.about_perimeter = {"Found: " + std::to_string(count) + (count == 1 ? " polygon" : " polygons") +
+                             " in the layer " + one_line(layer.layer_name) + ", in " + one_line(layer.crs_label) +
+                             "; on the DTM " + extent_text(box, degrees) + "."};
+    draft.about_thickness = questions(layer);
+    return draft;
+}
+
+/// Returns the scene file; its comments are the sentences of the declarations.
+std::string draft_text(const SceneDraft& draft) {
+    std::vector<std::string> thickness = draft.about_thickness;
+    if (draft.thickness.empty())
+        thickness.insert(thickness.begin(), "To be given: only you know how thick the mass is that fails.");
+    std::vector<std::string> preset{"One of " + presets() +
+                                    ": starting points, not calibrated values (`frana materials`)."};
+    if (draft.preset.empty())
+        preset.insert(preset.begin(),
+                      "To be given, or a law with its values: only you know what the slope is made of.");
+    // What is written of a main key besides its meaning; the others have their default, after #.
+    const std::vector<DraftLine> known{
+        {"terrain.dtm", draft.dtm, false, draft.about_dtm},
+        {"terrain.crs", "", true, draft.about_crs},
+        {"terrain.cell-size", draft.cell_size, true, draft.about_cells},
+        {"terrain.vertical-unit", "", true, draft.about_unit},
+        {"release.perimeter", draft.perimeter, false, draft.about_perimeter},
+        {"release.thickness", draft.thickness, false, thickness},
+        {"release.dtm-contains-release",
+         "on",
+         true,
+         {"Does the DTM show the slope before it failed? Then remove the # of the next line; without it the mass is "
+          "laid on top of the DTM."}},
+        {"material.preset", draft.preset, false, preset},
+        {"material.friction-angle", of_preset(draft.preset, "material.friction-angle"), true, {k_of_preset}},
+        {"material.turbulence", of_preset(draft.preset, "material.turbulence"), true, {k_of_preset}},
+        {"material.density", of_preset(draft.preset, "material.density"), true, {k_of_preset}},
+        {"time.end", declared("time.end").default_text(), false},
+        {"output.title", draft.title, false},
+    };
+    std::string text =
+        "# A scene of frana to begin with. A line after # is not used; `frana params` prints all keys.\n";
+    for (const Section& section : scene_sections()) {
+        std::string lines;
+        for (const Parameter& key : scene_parameters()) {
+            if (key.section != section.name || !is_main_key(key.name())) continue;
+            const auto line =
+                std::find_if(known.begin(), known.end(), [&](const DraftLine& one) { return one.key == key.name(); });
+            lines += text_of(line != known.end() ? *line : DraftLine{key.name(), "", true});
+        }
+        if (!lines.empty()) text += "\n[" + section.name + "]\n" + lines;
+    }
+    return text;
+}
+
+}  // namespace
 
 namespace fs = std::filesystem;
 

@@ -4,8 +4,8 @@
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
-#include "params/scene/reference.h"
-#include "params/scene/schema.h"
+#include "params/scene/scene_reader.h"
+#include "params/scene/write_scene.h"
 
 namespace frana::app {
 

@@ -18,8 +18,8 @@
 #include "app/commands/commands.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/shortest_text.h"
-#include "gis/access/time_limit.h"
+#include "core/text.h"
+#include "gis/access/network.h"
 #include "params/grammar/value_text.h"
 #include "ranks/job.h"
 

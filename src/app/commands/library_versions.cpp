@@ -3,7 +3,7 @@
 
 #include <boost/version.hpp>
 
-#include "gis/access/versions.h"
+#include "gis/access/gdal_session.h"
 #include "render/canvas/versions.h"
 
 namespace frana::app {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/process/status_line.h"
+#include "app/process/terminal.h"
 #include "simulation/result.h"
 
 namespace frana::app {

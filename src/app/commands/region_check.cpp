@@ -11,7 +11,7 @@
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "core/geometry.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 
 namespace frana::app {
 namespace {

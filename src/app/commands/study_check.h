@@ -6,11 +6,20 @@
 #include <string>
 
 #include "app/commands/time_estimate.h"
-#include "app/commands/writing_forecast.h"
 #include "app/ensemble/study_input.h"
+#include "app/text/run_log.h"
 #include "core/json.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
+
+/// Returns where a calibration's result goes without --out: beside that of its first scene.
+std::string calibration_directory(const SceneSpec& scene);
+
+/// `frana check` of a calibration: with `print`, prints events, keys, members and forecasts to stdout; returns the
+/// document of --json. Throws Error(input).
+Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
+                       RunLog& log);
 
 /// Expected resources of a study.
 struct StudyForecast {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "analysis/deposit_scores.h"
-#include "analysis/line_distance.h"
 #include "analysis/scores.h"
+#include "app/input/prepare.h"
 #include "app/input/survey_input.h"
 #include "app/pictures/map_source.h"
 #include "app/text/run_log.h"
@@ -88,5 +88,13 @@ std::vector<std::string> comparison_files(const std::string& folder);
 
 /// Returns the main result of a comparison in one line for the terminal and the log.
 std::string comparison_headline(const Comparison& comparison);
+
+/// Returns a scene's survey and threshold for a comparison; the simulated part remains to be filled in.
+ComparisonInput surveyed(const Prepared& prepared);
+
+/// Returns the scores of a comparison for a terminal of this width.
+std::string comparison_table(const Comparison& comparison, const ComparisonInput& input, std::size_t width);
+/// The same of a map of probability.
+std::string probability_table(const ProbabilityScores& scores, std::size_t width);
 
 }  // namespace frana::app

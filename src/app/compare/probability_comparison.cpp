@@ -14,10 +14,10 @@
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/json.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/crs/crs.h"
+#include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
-#include "gis/raster/rasterize.h"
 #include "params/grammar/value_text.h"
 #include "render/chart/chart.h"
 

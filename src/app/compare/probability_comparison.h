@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/probability_scores.h"
+#include "analysis/scores.h"
 #include "app/input/survey_input.h"
 #include "app/pictures/map_source.h"
 #include "app/text/run_log.h"

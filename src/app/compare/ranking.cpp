@@ -6,11 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include "app/text/csv_cell.h"
-#include "app/text/file_stems.h"
 #include "app/text/number_text.h"
+#include "app/text/text_file.h"
 #include "app/text/text_table.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 
 namespace frana::app {
 namespace {

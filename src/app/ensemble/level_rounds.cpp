@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/ensemble/mapped_events.h"
+#include "app/ensemble/map_writer.h"
 
 namespace frana::app {
 namespace {

@@ -3,14 +3,43 @@
 
 #include "analysis/trace.h"
 #include "app/input/scene_language.h"
-#include "app/pictures/class_words.h"
-#include "app/store/layers.h"
-#include "app/store/provenance.h"
+#include "app/pictures/map_layer.h"
+#include "app/publish/publish_hazard.h"
+#include "app/store/scene_identity.h"
+#include "app/store/vector_layers.h"
+#include "core/text.h"
 #include "gis/raster/styles.h"
 #include "params/keys/classes.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {
+
+std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
+    std::vector<MappedEvents> all;
+    const auto add = [&](study::Quantity quantity, const std::string& name, const std::vector<double>& thresholds) {
+        MappedEvents events{quantity, thresholds, {}};
+        for (const double threshold : thresholds)
+            events.rasters.push_back("probability_" + name + "_" + shortest_text(threshold));
+        all.push_back(std::move(events));
+    };
+    add(study::Quantity::depth, "depth", scene.output.depth_thresholds);
+    add(study::Quantity::velocity, "velocity", scene.output.velocity_thresholds);
+    if (!scene.output.pressure_thresholds.empty())
+        add(study::Quantity::pressure, "pressure", scene.output.pressure_thresholds);
+    if (const auto scheme = hazard_scheme_of(scene)) {
+        MappedEvents events{study::Quantity::intensity, {}, {}};
+        for (const HazardClass& kind : scheme->classes) {
+            events.thresholds.push_back(kind.value - 0.5);  // classes are whole numbers
+            events.rasters.push_back("probability_intensity_" + std::to_string(kind.value));
+        }
+        all.push_back(std::move(events));
+    }
+    return all;
+}
+
+study::RecordExtras record_extras(const SceneSpec& scene) {
+    return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene)};
+}
 
 MapWriter::MapWriter(const Prepared& base, const ResultDirectory& directory)
 

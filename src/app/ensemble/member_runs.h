@@ -5,12 +5,26 @@
 #include <optional>
 #include <string>
 
-#include "app/ensemble/member_progress.h"
 #include "app/ensemble/member_threads.h"
 #include "app/ensemble/rank_pool.h"
 #include "app/ensemble/study_input.h"
+#include "app/process/terminal.h"
 
 namespace frana::app {
+
+/// Shows how many members have run and the time left.
+class MemberProgress {
+  public:
+    /// @param done members that ran before the study was resumed
+    MemberProgress(std::size_t done, std::size_t total, bool quiet);
+    void add_member();
+    /// Clears the updated line.
+    void finish();
+
+  private:
+    std::size_t done_, total_, here_ = 0;
+    StatusLine line_;
+};
 
 /// Runs members side by side, each on one thread, in this process and in other ranks, and writes a record of each to a
 /// folder of the result (record_file), by this process alone. Those that have a record are not run again. Who runs

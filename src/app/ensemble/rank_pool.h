@@ -7,11 +7,26 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "app/ensemble/member_run.h"
+#include "app/ensemble/member_threads.h"
+#include "app/ensemble/study_input.h"
 #include "ranks/job.h"
 
 namespace frana::app {
+
+/// What a rank reads: everything of which rank 0 may give it members.
+struct RankStudies {
+    std::vector<StudyInput> studies;  ///< by MemberTask::study
+    std::string identity;             ///< as rank 0 has it (RankPool::start)
+};
+
+/// A rank other than 0 of a study: reads it, runs the members that rank 0 gives it, each on one thread, and sends their
+/// records back. Writes neither files nor messages: rank 0 is told of problems. Returns once rank 0 has nothing more to
+/// do.
+/// @param file of the study, for messages
+void work_for_rank_0(const ranks::Job& job, const std::function<RankStudies()>& read, const std::string& file,
+                     int threads);
 
 /// The other ranks of a study, seen from rank 0: each gets a member whenever one of its threads is free, and sends back
 /// the record, which rank 0 alone writes: files need not appear on several machines at once.

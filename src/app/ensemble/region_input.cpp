@@ -5,14 +5,14 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/hazard_degree.h"
+#include "analysis/hazard.h"
 #include "app/input/flow_window.h"
-#include "app/input/layer_choice.h"
+#include "app/input/layer_values.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "core/cell_values.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/working_grid.h"
 

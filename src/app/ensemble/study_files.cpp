@@ -1,35 +1,294 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ensemble/study_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "analysis/trace.h"
 #include "app/ensemble/map_writer.h"
-#include "app/ensemble/mapped_events.h"
-#include "app/ensemble/study_charts.h"
 #include "app/input/scene_language.h"
 #include "app/pictures/charts.h"
-#include "app/pictures/class_words.h"
+#include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
-#include "app/store/provenance.h"
+#include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
-#include "app/store/saved_work.h"
+#include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
-#include "gis/raster/rasterize.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/write_scene.h"
-#include "render/canvas/drawing_modules.h"
+#include "render/canvas/drawing.h"
+#include "study/feature_values.h"
 
 namespace frana::app {
+namespace {
+
+constexpr std::size_t k_most_panels = 9;
+constexpr const auto& k_colours = render::k_chart_colours;
+
+render::Chart page(const MapSource& source, const std::string& what, const std::string& subtitle,
+                   const std::string& file, int across) {
+    render::Chart chart = chart_sheet(source, what, subtitle, file);
+    chart.across = across;
+    return chart;
+}
+
+int across_of(std::size_t panels) {
+    return panels <= 1 ? 1 : panels <= 4 ? 2 : 3;
+}
+
+std::string axis_label(const study::Figure& figure, const Words& words) {
+    return figure_title(figure, words) + (figure.unit.empty() || figure.unit == "-" ? "" : " [" + figure.unit + "]");
+}
+
+/// Fraction of the weight of members with more than each value: a staircase.
+std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<Point> points;
+    double above = 1;
+    for (const std::size_t i : order) {
+        points.push_back({values[i], std::max(0.0, above)});
+        above -= weights[i];
+        points.push_back({values[i], std::max(0.0, above)});
+    }
+    return points;
+}
+
+NamedChart exceedance_chart(const StudyResult& result, const MapSource& source) {
+    const Words& words = source.style.words;
+    render::Chart chart = page(source, words("exceedance"), words("fraction of the members with more than the value"),
+                               "members.csv", across_of(std::min(k_most_panels, result.figures().size())));
+    for (std::size_t f = 0; f < result.figures().size() && chart.panels.size() < k_most_panels; ++f) {
+        const study::Figure& figure = result.figures()[f];
+        render::ChartPanel panel{
+            figure_title(figure, words), axis_label(figure, words), words("probability of more [-]"), {}, {0}};
+        panel.series.push_back({"", k_colours[0], exceedance_curve(result.figure(f), result.finished.weights), 2.4});
+        chart.panels.push_back(std::move(panel));
+    }
+    return {"exceedance", chart};
+}
+
+/// One bar for each key, from 0 to its value, with its interval as a thin line.
+NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool by_indices,
+                             const MapSource& source) {
+    const Words& words = source.style.words;
+    render::Chart chart =
+        page(source, words("sensitivity of the results"),
+             words(by_indices ? worded("bar: total Sobol' index, thin line: its interval of 95 %, circle: first order")
+                              : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
+             "sensitivity.csv", across_of(std::min(k_most_panels, figures.size())));
+    for (const FigureSensitivity& figure : figures) {
+        if (chart.panels.size() == k_most_panels) break;
+        render::ChartPanel panel{figure_title(figure.figure, words),
+                                 words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
+                                 "",
+                                 {}};
+        panel.note = words("the figure does not vary");
+        const double count = static_cast<double>(figure.keys.size());
+        panel.has_rows = true;
+        panel.on_y = {0.5, count + 0.5};
+        panel.on_x = {by_indices ? 0 : -1.05, 1.05};
+        for (std::size_t k = 0; k < figure.keys.size(); ++k) {
+            const study::KeySensitivity& one = figure.keys[k];
+            const auto& value = by_indices ? one.total : one.rank_correlation;
+            if (!value) continue;
+            const double y = count - static_cast<double>(k);
+            const Rgb colour = k_colours[k % std::size(k_colours)];
+            render::ChartSeries bar{input.table.keys[k], colour, {{0, y}, {value->value, y}}, 14};
+            panel.series.push_back(std::move(bar));
+            panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
+            if (!by_indices) continue;
+            render::ChartSeries first{"", {20, 20, 20}, {{one.first_order->value, y}}, 1};
+            first.marker = render::Marker::circle;
+            panel.series.push_back(std::move(first));
+        }
+        chart.panels.push_back(std::move(panel));
+    }
+    return {"sensitivity", chart};
+}
+
+NamedChart convergence_chart(const std::vector<ErrorAt>& convergence, const MapSource& source) {
+    const Words& words = source.style.words;
+    render::Chart chart =
+        page(source, words("convergence of the probabilities"),
+             words("standard error of the probabilities of depth over the map"), words("records of the members"), 1);
+    render::ChartPanel panel{words("Standard error"), words("members"), words("standard error [-]"), {}};
+    panel.x = panel.y = render::Scale::logarithmic;
+    render::ChartSeries largest{words("largest"), k_colours[1], {}},
+        mean{words("mean where it is not 0"), k_colours[0], {}};
+    mean.stroke = render::Stroke::dashed;
+    largest.marker = render::Marker::circle;
+    mean.marker = render::Marker::square;
+    for (const ErrorAt& at : convergence) {
+        largest.points.push_back({static_cast<double>(at.members), at.error.largest});
+        mean.points.push_back({static_cast<double>(at.members), at.error.mean});
+    }
+    panel.series = {largest, mean};
+    chart.panels.push_back(std::move(panel));
+    return {"convergence", chart};
+}
+
+/// The first members of a study that are independent of each other.
+study::FinishedMembers independent_members(const StudyResult& result) {
+    if (result.groups == 0) return result.finished;
+    study::FinishedMembers first;
+    for (std::size_t i = 0; i < result.groups; ++i) {  // of whole groups, in the order of members: matrix A
+        first.records.push_back(result.design.records[i]);
+        first.weights.push_back(1);
+    }
+    return first;
+}
+
+}  // namespace
+
+std::string figure_title(const study::Figure& figure, const Words& words) {
+    for (const char* of_a_place : {worded("greatest depth at gauge {1}"), worded("greatest speed at gauge {1}"),
+                                   worded("greatest discharge through {1}"), worded("volume through {1}")}) {
+        const std::string before(of_a_place, std::string(of_a_place).find("{1}"));
+        if (figure.title.starts_with(before)) return words(of_a_place, {figure.title.substr(before.size())});
+    }
+    return words(figure.title);
+}
+
+std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
+    constexpr std::size_t k_first = 8;
+    std::vector<ErrorAt> all;
+    if (!input.levels.empty()) return all;  // its members are not exchangeable
+    const study::FinishedMembers members = independent_members(result);
+    for (std::size_t count = k_first;; count *= 2) {
+        const std::size_t some = std::min(count, members.size());
+        if (some < 2) break;
+        all.push_back({some, study::error_of_first(members, some, study::Quantity::depth, result.grid,
+                                                   input.base.spec.output.depth_thresholds)});
+        if (some == members.size()) break;
+    }
+    return all;
+}
+
+std::vector<NamedChart> study_charts(const StudyInput& input, const StudyResult& result,
+                                     const std::vector<FigureSensitivity>& sensitivities,
+                                     const std::vector<ErrorAt>& convergence, const MapSource& source) {
+    std::vector<NamedChart> charts;
+    if (!result.figures().empty()) charts.push_back(exceedance_chart(result, source));
+    if (!sensitivities.empty())
+        charts.push_back(sensitivity_chart(input, sensitivities, input.table.groups > 0, source));
+    if (!convergence.empty()) charts.push_back(convergence_chart(convergence, source));
+    return charts;
+}
+
+namespace {
+
+using Values = std::span<const float>;
+
+class Builder {
+  public:
+    Builder(const StudyInput& input, const StudyResult& result)
+        : input_(input),
+          result_(result),
+          layer_(*input.base.extra.exposure),
+          cells_(exposed_cells(layer_, result.grid)),
+          values_(layer_.features.size()) {
+        const Raster& terrain = input.base.scene.terrain;
+        const bool is_known = input.slopes.empty() && !terrain.values.is_tiled();
+        for (std::size_t f = 0; f < cells_.size() && is_known; ++f)
+            values_[f].has_ground =
+                cells_[f].empty() || std::any_of(cells_[f].begin(), cells_[f].end(),
+                                                 [&](std::size_t cell) { return !std::isnan(terrain.values[cell]); });
+    }
+
+    std::vector<ExposureRow> rows(const Bounds& map) {
+        greatest(study::Quantity::depth, &ExposureValues::depth);
+        greatest(study::Quantity::velocity, &ExposureValues::velocity);
+        greatest(study::Quantity::pressure, &ExposureValues::pressure);
+        for_each(study::Quantity::arrival, [&](std::size_t feature, Values values) {
+            const float first = *std::min_element(values.begin(), values.end());
+            if (std::isfinite(first)) values_[feature].arrival = static_cast<double>(first);
+        });
+        std::vector<ExposureRow> rows = exposure_rows(layer_, values_, map);
+        input_.reading.study.per_polygon() ? add_sources(rows) : add_probabilities(rows);
+        return rows;
+    }
+
+  private:
+    template <class Visit>
+    void for_each(study::Quantity quantity, const Visit& visit) const {
+        study::for_each_feature(result_.finished.records, quantity, result_.grid, cells_, visit);
+    }
+    void greatest(study::Quantity quantity, double ExposureValues::*member) {
+        for_each(quantity, [&](std::size_t feature, Values values) {
+            values_[feature].*member = static_cast<double>(*std::max_element(values.begin(), values.end()));
+        });
+    }
+    void add_probabilities(std::vector<ExposureRow>& rows) const {
+        const study::ProbabilityEstimate estimate(result_.finished);
+        const auto add = [&](study::Quantity quantity, const std::vector<double>& thresholds,
+                             const std::vector<std::string>& names) {
+            for_each(quantity, [&](std::size_t feature, Values values) {
+                for (std::size_t t = 0; t < thresholds.size(); ++t)
+                    rows[feature].numbers.emplace_back(
+                        names[t], rows[feature].is_on_map() ? estimate.of(values, thresholds[t]).value : k_no_data);
+            });
+        };
+        add(study::Quantity::depth, {0}, {"probability_reached"});
+        for (const MappedEvents& events : mapped_events(input_.base.spec))
+            add(events.quantity, events.thresholds, events.rasters);
+    }
+    void add_sources(std::vector<ExposureRow>& rows) const {
+        for_each(study::Quantity::depth, [&](std::size_t feature, Values values) {
+            ExposureRow& row = rows[feature];
+            const auto count = std::count_if(values.begin(), values.end(), [](float depth) { return depth > 0; });
+            const auto worst =
+                static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+            const std::size_t member = result_.members[result_.finished_at[worst]].member;
+            row.numbers.emplace_back("sources", row.is_on_map() ? static_cast<double>(count) : k_no_data);
+            row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(member) : k_no_data);
+            if (!input_.slopes.empty())
+                row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
+        });
+    }
+
+    const StudyInput& input_;
+    const StudyResult& result_;
+    const gis::ExposedLayer& layer_;
+    std::vector<std::vector<std::size_t>> cells_;
+    std::vector<ExposureValues> values_;
+};
+
+}  // namespace
+
+Bounds computed_ground(const StudyInput& input) {
+    const GridSpec& grid = input.base.scene.grid;
+    if (input.slopes.empty()) return grid.bounds();
+    const gis::RasterInfo& file = input.base.ground.file;
+    if (const auto& bounds = input.base.spec.terrain.bounds) return *bounds;
+    return gis::CrsTransform(grid.crs_wkt.empty() ? "" : file.crs_wkt, grid.crs_wkt, file.bounds).around(file.bounds);
+}
+
+ReachedBy exposure_reached_by(const StudyInput& input) {
+    return input.reading.study.per_polygon() ? ReachedBy::any_slope : ReachedBy::any_run;
+}
+
+std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
+                                                     const Bounds& map, const ResultDirectory& directory) {
+    const auto& layer = input.base.extra.exposure;
+    if (!layer) return std::nullopt;
+    return write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt, words_of(input.base.spec),
+                          directory);
+}
+
 namespace {
 
 /// Quantiles and moments, of depth and velocity alone.

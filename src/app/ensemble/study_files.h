@@ -2,18 +2,51 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/ensemble/study_input.h"
 #include "app/ensemble/study_result.h"
 #include "app/ensemble/study_tables.h"
+#include "app/pictures/charts.h"
+#include "app/publish/publish_exposure.h"
 #include "app/store/result_directory.h"
 #include "gis/vector/vector_out.h"
 #include "study/member_record.h"
 #include "study/study_maps.h"
 
 namespace frana::app {
+
+/// One point of the convergence of the probabilities.
+struct ErrorAt {
+    std::size_t members = 0;
+    study::MapError error;
+};
+
+/// Returns the standard errors of the probabilities of depth after some numbers of members, up to all of them; of
+/// Saltelli's design those of matrix A, which are independent.
+std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result);
+
+/// Returns the title of a figure of a study in a language: "run-out".
+std::string figure_title(const study::Figure& figure, const Words& words);
+
+/// Returns the charts of a study: exceedance of the figures, sensitivities, convergence.
+std::vector<NamedChart> study_charts(const StudyInput& input, const StudyResult& result,
+                                     const std::vector<FigureSensitivity>& sensitivities,
+                                     const std::vector<ErrorAt>& convergence, const MapSource& source);
+
+/// The ground of which a study says something: the working grid, of a region the DTM.
+Bounds computed_ground(const StudyInput& input);
+
+/// What reaches the exposed features of a study, for its sentence.
+ReachedBy exposure_reached_by(const StudyInput& input);
+
+/// Writes what the members together do to the exposed features, if there are any: the greatest values of all; of
+/// distributions the probability that the feature, not only one of its cells, is reached and exceeds each threshold; of
+/// polygons how many reach it, and which is the worst.
+std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
+                                                     const Bounds& map, const ResultDirectory& directory);
 
 /// Writes the terrain, the scene of the central member and the release areas of all.
 void publish_study_ground(const StudyInput& input, const ResultDirectory& directory);

@@ -3,25 +3,321 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
-#include "app/ensemble/region_report.h"
-#include "app/ensemble/study_answer.h"
-#include "app/ensemble/study_charts.h"
-#include "app/ensemble/study_exposure.h"
+#include "app/ensemble/study_files.h"
+#include "app/ensemble/study_input.h"
+#include "app/ensemble/study_result.h"
+#include "app/ensemble/study_tables.h"
 #include "app/input/scene_language.h"
+#include "app/pictures/map_layer.h"
 #include "app/publish/html_page.h"
-#include "app/publish/html_table.h"
+#include "app/publish/report.h"
+#include "app/publish/report_answer.h"
 #include "app/publish/report_comparison.h"
-#include "app/publish/report_exposure.h"
 #include "app/publish/report_numbers.h"
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
+#include "app/text/number_text.h"
 #include "app/text/version.h"
-#include "core/markup.h"
-#include "core/shortest_text.h"
+#include "core/colour.h"
+#include "core/text.h"
+#include "core/words/words.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app {
 namespace {
+
+constexpr std::size_t k_keys = 8, k_names = 3, k_name_letters = 40, k_slopes = 20;
+
+/// A figure of the runs: 5, 50 and 95 % do not exceed these.
+struct Spread {
+    double low = 0, median = 0, high = 0;
+    [[nodiscard]] bool is_one_value() const { return high - low < 1e-6 * median; }
+};
+
+std::optional<std::size_t> place_of_figure(const StudyResult& result, const std::string& key) {
+    const auto& figures = result.figures();
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
+    if (found == figures.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - figures.begin());
+}
+
+std::optional<Spread> spread_of(const StudyResult& result, const std::string& key) {
+    const auto place = place_of_figure(result, key);
+    if (!place) return std::nullopt;
+    const std::vector<double> values = result.figure(*place);
+    const auto quantile = [&](double q) { return figure_quantile(values, result.finished.weights, q); };
+    return Spread{quantile(0.05), quantile(0.5), quantile(0.95)};
+}
+
+std::string names_of(const std::vector<std::string>& all) {
+    std::vector<std::string> names;
+    for (const std::string& name : all)
+        if (!name.empty() && names.size() < k_names) names.push_back(elided(valid_utf8(name), k_name_letters));
+    return joined(names, ", ") + (all.size() > names.size() && !names.empty() ? ", …" : "");
+}
+
+std::string released(const StudyInput& input, const StudyResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    std::vector<std::string> areas, told;
+    for (const ReleaseArea& area : input.base.scene.release) areas.push_back(area.name);
+    if (const std::string names = names_of(areas); !names.empty()) told.push_back(names + ":");
+    if (const auto volume = spread_of(result, "volume_m3"))
+        told.push_back(
+            volume->is_one_value()
+                ? words("{1} m³ in every run.", {number.grouped(volume->median)})
+                : words("{1} m³ in the median of the runs, between {2} and {3} m³ in 90 % of them.",
+                        {number.grouped(volume->median), number.grouped(volume->low), number.grouped(volume->high)}));
+    return told.empty() ? "" : paragraph(words("What fails."), joined(told, " "));
+}
+
+std::string varied(const StudyInput& input, const Words& words) {
+    const std::vector<study::Variation>& vary = input.reading.study.vary;
+    std::vector<std::string> told;
+    for (std::size_t i = 0; i < std::min(k_keys, vary.size()); ++i)
+        told.push_back(vary[i].key + " = " + vary[i].distribution.text);
+    if (vary.size() > k_keys) told.emplace_back("…");
+    const std::string keys = told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
+    return paragraph(words("What varies."),
+                     words("{1}. All other values are those of the scene {2}.",
+                           {keys, std::filesystem::path(input.reading.study.scene).filename().string()}));
+}
+
+std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    const ReportNumbers number(words);
+    std::string text;
+    if (const auto run_out = spread_of(result, k_run_out_key)) {
+        const std::vector<std::string> numbers{number.grouped(run_out->median), number.grouped(run_out->low),
+                                               number.grouped(run_out->high)};
+        text = facts.troubles.unfinished() > 0
+                   ? words(
+                         "In at least half of the runs the material comes more than {1} m far in map view, in at most "
+                         "5 % of them less than {2} m and in at least 5 % more than {3} m.",
+                         numbers)
+                   : words(
+                         "In half of the runs the material comes more than {1} m far in map view, in 5 % of them less "
+                         "than {2} m and in 5 % more than {3} m.",
+                         numbers);
+    }
+    if (facts.reached_m2.size() == std::size(k_study_quantiles))
+        text += " " + words(
+                          "Deeper than {1} m at some time are {2} m² with a probability of at least 95 %, {3} m² "
+                          "with at least 50 %, {4} m² with at least 5 %.",
+                          {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
+                           number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
+    if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
+        text += " " + words(facts.troubles.on_levels
+                                ? worded("{1} runs were cut or failed and may have come farther: as each is one of a "
+                                         "pair, these values may be too small or too large.")
+                                : worded("{1} runs were cut or failed and may have come farther: these values are "
+                                         "lower bounds."),
+                            {std::to_string(unfinished)});
+    return paragraph(words("Where it goes."), text);
+}
+
+/// The name of a source, else its number.
+std::string source_name(const StudyInput& input, std::size_t member) {
+    const bool named = !input.slopes.empty() && !input.slopes[member].name.empty();
+    return named ? elided(valid_utf8(input.slopes[member].name), k_name_letters) : std::to_string(member);
+}
+
+std::string reached_by_sources(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
+                               const Words& words) {
+    const ReportNumbers number(words);
+    std::string text;
+    if (const auto place = place_of_figure(result, k_run_out_key)) {
+        const std::vector<double> values = result.figure(*place);
+        const auto farthest = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+        text = words(
+            "The farthest run-out is {1} m in map view, from source {2}; half of the sources come more than "
+            "{3} m far.",
+            {number.grouped(values[farthest]), source_name(input, result.members[result.finished_at[farthest]].member),
+             number.grouped(figure_quantile(values, result.finished.weights, 0.5))});
+    }
+    if (!facts.reached_m2.empty())
+        text += " " + words("At least one source covers {1} m² deeper than {2} m.",
+                            {number.grouped(facts.reached_m2.front()), number(facts.reached_threshold)});
+    text +=
+        " " + words("Maps show the worst of all: what at least one of the sources causes, not all of them together.");
+    return paragraph(words("Where it goes."), text);
+}
+
+std::string runs_sentence(const StudyInput& input, const StudyResult& result, const Words& words) {
+    const study::StudySpec& study = input.reading.study;
+    const std::string finished = std::to_string(result.finished_at.size()), all = std::to_string(result.members.size());
+    if (study.per_polygon()) return words("{1} of {2} sources were computed, each failing alone.", {finished, all});
+    return words(
+        "{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
+        {finished, all, study::name_of(study.sampling), std::to_string(study.seed)});
+}
+
+std::string sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    const ReportNumbers number(words);
+    const study::StudySpec& study = input.reading.study;
+    std::string text = runs_sentence(input, result, words);
+    if (result.failed() > 0) text += " " + words("{1} failed and are in no map.", {std::to_string(result.failed())});
+    if (study.per_polygon()) return paragraph(words("How sure."), text);
+    text += " " + words(
+                      "The standard error of the probabilities is at most {1} %, on average {2} % where it is not 0: "
+                      "it measures the number of runs, not how well model, terrain and distributions describe "
+                      "nature.",
+                      {number.percent(facts.error.largest), number.percent(facts.error.mean)});
+    if (study.until)
+        text += " " +
+                (facts.error.largest <= *study.until
+                     ? words("The error asked for (study.until = {1}) is reached.", {shortest_text(*study.until)})
+                     : words("The error asked for (study.until = {1}) is not reached.", {shortest_text(*study.until)}));
+    return paragraph(words("How sure."), text);
+}
+
+std::string figures_table(const StudyResult& result, const Words& words) {
+    if (result.figures().empty()) return "";
+    const ReportNumbers number(words);
+    HtmlTable table({words("value"), "", words("mean"), "5 %", "50 %", "95 %"});
+    const std::vector<double>& weights = result.finished.weights;
+    for (std::size_t f = 0; f < result.figures().size(); ++f) {
+        const std::vector<double> values = result.figure(f);
+        const auto quantile = [&](double q) {
+            const double value = figure_quantile(values, weights, q);
+            const auto upper = result.upper_quantile(f, q);
+            const bool is_bound = !upper || *upper > value;  // runs that were cut or failed may exceed it
+            return (is_bound ? "> " : "") + number.of_any_size(value);
+        };
+        const study::Figure& figure = result.figures()[f];
+        table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
+                   number.of_any_size(weighted_mean(values, weights)), quantile(0.05), quantile(0.5), quantile(0.95)});
+    }
+    return "<h3>" + escaped_markup(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed")) +
+           "</h3>\n" + table.html();
+}
+
+std::string slopes_table(const StudyInput& input, const StudyResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    const auto run_out = place_of_figure(result, k_run_out_key), volume = place_of_figure(result, "volume_m3"),
+               area = place_of_figure(result, "covered_area_m2"), depth = place_of_figure(result, "max_depth_m");
+    if (!run_out) return "";
+    const auto of = [&](std::size_t i, const std::optional<std::size_t>& figure) {
+        return figure ? result.members[i].figures[*figure].value : k_no_data;
+    };
+    std::vector<std::size_t> order = result.finished_at;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return of(a, run_out) > of(b, run_out); });
+    HtmlTable table({words("source"), words("volume [m³]"), words("Run-out [m]"), words("covered area [m²]"),
+                     words("greatest depth [m]")});
+    for (std::size_t i = 0; i < std::min(k_slopes, order.size()); ++i) {
+        const std::size_t member = result.members[order[i]].member;
+        table.row({source_name(input, member), number.grouped(of(order[i], volume)),
+                   number.grouped(of(order[i], run_out)), number.grouped(of(order[i], area)),
+                   number(of(order[i], depth), 3)});
+    }
+    const std::string more = order.size() > k_slopes
+                                 ? "<p class=\"small\">" +
+                                       escaped_markup(words("The {1} that come farthest; members.csv has all.",
+                                                            {std::to_string(k_slopes)})) +
+                                       "</p>\n"
+                                 : "";
+    return "<h3>" + escaped_markup(words("Sources")) + "</h3>\n" + table.html() + more;
+}
+
+std::string degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
+    if (degrees.empty()) return "";
+    const ReportNumbers number(words);
+    HtmlTable table({"", words("Degree of hazard"), words("area [m²]")});
+    for (const HazardArea& one : degrees)
+        table.raw("<tr><td><span class=\"swatch\" style=\"background:" + hex(one.kind.colour) + "\"></span></td><td>" +
+                  escaped_markup(class_label(one.kind.name + ": " + one.kind.thresholds, words)) +
+                  "</td><td class=\"n\">" + number.grouped(one.area_m2) + "</td></tr>\n");
+    return table.html();
+}
+
+/// The first page of a study's report, as HTML: what fails, what varies, where it goes in how many of the runs, how
+/// sure that is. Of sources that fail alone: what at least one of them reaches.
+std::string study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
+                         const Words& words) {
+    const bool per_polygon = input.reading.study.per_polygon();
+    const std::string not_done =
+        per_polygon ? words("Each source is computed with one set of values, not with the range of what is possible.")
+                    : words(
+                          "Only what is named here is varied: errors of the model, of the terrain and of other "
+                          "values are in no probability.");
+    std::string html;
+    if (facts.troubles.are_first())
+        html = "<p class=\"warning\"><b>" + escaped_markup(headline(facts.troubles).in(words)) + "</b></p>\n";
+    html += "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n";
+    if (!per_polygon) html += released(input, result, words) + varied(input, words);
+    html += per_polygon ? reached_by_sources(input, result, facts, words) : reached_by_runs(result, facts, words);
+    html += sure(input, result, facts, words);
+    if (!per_polygon) html += page_part(k_comparison_answer, comparison_answer(std::nullopt, words));
+    return html + first_warnings(facts.warnings, words) + paragraph(words("Not done."), not_done);
+}
+
+/// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
+std::string study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
+                         const Words& words) {
+    if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
+    return figures_table(result, words);
+}
+
+/// The sources of a study in which each fails alone, those that come farthest first; empty for others.
+std::string study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
+    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : "";
+}
+
+/// Slopes that a report lists; members.csv has all.
+inline constexpr std::size_t k_most_slopes = 50;
+
+/// A figure of members.csv that the table shows.
+struct ShownFigure {
+    const char *key, *title;
+    bool in_groups;  ///< "1 000", else three digits
+};
+
+constexpr ShownFigure k_figures[] = {{"volume_m3", worded("Volume [m³]"), true},
+                                     {"runout_m", worded("Run-out [m]"), true},
+                                     {"max_depth_m", worded("Greatest depth [m]"), false},
+                                     {"max_velocity_ms", worded("Greatest speed [m/s]"), false}};
+
+std::string figure_text(const MemberResult& member, const ShownFigure& shown, const Words& words) {
+    for (const study::Figure& figure : member.figures)
+        if (figure.key == shown.key)
+            return words.number(shown.in_groups ? grouped(figure.value) : number_text(figure.value, 3));
+    return "";
+}
+
+/// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
+/// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
+std::string slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
+    if (input.slopes.empty()) return "";
+    const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
+    std::vector<std::string> heads{"", words("Slope")};
+    if (has_scenarios) heads.push_back(words("Scenario"));
+    for (const ShownFigure& shown : k_figures) heads.push_back(words(shown.title));
+    if (has_failures) heads.push_back(words("Why it failed"));
+    HtmlTable table(heads);
+    for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
+        const MemberResult& member = result.members[i];
+        const Slope& slope = input.slopes[member.member];
+        std::vector<std::string> cells{std::to_string(member.member), valid_utf8(slope.name)};
+        if (has_scenarios) cells.push_back(valid_utf8(slope.scenario));
+        // The figures of a run that failed are those of another event.
+        for (const ShownFigure& shown : k_figures)
+            cells.push_back(member.failure.empty() ? figure_text(member, shown, words) : "");
+        if (has_failures) cells.push_back(member.failure);
+        table.row(cells, member.failure.empty() ? "" : "warning");
+    }
+    std::string html = "<h2 id=\"slopes\">" + escaped_markup(words("Slopes")) + "</h2>\n" + table.html();
+    if (result.members.size() > k_most_slopes)
+        html +=
+            "<p class=\"small\">" +
+            escaped_markup(words("The first {1} of {2} slopes; {3} has all.",
+                                 {std::to_string(k_most_slopes),
+                                  words.number(grouped(static_cast<double>(result.members.size()))), k_member_table})) +
+            "</p>\n";
+    return html;
+}
 
 namespace fs = std::filesystem;
 

@@ -9,12 +9,40 @@
 
 #include "app/input/survey_input.h"
 #include "app/text/number_text.h"
+#include "core/text.h"
 #include "gis/raster/footprint.h"
-#include "gis/raster/rasterize.h"
 #include "params/grammar/picture_text.h"
+#include "params/keys/laws.h"
+#include "params/keys/zone_keys.h"
 #include "simulation/release.h"
 
 namespace frana::app {
+
+void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log) {
+    const auto warn = [&](double fraction, const char* key, double depth, const char* then) {
+        if (fraction <= k_thin_fraction) return;
+        log.warn(worded("{1} % of the release is thinner than {2} = {3} m: {4}",
+                        {numeral(number_text(100 * fraction, 2)), key, shortest_text(depth), then}));
+    };
+    warn(expected.thin_fraction, "numerics.minimum-depth", scene.numerics.minimum_depth,
+         worded("maps and results do not include it; set the key to about a hundredth of the usual flow depth"));
+    if (scene.time.trace_threshold > scene.numerics.minimum_depth)
+        warn(expected.untraced_fraction, "output.trace-threshold", scene.time.trace_threshold,
+             worded(
+                 "outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow "
+                 "depth"));
+}
+
+double sure_friction(const SceneSpec& scene) {
+    bool by_place = scene.terrain.friction_zones.has_value();
+    for (const ZoneKey& key : zone_keys()) by_place = by_place || (key.what == "friction" && scene.zones.*key.source);
+    const std::vector<const Law*> laws = laws_of(scene);
+    const bool resists =
+        std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
+    if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
+    return friction_coefficient(scene.material) * (1 - scene.material.pore_pressure_ratio.value_or(0));
+}
+
 namespace {
 
 // A few cells suffice to locate the problem; all would hide the message.

@@ -2,9 +2,23 @@
 #pragma once
 
 #include "app/input/prepare_release.h"
+#include "app/text/run_log.h"
+#include "params/keys/scene_spec.h"
 #include "simulation/result.h"
+#include "simulation/scene.h"
 
 namespace frana::app {
+
+inline constexpr double k_thin_fraction =
+    0.1;  ///< fraction of the volume that may be thinner than visible on maps or in outlines without a warning
+
+/// Warns, before anything is computed, if maps and values, or outlines and run-out, omit a substantial part of a
+/// release.
+void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log);
+
+/// Returns the tangent of the slope up to which the bed's friction holds material everywhere; 0 where places differ,
+/// and where no law at the bed resists with it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
+double sure_friction(const SceneSpec& scene);
 
 /// Checks that the release is on ground with data and has a valid thickness. Adds to `problems`: outlines outside the
 /// DTM (both extents named), nodata under the release (cells named), negative or missing thickness (cells named).

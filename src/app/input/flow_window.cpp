@@ -5,11 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "app/input/layer_choice.h"
+#include "app/input/check_release.h"
+#include "app/input/layer_values.h"
 #include "app/input/prepare_inflow.h"
-#include "app/input/sure_friction.h"
 #include "gis/raster/elevation_sample.h"
-#include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"

@@ -6,12 +6,18 @@
 #include <set>
 
 #include "app/text/number_text.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/crs/crs.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
+
+gis::LayerChoice layer_choice(const SceneReading& reading, const LayerSpec& spec, const std::string& key) {
+    return {spec.name.value_or(""), spec.filter.value_or(""),
+            spec.crs ? gis::crs_from_user(*spec.crs, reading.where(key + "-crs")) : ""};
+}
+
 namespace {
 
 /// The attributes in which any feature has a number.

@@ -8,7 +8,7 @@
 
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "simulation/inflow.h"
 #include "simulation/release.h"

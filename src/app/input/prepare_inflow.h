@@ -5,7 +5,7 @@
 
 #include "app/input/prepare_terrain.h"
 #include "app/input/used_file.h"
-#include "gis/vector/lines_in.h"
+#include "gis/vector/marks_in.h"
 #include "simulation/scene.h"
 
 namespace frana::app {

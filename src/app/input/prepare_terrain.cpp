@@ -3,24 +3,169 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "analysis/gaussian_field.h"
+#include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
-#include "app/input/check_terrain.h"
-#include "app/input/choose_crs.h"
 #include "app/input/flow_window.h"
 #include "app/input/memory_bound.h"
 #include "app/input/transform_report.h"
 #include "app/process/machine_memory.h"
 #include "app/text/number_text.h"
-#include "core/shortest_text.h"
+#include "app/text/run_log.h"
+#include "core/error.h"
+#include "core/raster.h"
+#include "core/text.h"
 #include "core/words/words.h"
 #include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
 #include "gis/raster/elevation_sample.h"
+#include "gis/raster/raster_in.h"
 #include "gis/raster/working_grid.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app {
 namespace {
+
+// Lengths wrong by 1 % make areas and volumes wrong by 2 %, as much as a survey's error. UTM stays within 0.1 %.
+constexpr double k_largest_scale_error = 0.01;
+
+Point centre_of(const Bounds& bounds) {
+    return {(bounds.west + bounds.east) / 2, (bounds.south + bounds.north) / 2};
+}
+
+Sentence scale_of(const gis::MapScale& scale) {
+    const Sentence least = numeral(number_text(scale.least, 5));
+    if (scale.greatest - scale.least < 1e-4) return least;
+    return worded("{1} to {2} by direction", {least, numeral(number_text(scale.greatest, 5))});
+}
+
+/// Returns the working CRS named by terrain.crs, which must measure the ground in metres at the DTM.
+std::string requested_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
+    const std::string where = reading.where("terrain.crs"), requested = reading.scene.terrain.crs;
+    const std::string crs = gis::crs_from_user(requested, where);
+    if (!gis::is_projected_in_metres(crs)) {
+        throw Error(ErrorKind::input,
+                    Problem{"is not a projected system in metres with axes east and north", where, requested,
+                            "a projected CRS in metres, such as a UTM zone", "Choose another, or remove the key"});
+    }
+    std::string horizontal = gis::horizontal_crs(crs);
+    if (dtm.crs_wkt.empty()) return horizontal;
+    const Point centre = centre_of(dtm.bounds);
+    const gis::CrsTransform to_working(dtm.crs_wkt, horizontal, Bounds{centre.x, centre.y, centre.x, centre.y});
+    const gis::MapScale scale = gis::map_scale(horizontal, to_working(centre));
+    if (scale.error() > k_largest_scale_error) {
+        throw Error(ErrorKind::input, Problem{"lengths in this system are not lengths on the ground", where,
+                                              requested + " with a scale of " + scale_of(scale).text() + " at the DTM",
+                                              "a scale within 1 % of 1", "Choose a UTM zone, or remove the key"});
+    }
+    return horizontal;
+}
+
+/// Without a CRS coordinates must be in metres.
+void check_local(const SceneReading& reading, const gis::RasterInfo& dtm) {
+    if (dtm.crs_wkt.empty() || gis::is_projected_in_metres(dtm.crs_wkt)) return;
+    throw Error(ErrorKind::input,
+                Problem{"the DTM's coordinates are not in metres, so they cannot be used as they are",
+                        reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
+}
+
+std::string automatic_crs(const gis::RasterInfo& dtm, RunLog& log) {
+    const Point centre = centre_of(dtm.bounds);
+    if (gis::is_projected_in_metres(dtm.crs_wkt)) {
+        std::string own = gis::horizontal_crs(dtm.crs_wkt);
+        const gis::MapScale scale = gis::map_scale(own, centre);
+        if (scale.error() <= k_largest_scale_error) return own;
+        log.warn(
+            worded("DTM: lengths in {1} are not lengths on the ground (scale {2}); the run is computed in the UTM zone "
+                   "instead",
+                   {dtm.crs_label, scale_of(scale)}));
+    }
+    const Point degrees = gis::to_longitude_latitude(dtm.crs_wkt, centre);
+    return gis::utm_crs_for(degrees.x, degrees.y);
+}
+
+/// Returns the working CRS (WKT): that of terrain.crs, else the DTM's own if projected, in metres and true to scale,
+/// else the UTM zone of the DTM's centre. Empty: local. Throws Error(input) with the remedy if there is none, or if
+/// lengths in the requested one are not lengths on the ground.
+std::string choose_working_crs(const SceneReading& reading, const gis::RasterInfo& dtm, RunLog& log) {
+    const std::string& requested = reading.scene.terrain.crs;
+    if (requested == "local") {
+        check_local(reading, dtm);
+        return {};
+    }
+    Problems problems;
+    std::string crs;
+    try {
+        if (requested != "auto") crs = requested_crs(reading, dtm);
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    if (dtm.crs_wkt.empty()) {
+        problems.add({"has no coordinate reference system", reading.where("terrain.dtm"), dtm.path, "",
+                      "State it with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its coordinates, "
+                      "and the perimeter's, as plain metres"});
+    }
+    problems.throw_if_any();
+    return crs.empty() ? automatic_crs(dtm, log) : crs;
+}
+
+constexpr double k_steepest_median = 60;  // degrees; of the steepest mountains some 45
+// A single cell of fine models: higher than trees and houses. Of coarse ones a summit may be as steep as 56 degrees.
+constexpr double k_needle = 20, k_needle_cells = 1.5;
+
+Sentence place_of(const GridSpec& looked_at, const GridSpec& grid, const Spot& spot) {
+    const Point centre = looked_at.cell_centre(spot.row, spot.column);
+    const auto cell = [&](double distance) { return std::to_string(std::llround(distance / grid.cell_size - 0.5)); };
+    return worded("{1} (row {2}, column {3})", {number_text(centre.x, 9) + ", " + number_text(centre.y, 9),
+                                                cell(grid.north - centre.y), cell(centre.x - grid.west)});
+}
+
+const char* const k_remedy = worded(
+    "If it is nodata, set terrain.nodata-value; if the unit differs, set terrain.vertical-unit or convert the file");
+
+/// Checks the terrain of a run, or a part or samples of it; places are given in cells of `grid`. Throws Error(input)
+/// for elevations impossible in any unit; warns of elevations above or below any ground, of slopes that indicate a
+/// wrong unit, and of single cells far from all their neighbours, with their places.
+void check_terrain(const SceneReading& reading, const Raster& terrain, const GridSpec& grid, RunLog& log) {
+    const auto place = [&](const GridSpec& of, const Spot& spot) { return place_of(terrain.grid, of, spot); };
+    const double needle = std::max(k_needle, k_needle_cells * terrain.grid.cell_size);
+    const TerrainSanity found = terrain_sanity(terrain, needle);
+    if (found.highest.value < found.lowest.value) return;  // no sample of a large DTM lies where it has data
+    const Spot& extreme = found.highest.value > -found.lowest.value ? found.highest : found.lowest;
+    if (std::abs(extreme.value) > k_impossible_elevation) {
+        throw Error(
+            ErrorKind::input,
+            Problem{"contains an impossible elevation", reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm,
+                    number_text(extreme.value, 6) + " m at " + place(grid, extreme).text(),
+                    grouped(-k_impossible_elevation) + " to " + grouped(k_impossible_elevation) + " m", k_remedy});
+    }
+    if (found.highest.value > k_highest_ground)
+        log.warn(worded("DTM: the highest elevation is {1} m at {2}, higher than any mountain. {3}",
+                        {numeral(number_text(found.highest.value, 6)), place(grid, found.highest), k_remedy}));
+    if (found.lowest.value < k_lowest_ground)
+        log.warn(worded("DTM: the lowest elevation is {1} m at {2}, lower than any dry ground. {3}",
+                        {numeral(number_text(found.lowest.value, 6)), place(grid, found.lowest), k_remedy}));
+    if (found.median_slope_deg > k_steepest_median)
+        log.warn(worded(
+            "DTM: half of the ground is steeper than {1} degrees: elevations and eastings may be in different units. "
+            "Check terrain.vertical-unit and the coordinate reference system",
+            {numeral(number_text(found.median_slope_deg, 3))}));
+    if (found.needles == 0) return;
+    std::vector<Sentence> list;
+    for (const Spot& spot : found.first_needles)
+        list.push_back(worded("{1} m at {2}", {numeral(number_text(spot.value, 4)), place(grid, spot)}));
+    if (found.needles > static_cast<std::int64_t>(list.size())) list.emplace_back(std::string("..."));
+    log.warn(worded(found.needles == 1
+                        ? worded("DTM: {1} single cell stands more than {2} m above or below all eight "
+                                 "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
+                                 "DTM there (a mast, a bird, noise, undeclared nodata)")
+                        : worded("DTM: {1} single cells stand more than {2} m above or below all eight "
+                                 "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
+                                 "DTM there (a mast, a bird, noise, undeclared nodata)"),
+                    {numeral(grouped(found.needles)), numeral(number_text(needle)), listed(list)}));
+}
 
 // Up to here a run takes the whole DTM; beyond, unused rasters would cost more than the flow.
 constexpr auto k_large = static_cast<double>(CellValues::k_most_dense);

@@ -12,7 +12,6 @@
 #include "analysis/trace.h"
 #include "app/input/layer_values.h"
 #include "app/input/transform_report.h"
-#include "app/input/zone_raster_on_demand.h"
 #include "app/input/zones_on_demand.h"
 #include "app/text/number_text.h"
 #include "core/words/words.h"
@@ -43,14 +42,14 @@ std::vector<Quantity> quantities(const ZonesSpec& spec) {
     return list;
 }
 
-bool by_attribute(const Quantity& quantity) {
+bool quantity_by_attribute(const Quantity& quantity) {
     return quantity.source && quantity.source->kind == SourceSpec::Kind::attribute;
 }
 
 /// If no key names a column, columns with a standard name are used; a shapefile truncates names to ten letters.
 void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, std::vector<Quantity>& list, RunLog& log,
                   Problems& problems) {
-    if (std::any_of(list.begin(), list.end(), by_attribute)) return;
+    if (std::any_of(list.begin(), list.end(), quantity_by_attribute)) return;
     const auto& numbers = layer.features.front().numbers;
     std::string known, expected;
     for (const auto& number : numbers) known += (known.empty() ? "" : ", ") + number.first;
@@ -148,7 +147,7 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
     for (std::size_t f = 0; f < layer.features.size(); ++f) {
         std::vector<std::pair<Raster*, double>> values;
         for (const Quantity& quantity : list) {
-            if (!by_attribute(quantity)) continue;
+            if (!quantity_by_attribute(quantity)) continue;
             const auto value = value_of(reading, quantity.key->name, *quantity.source, layer, f, problems);
             if (!value) continue;
             std::optional<Raster>& raster = zones.*quantity.target;
@@ -169,7 +168,7 @@ void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer,
                     const MultiPolygon& released, const std::vector<Quantity>& list, MaterialZones& zones, RunLog& log,
                     Problems& problems) {
     for (const Quantity& quantity : list) {
-        if (!by_attribute(quantity)) continue;
+        if (!quantity_by_attribute(quantity)) continue;
         std::vector<std::optional<double>> values;
         for (std::size_t f = 0; f < layer.features.size(); ++f) {
             values.push_back(value_of(reading, quantity.key->name, *quantity.source, layer, f, problems));

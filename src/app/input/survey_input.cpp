@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/input/survey_input.h"
 
-#include "gis/raster/logo_in.h"
 #include "gis/raster/picture_in.h"
 
 #include <algorithm>
 
 #include "app/text/number_text.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "core/words/words.h"
 #include "params/keys/scene_spec.h"
 

@@ -3,7 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
+
+#include "app/text/number_text.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/raster_in.h"
+#include "simulation/release.h"
 
 namespace frana::app {
 
@@ -73,6 +80,136 @@ Raster positive_values(const Raster& thickness, const Bounds& extent) {
     for_each_positive(thickness, extent,
                       [&](std::int64_t row, std::int64_t column, double value) { values.at(row, column) = value; });
     return values;
+}
+
+namespace {
+
+// For the area of one CRS in another: long enough for the digits of the operation, short beside its curvature [m].
+constexpr double k_side = 100;
+
+constexpr double k_worth_a_warning = 0.01;  // of the volume; smaller than the accuracy of any thickness
+constexpr double k_of_this_mass = 0.5;      // inside the perimeter; less: a raster of all ground
+
+/// A raster's own cells as seen from the working CRS. Between different CRSs lengths are in cells of the raster, which
+/// may have sides in degrees.
+class OwnCells {
+  public:
+    OwnCells(const GridSpec& grid, const GridSpec& working, const MultiPolygon& outline)
+        : grid_(grid),
+          to_own_(working.crs_wkt, working.crs_wkt.empty() ? "" : grid.crs_wkt, bounds(outline)),
+          unit_(to_own_.is_identity() ? 1 : grid.cell_size) {
+        if (to_own_.is_identity()) return;
+        const Bounds box = bounds(outline);
+        const Point middle{(box.west + box.east) / 2, (box.south + box.north) / 2};
+        const Point west = place(to_own_({middle.x - k_side, middle.y})),
+                    east = place(to_own_({middle.x + k_side, middle.y})),
+                    south = place(to_own_({middle.x, middle.y - k_side})),
+                    north = place(to_own_({middle.x, middle.y + k_side}));
+        area_ = 4 * k_side * k_side /
+                std::abs((east.x - west.x) * (north.y - south.y) - (east.y - west.y) * (north.x - south.x));
+    }
+    [[nodiscard]] MultiPolygon places(const MultiPolygon& outline) const {
+        MultiPolygon moved = outline;
+        const auto move = [&](Ring& ring) {
+            for (Point& p : ring) p = place(to_own_(p));
+        };
+        for (Polygon& polygon : moved) {
+            move(polygon.outer);
+            for (Ring& hole : polygon.holes) move(hole);
+        }
+        return moved;
+    }
+    [[nodiscard]] double side() const { return grid_.cell_size / unit_; }
+    /// Area in the working CRS of an area of one here [m2].
+    [[nodiscard]] double area() const { return area_; }
+
+  private:
+    [[nodiscard]] Point place(Point map) const {
+        const Point local = grid_.local_from_map(map);
+        return {local.x / unit_, local.y / unit_};
+    }
+
+    const GridSpec& grid_;
+    gis::CrsTransform to_own_;
+    double unit_, area_ = 1;
+};
+
+double volume_inside(const Raster& thickness, const GridSpec& working, const MultiPolygon& outline) {
+    const OwnCells cells(thickness.grid, working, outline);
+    return volume_in_cells(thickness, cells.side(), cells.places(outline)) * cells.area();
+}
+
+/// Returns the volume of a raster of which all cells are in memory.
+double volume_of_all(const Raster& thickness, const GridSpec& working, const MultiPolygon& outline) {
+    double sum = 0;
+    thickness.values.for_each_stored([&](std::size_t, double value) {
+        if (value > 0) sum += value;
+    });
+    const OwnCells cells(thickness.grid, working, outline);
+    return sum * cells.side() * cells.side() * cells.area();
+}
+
+/// Returns the raster's own cells, in its own CRS; none if they are not square or rotated.
+std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& working) {
+    const bool square = !file.rotated && std::abs(file.cell_x - file.cell_y) <= 1e-9 * file.cell_x;
+    if (!square) return std::nullopt;
+    const bool same_crs = file.crs_wkt.empty() || working.crs_wkt.empty() ||
+                          gis::crs_name(gis::horizontal_crs(file.crs_wkt)) == gis::crs_name(working.crs_wkt);
+    GridSpec grid;
+    grid.west = file.bounds.west;
+    grid.north = file.bounds.north;
+    grid.cell_size = file.cell_x;
+    grid.columns = file.columns;
+    grid.rows = file.rows;
+    grid.crs_wkt = same_crs ? working.crs_wkt : gis::horizontal_crs(file.crs_wkt);
+    return grid;
+}
+
+/// All of the file, or of a large one what is asked for.
+Raster read_own(const std::string& path, const GridSpec& grid) {
+    if (grid.cell_count() <= CellValues::k_most_dense)
+        return gis::read_raster_on(path, grid, grid.crs_wkt, gis::Resampling::nearest).raster;
+    const auto file = std::make_shared<const gis::RasterOnDemand>(path, grid, grid.crs_wkt, gis::Resampling::nearest,
+                                                                  "auto", std::nullopt, path);
+    return thickness_on_demand(ThicknessSpec::Kind::raster, grid, {file}, nullptr);
+}
+
+}  // namespace
+
+void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used) {
+    if (release.rasters.size() != 1 || release.areas.empty()) return;
+    const ReleaseArea& first = release.areas.front();
+    if (!first.thickness_raster || first.normal_to_bed) return;
+    const gis::RasterInfo& file = release.rasters.front();
+    const std::optional<GridSpec> grid = own_grid(file, working_grid);
+    if (!grid) return;
+    const Raster own = read_own(file.path, *grid);
+    FileVolume found;
+    for (ReleaseArea& area : release.areas) {
+        const double volume = volume_inside(own, working_grid, area.outline);
+        if (volume > 0) area.volume = volume;
+        found.inside += volume;
+    }
+    if (grid->cell_count() <= CellValues::k_most_dense) found.all = volume_of_all(own, working_grid, first.outline);
+    used.checksum.add(own);
+    release.file_volume = found;
+}
+
+void compare_volumes(const std::optional<FileVolume>& in_file, double released, RunLog& log) {
+    if (!in_file || !(in_file->inside > 0)) return;
+    const double difference = released / in_file->inside - 1, part = in_file->inside / in_file->all;
+    if (part > k_of_this_mass && part < 1 - k_worth_a_warning)
+        log.warn(worded(
+            "the thickness raster contains {1} m3, of which the perimeter has {2} m3: {3} % lie beyond it and are "
+            "not released. Draw the perimeter around all of the raster's mass, or leave release.perimeter out",
+            {numeral(grouped(in_file->all)), numeral(grouped(in_file->inside)),
+             numeral(number_text(100 * (1 - part), 2))}));
+    const Sentence both = worded("the thickness raster contains {1} m3 inside the perimeter; the release has {2} m3",
+                                 {numeral(grouped(in_file->inside)), numeral(grouped(released))});
+    if (std::abs(difference) > k_worth_a_warning)
+        log.warn(worded("{1} ({2} %)", {both, numeral(number_text(100 * difference, 2))}));
+    else
+        log.note(both.text());
 }
 
 }  // namespace frana::app

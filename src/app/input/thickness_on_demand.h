@@ -4,11 +4,23 @@
 #include <memory>
 #include <vector>
 
+#include "app/input/prepare_release.h"
 #include "core/raster.h"
 #include "gis/raster/raster_in.h"
 #include "params/grammar/thickness.h"
 
 namespace frana::app {
+
+/// Makes the volume of each area that of the thickness raster inside it, over the covered parts of the raster's own
+/// cells, and stores what the raster contains in release.file_volume. Does nothing if the thickness is not one vertical
+/// raster of square cells; their CRS may be another than the working one. `used` is that raster: its own cells are
+/// added to its checksum.
+void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used);
+
+/// The released volume must equal that of the file inside the perimeter; logs both, as a warning if they differ by a
+/// percent. Warns as well if the perimeter cuts more than that off a raster that is mostly inside: a raster of this
+/// mass, not of the thickness of all ground. `in_file`: release.file_volume; none: nothing to compare.
+void compare_volumes(const std::optional<FileVolume>& in_file, double released, RunLog& log);
 
 /// Thickness on a large working grid, of which nothing is read until a cell is asked for: that of the file, or the
 /// positive part of before minus after or of the ground minus the slip surface. `files` are those of the key, in its

@@ -2,7 +2,7 @@
 #include "app/input/used_file.h"
 
 #include "app/text/number_text.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "core/words/words.h"
 #include "gis/crs/crs.h"
 

@@ -1,18 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <zlib.h>
+
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "app/input/checksum.h"
+#include "core/geometry.h"
+#include "core/raster.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/exposed_in.h"
-#include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
+#include "simulation/scene.h"
 
 namespace frana::app {
+
+/// CRC-32 of values as read.
+class Checksum {
+  public:
+    void add(double value) { add_bytes(&value, sizeof value); }
+    void add(Point point) { add_all(point.x, point.y); }
+    void add(const std::string& text) {
+        add(static_cast<double>(text.size()));
+        add_bytes(text.data(), text.size());
+    }
+    /// Adds the stored cells of a raster.
+    void add(const Raster& raster) {
+        raster.values.for_each_run([this, &raster](std::size_t first, const double* values, std::size_t count) {
+            if (raster.values.is_tiled()) add(static_cast<double>(first));
+            add_bytes(values, count * sizeof(double));
+        });
+    }
+    void add(const Polygon& polygon) { add_all(polygon.outer, polygon.holes); }
+    void add(const PolygonFeature& feature) { add_all(feature.parts, feature.numbers); }
+    void add(const gis::LineInput& feature) { add_all(feature.line, feature.texts); }
+    void add(const gis::NamedLine& line) { add_all(line.name, line.line); }
+    void add(const gis::NamedPoint& point) { add_all(point.name, point.place); }
+    void add(const HydrographPoint& point) { add_all(point.time, point.discharge, point.speed); }
+    template <class Key, class Value>
+    void add(const std::pair<Key, Value>& pair) {
+        add_all(pair.first, pair.second);
+    }
+    template <class Key, class Value>
+    void add(const std::map<Key, Value>& map) {
+        add_each(map);
+    }
+    template <class T>
+    void add(const std::vector<T>& list) {
+        add_each(list);
+    }
+    template <class... T>
+    void add_all(const T&... values) {
+        (add(values), ...);
+    }
+    [[nodiscard]] std::uint32_t value() const noexcept { return sum_; }
+
+  private:
+    template <class List>
+    void add_each(const List& list) {
+        add(static_cast<double>(list.size()));
+        for (const auto& value : list) add(value);
+    }
+    void add_bytes(const void* data, std::size_t count) {
+        if (count > 0)  // null would reset the sum
+            sum_ = static_cast<std::uint32_t>(crc32_z(sum_, static_cast<const Bytef*>(data), count));
+    }
+
+    std::uint32_t sum_ = 0;
+};
 
 /// An input file of a scene, for the tables of the check and of the report, and for the comparison by --resume. Made
 /// from the data read. Texts may contain line breaks.

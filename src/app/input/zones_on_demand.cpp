@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "app/input/thickness_on_demand.h"
+#include "app/input/transform_report.h"
 #include "core/geometry.h"
+#include "gis/crs/crs_transform.h"
 #include "gis/raster/footprint.h"
+#include "gis/raster/raster_in.h"
 
 namespace frana::app {
 namespace {
@@ -53,6 +58,62 @@ Raster raster_values_on_demand(const GridSpec& grid, const std::shared_ptr<const
         for (std::int64_t i = 0; i < window.rows * window.columns; ++i)
             if (!std::isnan(cells[i])) cells[i] = convert(cells[i]);
     });
+}
+
+namespace {
+
+using File = std::shared_ptr<const gis::RasterOnDemand>;
+
+File open_zones(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
+                const gis::RasterInfo& info, RunLog& log) {
+    const GridSpec& grid = ground.terrain.grid;
+    const std::string where = reading.where(key);
+    if (!grid.crs_wkt.empty() && info.crs_wkt.empty())
+        throw Error(ErrorKind::input,
+                    Problem{"has no coordinate reference system", where, info.path, "", k_state_zone_crs});
+    auto file = std::make_shared<const gis::RasterOnDemand>(info.path, grid, "", gis::Resampling::automatic, "metre",
+                                                            std::nullopt, where);
+    log.warn_of(key, file->known().warnings);
+    report_transform(key, file->known().transform, grid.cell_size, log);
+    return file;
+}
+
+void add_to(std::vector<UsedFile>& files, const std::string& key, const gis::RasterInfo& info, const File& file,
+            const Raster& raster) {
+    files.push_back(used_raster("Zones: " + key, info, file->known()));
+    do_not_count_nodata(files.back());
+    files.back().checksum.add(raster);
+}
+
+}  // namespace
+
+void look_under(const MultiPolygon& released, const Raster& raster) {
+    gis::visit_cells(released, raster.grid, gis::Cover::closed,
+                     [&](std::int64_t row, std::int64_t column) { (void)raster.at(row, column); });
+}
+
+Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
+                             const std::string& path, const MultiPolygon& released,
+                             const std::function<double(double)>& convert, std::vector<UsedFile>& files, RunLog& log) {
+    const gis::RasterInfo info = gis::inspect_raster(path, reading.where(key));
+    const File file = open_zones(reading, ground, key, info, log);
+    Raster raster = raster_values_on_demand(ground.terrain.grid, file, convert);
+    look_under(released, raster);
+    add_to(files, key, info, file, raster);
+    return raster;
+}
+
+Raster positive_values_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
+                                 const std::string& path, const std::function<double(double)>& convert,
+                                 std::vector<UsedFile>& files, RunLog& log) {
+    const gis::RasterInfo info = gis::inspect_raster(path, reading.where(key));
+    const File file = open_zones(reading, ground, key, info, log);
+    const GridSpec& grid = ground.terrain.grid;
+    Raster raster = positive_values(
+        raster_values_on_demand(grid, file, convert),
+        gis::CrsTransform(grid.crs_wkt.empty() ? "" : info.crs_wkt, grid.crs_wkt, info.bounds).around(info.bounds));
+    add_to(files, key, info, file, raster);
+    return raster;
 }
 
 }  // namespace frana::app

@@ -4,13 +4,36 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "app/input/prepare_terrain.h"
+#include "app/input/used_file.h"
+#include "app/text/run_log.h"
+#include "core/geometry.h"
 #include "core/raster.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
 
 namespace frana::app {
+
+inline constexpr const char* k_state_zone_crs =
+    "Write one into the file, for example with gdal_edit.py -a_srs EPSG:...";
+
+/// Reads the cells under the release, so that `frana check` can show them and wrong values are known at once.
+void look_under(const MultiPolygon& released, const Raster& raster);
+
+/// The raster `path` of values of `key` on a working grid that is read on demand: nothing is read yet but what lies
+/// under `released` (map coordinates). `convert` makes a value out of what the file has, or throws; it is called as
+/// long as the raster exists. Adds the file to `files`. Throws Error(input).
+Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
+                             const std::string& path, const MultiPolygon& released,
+                             const std::function<double(double)>& convert, std::vector<UsedFile>& files, RunLog& log);
+
+/// The same, all of the file being read now, in parts: memory is taken only where values are positive.
+Raster positive_values_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
+                                 const std::string& path, const std::function<double(double)>& convert,
+                                 std::vector<UsedFile>& files, RunLog& log);
 
 /// A value of the material on a large working grid, of which nothing exists until a cell is asked for: that of each
 /// polygon in the cells whose centre is inside, the later one where two overlap; NaN elsewhere. `values` has one for

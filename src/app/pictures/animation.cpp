@@ -13,13 +13,12 @@
 #include <type_traits>
 
 #include "analysis/trace.h"
-#include "app/pictures/particle_dots.h"
-#include "app/pictures/require_cells.h"
+#include "app/pictures/result_reader.h"
 #include "app/text/number_text.h"
 #include "gis/raster/raster_in.h"
 #include "render/animation/animation.h"
 #include "render/animation/movie.h"
-#include "render/canvas/raster_window.h"
+#include "render/canvas/image.h"
 
 namespace frana::app {
 namespace {

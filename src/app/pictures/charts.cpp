@@ -7,18 +7,30 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/pictures/chart_sheet.h"
 #include "app/store/result_files.h"
-#include "app/text/csv_cell.h"
-#include "app/text/file_stems.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "core/error.h"
-#include "core/utf8.h"
+#include "core/text.h"
 #include "gis/access/table_in.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {
+
+render::Chart chart_sheet(const MapSource& source, const std::string& what, const std::string& note,
+                          const std::string& file) {
+    std::vector<std::string> parts{file, page_attribution(source)};
+    for (std::string& line : block_lines(source.style)) parts.push_back(std::move(line));
+    render::Chart chart;
+    chart.title = page_title(source, what);
+    chart.subtitle = note;
+    chart.long_subtitle = foot_line({note, scenario_line(source)});
+    chart.foot = foot_line(parts);
+    chart.words = source.style.words;
+    return chart;
+}
+
 namespace {
 
 using render::Stroke;

@@ -4,11 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "core/error.h"
 #include "render/chart/chart.h"
 
 namespace frana::app {
+
+/// Returns the page of a chart without its panels, with the texts that maps have. Below the title: `note`, then the
+/// scenario. At the foot: the chart's file, sources and author of the data; organisation, author and date.
+/// @param note about this chart; empty: none
+render::Chart chart_sheet(const MapSource& source, const std::string& what, const std::string& note,
+                          const std::string& file);
 
 /// A chart with the name of its file.
 struct NamedChart {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/pictures/map_layer.h"
-#include "app/store/main_statistics.h"
+#include "app/store/accuracy_record.h"
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "core/words/sentence.h"
@@ -17,6 +17,10 @@
 #include "render/view/view3d.h"
 
 namespace frana::app {
+
+/// Returns a warning that names the letters on the pictures drawn since the last call for which no font is installed;
+/// none: there are none.
+std::optional<Sentence> letter_warning();
 
 /// Values on every map of a result.
 struct MapFacts {

@@ -8,11 +8,11 @@
 
 #include "analysis/trace.h"
 #include "app/pictures/charts.h"
-#include "app/store/layers.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/scene_spec.h"
 #include "render/map/plate.h"

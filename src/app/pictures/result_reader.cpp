@@ -5,38 +5,135 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "analysis/ground_statistics.h"
-#include "app/pictures/exposure_marks.h"
-#include "app/pictures/particle_dots.h"
-#include "app/pictures/require_cells.h"
 #include "app/pictures/scenario.h"
-#include "app/store/error_estimate.h"
+#include "app/store/accuracy_record.h"
 #include "app/store/json_file.h"
-#include "app/store/layers.h"
 #include "app/store/result_files.h"
 #include "app/store/series_ends.h"
 #include "app/store/unfinished_results.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
-#include "app/text/unit_sign.h"
 #include "app/text/version.h"
 #include "core/error.h"
-#include "core/folder_entries.h"
-#include "core/shortest_text.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "core/words/words.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
+#include "gis/vector/exposed_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
-#include "params/grammar/absolute_path.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/former_names.h"
+#include "params/keys/parameter.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/scene_spec.h"
+#include "render/map/map2d.h"
 
 namespace frana::app {
+namespace {
+
+/// The features of all layers of the file.
+std::vector<gis::ExposedFeature> features_of(const std::string& gpkg, const std::string& crs_wkt) {
+    std::vector<gis::ExposedFeature> all;
+    for (const VectorLayer& row : vector_layers()) {
+        if (row.file != k_exposure_file || !gis::has_layer(gpkg, row.name, "RESULT_DIR")) continue;
+        gis::ExposedLayer layer = gis::read_exposed(gpkg + "|layer=" + row.name, crs_wkt, "RESULT_DIR", "", "");
+        for (gis::ExposedFeature& one : layer.features) all.push_back(std::move(one));
+    }
+    return all;
+}
+
+/// Whether the attribute of a feature is that of a look; NULL is NaN.
+bool has_value(const gis::ExposedFeature& feature, double value) {
+    const auto found = feature.numbers.find(k_reached);
+    const double own = found == feature.numbers.end() ? k_no_data : found->second;
+    return own == value || (std::isnan(own) && std::isnan(value));
+}
+
+void add(const MixedShape& shape, render::Outline& outline) {
+    outline.polygons.insert(outline.polygons.end(), shape.areas.begin(), shape.areas.end());
+    outline.lines.insert(outline.lines.end(), shape.lines.begin(), shape.lines.end());
+    for (const Point& place : shape.points) outline.places.push_back({"", place});
+}
+
+/// Returns the exposed features of a result for its maps: those that are reached, those that are not, and those of
+/// which the map says nothing, each kind with its number; the reached ones uppermost. Throws Error(input) for a damaged
+/// file.
+/// @param gpkg the result's exposure.gpkg; need not exist
+std::vector<render::Outline> exposure_marks(const std::string& gpkg, const std::string& crs_wkt, const Words& words) {
+    std::vector<render::Outline> marks;
+    if (!std::filesystem::exists(gpkg)) return marks;
+    const std::vector<gis::ExposedFeature> features = features_of(gpkg, crs_wkt);
+    const std::vector<ExposureLook>& looks = exposure_looks();
+    for (auto look = looks.rbegin(); look != looks.rend(); ++look) {
+        render::Outline outline{"", {}, look->colour, look->width_px, look->dashed};
+        std::size_t count = 0;
+        for (const gis::ExposedFeature& one : features) {
+            if (one.shape.empty() || !has_value(one, look->reached)) continue;
+            add(one.shape, outline);
+            ++count;
+        }
+        if (count == 0) continue;
+        outline.label = words.labelled(words(look->label), words.number(grouped(static_cast<double>(count))));
+        marks.push_back(std::move(outline));
+    }
+    return marks;
+}
+
+}  // namespace
+
+const ParticleQuantity* find_particle_quantity(const std::string& name) {
+    static constexpr ParticleQuantity k_all[] = {
+        {"particles", "speed_ms", "velocity", worded("Speed of particles")},
+        {"particle_cohesion", "cohesion_ratio", "cohesion_ratio", worded("Cohesion left of particles")}};
+    const auto* const found =
+        std::find_if(std::begin(k_all), std::end(k_all), [&](const ParticleQuantity& q) { return name == q.name; });
+    return found == std::end(k_all) ? nullptr : found;
+}
+
+render::Dots read_particle_dots(const std::string& path, const ParticleQuantity& quantity) {
+    if (!std::filesystem::exists(path)) {
+        throw Error(ErrorKind::input,
+                    Problem{"the result has no particles at this time", path, "", "",
+                            "Run the scene with particles-gpkg among output.formats and output.frames = on"});
+    }
+    const gis::ValuedPoints points =
+        gis::read_valued_points(path, {quantity.attribute, "depth_m", "volume_m3"}, "particles");
+    const auto &values = points.columns[0], &depths = points.columns[1], &volumes = points.columns[2];
+    render::Dots dots;
+    double area = 0;
+    for (std::size_t i = 0; i < points.places.size(); ++i) {
+        dots.dots.push_back({points.places[i], depths[i], values[i]});
+        if (depths[i] > 0) area += volumes[i] / depths[i];
+    }
+    std::stable_sort(dots.dots.begin(), dots.dots.end(),
+                     [](const render::Dot& a, const render::Dot& b) { return a.value < b.value; });
+    constexpr double k_apart = 0.85;  // of the distance between particles: they remain separate
+    if (!dots.dots.empty()) dots.width_m = k_apart * std::sqrt(area / static_cast<double>(dots.dots.size()));
+    return dots;
+}
+
+namespace {
+
+std::string cells_text(const GridSpec& grid) {
+    return std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells of " +
+           shortest_text(grid.cell_size) + " from " + extent_text(grid.bounds());
+}
+
+}  // namespace
+
+void require_cells(const GridSpec& grid, const std::string& file, const GridSpec& expected, const std::string& other) {
+    if (grid.same_cells(expected)) return;
+    throw Error(ErrorKind::input, Problem{"does not have the cells of " + other, file, cells_text(grid),
+                                          cells_text(expected), "One of the two is not from this run"});
+}
+
 namespace {
 
 namespace fs = std::filesystem;

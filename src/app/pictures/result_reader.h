@@ -8,11 +8,30 @@
 
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
-#include "app/pictures/particle_dots.h"
 #include "app/store/frame_store.h"
 #include "app/store/result_files.h"
+#include "core/grid_spec.h"
+#include "render/map/map2d.h"
 
 namespace frana::app {
+
+/// A quantity for the colours of particles, by its name in --map.
+struct ParticleQuantity {
+    const char* name;
+    const char* attribute;  ///< in their files
+    const char* colours;    ///< raster of the frames whose colours they have
+    const char* title;
+};
+/// Null for other names.
+const ParticleQuantity* find_particle_quantity(const std::string& name);
+
+/// Returns the particles of a frame, a file particles_NNNN.gpkg of a result, valued by a quantity, the greatest values
+/// last. Their width follows from the mean area of a particle. Throws Error(input).
+render::Dots read_particle_dots(const std::string& path, const ParticleQuantity& quantity);
+
+/// Throws Error(input) if the cells of `file` are not those of `other`: a raster of a result that was exchanged for
+/// another would be drawn in the wrong place.
+void require_cells(const GridSpec& grid, const std::string& file, const GridSpec& expected, const std::string& other);
 
 /// A result directory, read from its files alone. Parts missing in an older or foreign result are omitted; an
 /// unfinished run has its terrain and its frames so far.

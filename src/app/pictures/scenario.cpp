@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/text/number_text.h"
-#include "core/utf8.h"
+#include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/scene_spec.h"
 

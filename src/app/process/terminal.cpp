@@ -5,8 +5,37 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <iostream>
 
 namespace frana::app {
+namespace {
+
+constexpr double k_live_interval = 0.2;    // fast enough to look continuous
+constexpr double k_plain_interval = 10.0;  // contract: a line every ten seconds
+
+}  // namespace
+
+StatusLine::StatusLine(bool quiet)
+    : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1), next_(terminal_ ? 0 : k_plain_interval) {}
+
+bool StatusLine::is_due() const {
+    return !quiet_ && seconds() >= next_;
+}
+
+void StatusLine::show(const std::string& line) {
+    next_ = seconds() + (terminal_ ? k_live_interval : k_plain_interval);
+    if (terminal_) {
+        std::cerr << '\r' << line << "\033[K" << std::flush;
+        is_open_ = true;
+    } else {
+        std::cerr << "frana: " << line << '\n';
+    }
+}
+
+void StatusLine::finish() {
+    if (is_open_) std::cerr << "\r\033[K" << std::flush;
+    is_open_ = false;
+}
 
 std::size_t output_width() {
     constexpr std::size_t k_usual = 80;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/compare/comparison_input.h"
+#include "app/compare/comparison.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_pictures.h"
+#include "app/store/accuracy_record.h"
 #include "app/store/checkpoints.h"
-#include "app/store/main_statistics.h"
 #include "app/store/manifest.h"
 #include "app/store/replace_result.h"
 #include "app/store/result_directory.h"

@@ -8,19 +8,135 @@
 #include <cstring>
 #include <filesystem>
 
-#include "app/pictures/class_words.h"
-#include "app/publish/page_style.h"
+#include "app/pictures/map_layer.h"
+#include "app/store/manifest.h"
+#include "app/store/replace_result.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
-#include "core/base64.h"
 #include "core/error.h"
-#include "core/folder_entries.h"
-#include "core/markup.h"
-#include "core/utf8.h"
-#include "gis/raster/page_picture.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "gis/raster/picture_in.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {
+namespace {
+
+/// The style of frana's pages: plain on the screen, black on white on A4. On paper the first section fills its page,
+/// two maps have room on a page, no row of a table and no picture is divided by a page break, heads of tables are
+/// repeated, and what is folded is left out. No picture is higher than half a page, so that a page whose next picture
+/// does not fit is more than half full.
+constexpr const char* k_page_style = R"(
+:root { color-scheme: light; }
+* { box-sizing: border-box; }
+body { font: 15px/1.45 "DejaVu Sans", Verdana, Arial, sans-serif; color: #1a1a1a; background: #fff;
+  max-width: 60rem; margin: 1.5rem auto; padding: 0 1rem; }
+h1 { font-size: 1.6rem; line-height: 1.2; margin: 0 0 .2rem; }
+h2 { font-size: 1.2rem; margin: 2rem 0 .6rem; border-bottom: 1px solid #999; }
+h3 { font-size: 1rem; margin: 1.2rem 0 .4rem; }
+h1, h2, h3, p, figcaption, summary { overflow-wrap: anywhere; }
+table { border-collapse: collapse; width: 100%; font-size: .85rem; margin: .4rem 0; }
+th, td { text-align: left; vertical-align: top; padding: .2rem .5rem; border-bottom: 1px solid #ddd;
+  overflow-wrap: anywhere; }
+th { font-weight: bold; border-bottom-color: #888; }
+.n { text-align: right; font-variant-numeric: tabular-nums; }
+td.n { white-space: nowrap; } td.u { overflow-wrap: normal; } td.u { padding-left: 0; }
+.soft { color: #555; }
+table.keys { table-layout: fixed; } table.keys th { width: 18%; } table.keys th:nth-child(2) { width: 19%; }
+table.keys th:nth-child(3) { width: 9%; } table.keys th:last-child { width: auto; }
+tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal; }
+.answer p { margin: .4rem 0; }
+.columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(22rem, 100%), 1fr)); gap: .4rem 1.6rem;
+  align-items: start; }
+.columns > * { min-width: 0; }
+figure { margin: .6rem 0; } figcaption { font-size: .85rem; color: #333; }
+.small { font-size: .8rem; color: #444; }
+.warning { border-left: .4rem solid #d55e00; background: #fdf1e7; padding: .3rem .8rem; margin: .4rem 0; }
+.good { border-left: .4rem solid #009e73; background: #eaf7f2; padding: .3rem .8rem; }
+img, svg { display: block; width: 100%; height: auto; border: 1px solid #ccc; }
+.swatch { display: inline-block; width: 1em; height: 1em; border: 1px solid #666; vertical-align: -.15em; }
+summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
+@page { size: A4; margin: 13mm 15mm 16mm; font: 7.5pt "DejaVu Sans", Verdana, sans-serif; color: #555;
+  @bottom-right { content: counter(page) " / " counter(pages); } }
+@media print {
+  body { max-width: none; margin: 0; padding: 0; font-size: 8.5pt; line-height: 1.35; }
+  h1 { font-size: 15pt; } h2 { font-size: 11.5pt; margin: 5mm 0 2mm; } h3 { font-size: 9pt; margin: 3mm 0 1mm; }
+  h1, h2, h3 { break-after: avoid; }
+  table { font-size: 7.5pt; margin: 1mm 0; } th, td { padding: .5mm 1.5mm; }
+  table.keys { font-size: 6.3pt; line-height: 1.2; } table.keys td { padding: .2mm 1mm; }
+  thead { display: table-header-group; }
+  tr, .columns, figure, img, svg, .warning { break-inside: avoid; }
+  p { orphans: 3; widows: 3; }
+  .small, figcaption { font-size: 7.5pt; }
+  .columns { grid-template-columns: 1fr 1fr; gap: 1mm 6mm; }
+  figure { margin: 1.5mm 0; }
+  figure svg { width: auto; max-width: 100%; max-height: 44mm; }
+  figure img { width: auto; max-width: 100%; max-height: 110mm; }
+  .warning, .good { background: none; border-left-width: 1.5mm; padding: .3mm 2mm; margin: 1mm 0; }
+  details { display: none; }
+  a { color: inherit; text-decoration: none; }
+  .answer { display: flex; flex-direction: column; min-height: 265mm; }
+  .answer.plain { display: block; min-height: 0; }
+  .answer p { margin: 1mm 0; }
+  .answer figure { flex: 1 1 95mm; min-height: 95mm; max-height: 140mm; display: flex; flex-direction: column; }
+  .answer figure img { flex: 1 1 0; min-height: 0; max-height: none; object-fit: contain; border: 0; }
+  figure svg.page { width: 180mm; max-width: none; max-height: none; }
+  figure img.page, .answer figure img.page { flex: none; width: 180mm; max-width: none; max-height: none; border: 0; }
+}
+)";
+
+std::string cell(const char* open, const std::string& text, const char* close) {
+    return open + escaped_markup(text) + close;
+}
+
+std::string value_cells(const std::string& name, const std::string& value, const std::string& unit) {
+    return cell("<td>", name, "</td>") + cell("<td class=\"n\">", value, "</td>") +
+           cell("<td class=\"u\">", unit, "</td>");
+}
+
+}  // namespace
+
+HtmlTable::HtmlTable(const std::vector<std::string>& heads) {
+    for (const std::string& head : heads)
+        head_ += head.empty() ? "<td></td>" : cell("<th scope=\"col\">", head, "</th>");
+    if (!heads.empty()) head_ = "<thead><tr>" + head_ + "</tr></thead>\n";
+}
+
+HtmlTable& HtmlTable::row(const std::vector<std::string>& cells, const std::string& kind) {
+    rows_ += kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">";
+    for (const std::string& text : cells) rows_ += cell("<td>", text, "</td>");
+    rows_ += "</tr>\n";
+    return *this;
+}
+
+HtmlTable& HtmlTable::number(const std::string& name, const std::string& value, const std::string& unit,
+                             const std::vector<std::string>& more) {
+    rows_ += "<tr>" + value_cells(name, value, unit);
+    for (const std::string& text : more) rows_ += cell("<td class=\"soft\">", text, "</td>");
+    rows_ += "</tr>\n";
+    return *this;
+}
+
+HtmlTable& HtmlTable::number_with(const std::string& name, const std::string& value, const std::string& unit,
+                                  const std::string& cells) {
+    rows_ += "<tr>" + value_cells(name, value, unit) + cells + "</tr>\n";
+    return *this;
+}
+
+HtmlTable& HtmlTable::raw(const std::string& html) {
+    rows_ += html;
+    return *this;
+}
+
+std::string HtmlTable::html(const std::string& kind) const {
+    return (kind.empty() ? "<table>\n" : "<table class=\"" + kind + "\">\n") + head_ + "<tbody>\n" + rows_ +
+           "</tbody>\n</table>\n";
+}
+
+std::string small_print(const std::string& text) {
+    return "<p class=\"small\">" + escaped_markup(text) + "</p>\n";
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,6 +334,23 @@ Words words_of_page(const std::string& page) {
     const std::size_t at = page.find(before);
     if (at == std::string::npos) return {};
     return Words(language_of_code(page.substr(at + before.size(), 2)).value_or(Language::english));
+}
+
+bool renew_page(const std::string& folder, const std::function<std::vector<PagePart>(const Words&)>& parts) {
+    const std::string path = (std::filesystem::path(folder) / k_report_file).string();
+    if (!std::filesystem::exists(path)) return true;
+    std::string page = read_text_file(path);
+    for (const PagePart& part : parts(words_of_page(page))) {
+        if (auto renewed = with_part(page, part.name, part.html))
+            page = std::move(*renewed);
+        else if (!part.optional)
+            return false;
+    }
+    const bool in_making = std::filesystem::exists(std::filesystem::path(folder) / k_building_file);
+    if (!in_making) begin_own(folder, {path});
+    write_text_file(path, page);
+    if (!in_making) record_files({path});
+    return true;
 }
 
 }  // namespace frana::app

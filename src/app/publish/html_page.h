@@ -3,14 +3,53 @@
 
 #include <cstddef>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/file_aside.h"
+#include "core/files.h"
 #include "core/words/sentence.h"
+#include "core/words/words.h"
 
 namespace frana::app {
+
+/// A table of a page. Cells are text, escaped here; the head is repeated on each printed page.
+class HtmlTable {
+  public:
+    explicit HtmlTable(const std::vector<std::string>& heads = {});
+
+    /// @param kind a class of the style; empty: none
+    HtmlTable& row(const std::vector<std::string>& cells, const std::string& kind = {});
+    /// A name, a number aligned to the right, its unit, and perhaps more.
+    HtmlTable& number(const std::string& name, const std::string& value, const std::string& unit,
+                      const std::vector<std::string>& more = {});
+    /// The same with more cells as HTML.
+    HtmlTable& number_with(const std::string& name, const std::string& value, const std::string& unit,
+                           const std::string& cells);
+    /// Rows as HTML.
+    HtmlTable& raw(const std::string& html);
+
+    [[nodiscard]] std::string html(const std::string& kind = {}) const;
+
+  private:
+    std::string head_, rows_;
+};
+
+/// Returns a paragraph in small letters; the text is escaped here.
+std::string small_print(const std::string& text);
+
+/// New content of a part of a page: page_part.
+struct PagePart {
+    std::string name, html;
+    bool optional = false;  ///< a page may be without it
+};
+
+/// Replaces parts of report.html of a result, which gets its name when it is complete, and its mark in the manifest. A
+/// page that was changed since is kept under another name. Returns false if there is a report of an older frana,
+/// without these parts, which stays as it is. Throws Error(environment).
+/// @param parts in the language of the page
+bool renew_page(const std::string& folder, const std::function<std::vector<PagePart>(const Words&)>& parts);
 
 /// How a page begins: with its title alone; or with a section that contains the title and the answer, which with a
 /// picture fills the first page of paper.

@@ -10,10 +10,10 @@
 
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
-#include "app/text/csv_cell.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
-#include "core/shortest_text.h"
+#include "app/text/text_table.h"
+#include "core/text.h"
 
 namespace frana::app {
 namespace {

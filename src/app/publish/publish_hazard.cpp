@@ -3,17 +3,17 @@
 
 #include <filesystem>
 
-#include "analysis/hazard_degree.h"
+#include "analysis/hazard.h"
 #include "app/input/scene_language.h"
-#include "app/pictures/class_words.h"
-#include "app/store/provenance.h"
+#include "app/pictures/map_layer.h"
 #include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
+#include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
-#include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
 #include "gis/vector/vector_out.h"
-#include "simulation/run_intensity.h"
+#include "simulation/run_values.h"
 
 namespace frana::app {
 namespace {

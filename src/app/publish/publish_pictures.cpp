@@ -6,18 +6,18 @@
 
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
-#include "app/pictures/letter_warning.h"
+#include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/signals.h"
-#include "app/store/frame_files.h"
-#include "app/store/layers.h"
-#include "app/store/provenance.h"
+#include "app/store/frame_store.h"
 #include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/store/vector_layers.h"
 #include "core/error.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
-#include "render/canvas/drawing_modules.h"
+#include "render/canvas/drawing.h"
 
 namespace frana::app {
 namespace {

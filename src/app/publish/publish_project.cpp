@@ -7,14 +7,13 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/pictures/class_words.h"
+#include "app/pictures/map_layer.h"
 #include "app/pictures/result_reader.h"
-#include "app/store/layers.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "gis/raster/qgis_project.h"
-#include "gis/raster/raster_text.h"
+#include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "gis/vector/vector_in.h"
 #include "params/keys/result_rasters.h"

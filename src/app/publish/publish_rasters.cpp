@@ -4,20 +4,17 @@
 #include <cmath>
 
 #include "analysis/ground_statistics.h"
-#include "analysis/high_values.h"
 #include "analysis/trace.h"
 #include "app/input/scene_language.h"
-#include "app/store/layers.h"
-#include "app/store/provenance.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "core/colour.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
-#include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
 #include "params/keys/result_rasters.h"
 

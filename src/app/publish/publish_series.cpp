@@ -1,16 +1,127 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/publish_series.h"
 
-#include "analysis/flow_path.h"
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/ground_statistics.h"
+#include "analysis/runout.h"
+#include "analysis/trace.h"
 #include "app/input/scene_language.h"
-#include "app/store/layers.h"
 #include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
-#include "app/text/csv_cell.h"
+#include "app/text/number_text.h"
 #include "app/text/text_file.h"
-#include "core/shortest_text.h"
+#include "app/text/text_table.h"
+#include "core/text.h"
+#include "gis/raster/frames_out.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/styles.h"
 
 namespace frana::app {
+
+std::string timeseries_csv(const std::vector<SeriesRow>& series) {
+    std::string text =
+        "time_s,step,dt_s,volume_m3,volume_left_m3,max_depth_m,max_speed_ms,front_distance_m,kinetic_energy_"
+        "j,"
+        "covered_area_m2,volume_entered_m3,volume_inflow_m3,volume_eroded_m3,volume_deposited_m3\n";
+    for (const SeriesRow& row : series) {
+        text += shortest_text(row.time);
+        text += ',';
+        text += std::to_string(row.step);
+        for (const double value :
+             {row.dt, row.volume, row.volume_left, row.max_depth, row.max_speed, row.front_distance, row.kinetic_energy,
+              row.covered_area, row.volume_entered, row.volume_inflow, row.volume_eroded, row.volume_deposited}) {
+            text += ',';
+            text += shortest_text(value);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+namespace {
+
+bool has_format(const SceneSpec& spec, const char* format) {
+    const std::vector<std::string>& formats = spec.output.formats;
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+/// Zero where there is ground but no flow, as in AvaFrame's own files.
+Raster filled(const Raster& values, const Raster& terrain) {
+    Raster raster = values;
+    terrain.values.for_each_stored([&](std::size_t cell, double ground) {
+        if (!std::isnan(ground) && std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = 0;
+    });
+    return raster;
+}
+
+/// With the classes of the result's own raster of that quantity; nothing is drawn where there was no flow.
+void write_peak_style(const std::string& path, const Raster& raster, const PeakFile& file, const ClassSpec& classes,
+                      const Words& words) {
+    const ResultRaster& row = *find_result_raster(file.like);
+    const std::vector<double> bounds = class_bounds(row, classes, maximum(raster));
+    gis::write_styles(path, gis::class_stops(palette(row.palette), bounds, file.unit, words, true), file.unit,
+                      gis::StyleKind::classed, file.text);
+}
+
+}  // namespace
+
+std::string avaframe_name(const std::string& scene, const std::string& hash) {
+    std::string release = shortened_name(scene), digits;
+    std::replace(release.begin(), release.end(), '_', '-');
+    for (const char c : hash)
+        if (c != '-' && digits.size() < 10) digits += c;
+    return release + "_" + digits + "_C_null_dfa";
+}
+
+void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory,
+                      RunLog& log) {
+    if (prepared.spec.output.names != "avaframe") return;
+    directory.make_folder(k_peak_folder);
+    const auto origin = provenance(prepared);
+    const std::string name =
+        std::string(k_peak_folder) + "/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
+    const Raster thickness = result.depth_is_normal ? result.max_depth : normal_depth(result.max_depth, result.bed);
+    const bool large = result.max_depth.values.is_tiled(), text_files = has_format(prepared.spec, "ascii");
+    if (text_files && large)
+        log.warn(worded(
+            "the AvaFrame rasters are written as GeoTIFF: an ASCII grid would hold all {1} cells of the map, reached "
+            "or not",
+            {numeral(grouped(result.max_depth.grid.cell_count()))}));
+    const Raster* const values_of[] = {&result.max_pressure, &thickness, &result.max_velocity};
+    static_assert(std::size(values_of) == std::size(k_peak_files));
+    for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
+        const auto& [kind, text, unit, like] = k_peak_files[i];
+        const Raster& values = *values_of[i];
+        const Raster raster = filled(values, prepared.scene.terrain);
+        const std::string stem = directory.path(name + "_" + kind);
+        if (text_files && !large)
+            gis::write_ascii_grid(stem + ".asc", raster);
+        else
+            gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});
+        write_peak_style(stem + ".tif", raster, k_peak_files[i], prepared.spec.output.classes, words_of(prepared.spec));
+    }
+}
+
+void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory) {
+    for (const auto& [word, file, format] : {std::tuple{"netcdf", k_netcdf_file, gis::StackFormat::netcdf},
+                                             std::tuple{"zarr", k_zarr_folder, gis::StackFormat::zarr}}) {
+        if (!has_format(prepared.spec, word)) continue;
+        const std::vector<StoredFrame> frames = stored_frames(directory.path(k_frame_folder));
+        std::vector<double> times;
+        for (const StoredFrame& frame : frames) times.push_back(frame.time);
+        gis::FrameStack stack(directory.path(file), format, prepared.scene.terrain.grid, times, provenance(prepared));
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            stack.add(i, gis::read_result_raster(frames[i].raster_file("depth")),
+                      gis::read_result_raster(frames[i].raster_file("velocity")));
+        }
+        stack.close();
+    }
+}
+
 namespace {
 
 const std::string k_flow_path = "flow path";

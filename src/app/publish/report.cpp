@@ -2,24 +2,108 @@
 #include "app/publish/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/publish/html_page.h"
-#include "app/publish/html_table.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/report_answer.h"
 #include "app/publish/report_charts.h"
 #include "app/publish/report_comparison.h"
-#include "app/publish/report_exposure.h"
 #include "app/publish/report_maps.h"
 #include "app/publish/report_tables.h"
-#include "app/store/provenance.h"
+#include "app/store/accuracy_record.h"
+#include "app/store/json_file.h"
 #include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
 #include "app/text/version.h"
-#include "core/markup.h"
+#include "core/text.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
+
+std::optional<ErrorEstimates::Estimate> ErrorEstimates::find(const std::string& key) const {
+    const auto found = of.find(key);
+    return found == of.end() ? std::nullopt : std::optional(found->second);
+}
+
+ErrorEstimates error_estimates(const SummaryFacts& facts, const std::string& result) {
+    ErrorEstimates estimates;
+    if (facts.accuracy) {
+        for (const ValueEstimate& one : value_estimates(*facts.accuracy))
+            if (!one.is_zero) estimates.of[one.value.key] = {one.error, one.convergence.trend == Trend::converging};
+        return estimates;
+    }
+    if (!read_error_estimate(result, facts.spec)) return estimates;
+    const auto file = std::filesystem::path(convergence_directory(result)) / k_convergence_file;
+    const std::optional<Json> study = read_json_file(file.string());
+    if (!study || !study->contains("statistics")) return estimates;
+    estimates.from_study = true;
+    for (const auto& [key, value] : study->at("statistics").items()) {
+        const auto error = value_in<double>(value, "/estimated_error");
+        const auto trend = value_in<std::string>(value, "/trend");
+        if (error) estimates.of[key] = {*error, trend == describe(Trend::converging)};
+    }
+    return estimates;
+}
+
+namespace {
+
+/// A column of exposure.csv that reports show.
+struct ShownColumn {
+    const char *key, *title;
+    int digits;
+    double factor = 1;
+};
+
+constexpr ShownColumn k_columns[] = {{"max_depth_m", worded("Greatest depth [m]"), 3},
+                                     {"max_velocity_ms", worded("Greatest speed [m/s]"), 3},
+                                     {"max_pressure_kpa", worded("Greatest pressure [kPa]"), 3},
+                                     {"arrival_s", worded("First arrival [s]"), 3},
+                                     {"probability_reached", worded("Probability that it is reached [%]"), 3, 100},
+                                     {"sources", worded("Slopes that reach it"), 6}};
+
+std::optional<double> value_of(const ReachedFeature& feature, const std::string& key) {
+    const auto found = std::find_if(feature.numbers.begin(), feature.numbers.end(),
+                                    [&](const auto& number) { return number.first == key; });
+    if (found == feature.numbers.end()) return std::nullopt;
+    return found->second;
+}
+
+}  // namespace
+
+std::string exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words) {
+    if (!totals) return "";
+    return paragraph(words("What is exposed."), exposure_sentence(*totals, by, words));
+}
+
+std::string exposure_section(const std::optional<ExposureTotals>& totals, const Words& words) {
+    if (!totals || totals->deepest.empty()) return "";
+    std::vector<ShownColumn> shown;
+    for (const ShownColumn& column : k_columns)
+        if (value_of(totals->deepest.front(), column.key)) shown.push_back(column);
+    std::vector<std::string> heads{words("Feature")};
+    for (const ShownColumn& column : shown) heads.push_back(words(column.title));
+    HtmlTable table(heads);
+    for (const ReachedFeature& feature : totals->deepest) {
+        std::vector<std::string> cells{valid_utf8(feature.name)};
+        for (const ShownColumn& column : shown) {
+            const double value = column.factor * value_of(feature, column.key).value_or(k_no_data);
+            cells.push_back(std::isnan(value) ? "" : words.number(number_text(value, column.digits)));
+        }
+        table.row(cells);
+    }
+    const std::string all = totals->reached > totals->deepest.size()
+                                ? words("The {1} deepest of {2}; {3} has all.",
+                                        {std::to_string(totals->deepest.size()),
+                                         words.number(grouped(static_cast<double>(totals->reached))), k_exposure_table})
+                                : words("{1} has all features, also those that are not reached.", {k_exposure_table});
+    return "<h2 id=\"exposure\">" + escaped_markup(words("Exposed features that are reached")) + "</h2>\n" +
+           table.html() + "<p class=\"small\">" + escaped_markup(all) + "</p>\n";
+}
+
 namespace {
 
 namespace fs = std::filesystem;

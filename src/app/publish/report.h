@@ -1,18 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/compare/comparison.h"
 #include "app/publish/publish.h"
+#include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
-#include "app/publish/report_errors.h"
 #include "app/publish/summary.h"
 #include "core/words/words.h"
 
 namespace frana::app {
+
+/// Estimated errors of a run's values due to the size of the cells.
+struct ErrorEstimates {
+    struct Estimate {
+        double error = 0;  ///< in the unit of the value
+        bool converging = false;
+    };
+    std::map<std::string, Estimate> of;  ///< by the value's key in summary.json, or as RunValue::key
+    bool from_study = false;             ///< of `frana converge`; else of numerics.accuracy
+
+    /// Returns none without an estimate.
+    [[nodiscard]] std::optional<Estimate> find(const std::string& key) const;
+};
+
+/// Returns those of numerics.accuracy, else those that `frana converge` left beside the result for exactly this scene.
+/// @param result the folder that the result will have
+ErrorEstimates error_estimates(const SummaryFacts& facts, const std::string& result);
+
+/// The paragraph "What is exposed." of a report's answer; empty without exposed features.
+std::string exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words);
+
+/// The section of the features that are reached, the deepest first, with its heading; empty if none is.
+std::string exposure_section(const std::optional<ExposureTotals>& totals, const Words& words);
 
 /// Data of a report, besides the pictures already in the result directory.
 struct ReportInput {

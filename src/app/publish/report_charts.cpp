@@ -6,8 +6,7 @@
 #include "app/publish/html_page.h"
 #include "app/publish/report_answer.h"
 #include "app/text/number_text.h"
-#include "core/markup.h"
-#include "core/utf8.h"
+#include "core/text.h"
 
 namespace frana::app {
 namespace {

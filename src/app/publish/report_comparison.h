@@ -5,10 +5,14 @@
 #include <string>
 
 #include "app/compare/comparison.h"
+#include "app/compare/probability_comparison.h"
 #include "app/pictures/map_source.h"
 #include "core/words/words.h"
 
 namespace frana::app {
+
+/// Puts the comparison of a map of probability with a survey into report.html of the study's result, as renew_page.
+bool renew_report(const std::string& folder, const ProbabilityScores& scores, const ProbabilityMap& map);
 
 // The parts of a report that `frana compare` replaces.
 inline constexpr const char* k_comparison_answer = "comparison answer";

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "app/publish/html_page.h"
-#include "app/store/layers.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/text/number_text.h"
-#include "app/text/unit_sign.h"
 #include "core/words/words.h"
 
 namespace frana::app {

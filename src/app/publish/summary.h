@@ -8,7 +8,6 @@
 #include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/accuracy_record.h"
-#include "app/store/main_statistics.h"
 #include "core/json.h"
 #include "core/words/sentence.h"
 #include "params/keys/scene_spec.h"

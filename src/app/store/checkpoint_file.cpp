@@ -13,8 +13,7 @@
 
 #include "app/text/version.h"
 #include "core/error.h"
-#include "core/file_aside.h"
-#include "core/sync_path.h"
+#include "core/files.h"
 #include "mpm/vector/kernels.h"
 
 namespace frana::app {

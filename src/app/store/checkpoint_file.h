@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/store/frame_files.h"
+#include "app/store/frame_store.h"
 #include "app/store/reserved_space.h"
 #include "simulation/result.h"
-#include "simulation/scene_origin.h"
+#include "simulation/scene.h"
 
 namespace frana::app {
 

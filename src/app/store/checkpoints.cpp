@@ -11,7 +11,7 @@
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/folder_entries.h"
+#include "core/files.h"
 
 namespace frana::app {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,18 @@
 #include "app/text/run_log.h"
 
 namespace frana::app {
+
+/// Returns the path of a member's record in the folder of a study's result that is being built.
+std::string record_file(const std::string& folder, std::size_t member);
+/// Returns the existing ones, also those of several studies whose folders are in the folder of records.
+std::vector<std::string> records_in(const std::string& folder);
+
+/// Returns whether a folder in which a result was being built has anything that --resume can use: checkpoints of a run,
+/// records of a study's members.
+bool has_saved_work(const std::string& folder);
+
+/// Returns the folder in which a killed or stopped study left records of members for this result; empty: none.
+std::string interrupted_study(const std::string& directory);
 
 /// The remains of incomplete runs of one result: checkpoints in the result directory (stopped by a signal) and in
 /// folders beside it in which it was being built (killed).

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/read_blocks.h"
-#include "core/system_remedy.h"
+#include "core/files.h"
 
 namespace frana::app {
 namespace {

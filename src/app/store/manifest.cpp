@@ -19,10 +19,7 @@
 #include "app/store/result_files.h"
 #include "app/text/version.h"
 #include "core/error.h"
-#include "core/file_aside.h"
-#include "core/read_blocks.h"
-#include "core/sync_path.h"
-#include "core/system_remedy.h"
+#include "core/files.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

@@ -12,7 +12,7 @@
 #include "app/store/manifest.h"
 #include "app/store/result_files.h"
 #include "core/json.h"
-#include "params/grammar/absolute_path.h"
+#include "params/grammar/ini_file.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {

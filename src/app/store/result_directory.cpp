@@ -19,16 +19,14 @@
 #include <utility>
 
 #include "app/store/checkpoints.h"
+#include "app/store/interrupted_run.h"
 #include "app/store/manifest.h"
 #include "app/store/replace_result.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
-#include "app/store/saved_work.h"
 #include "app/store/unfinished_results.h"
 #include "app/text/text_file.h"
-#include "core/file_aside.h"
-#include "core/folder_entries.h"
-#include "core/sync_path.h"
+#include "core/files.h"
 
 namespace frana::app {
 namespace {

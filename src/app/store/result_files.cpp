@@ -3,8 +3,8 @@
 
 #include <fnmatch.h>
 
-#include "core/file_aside.h"
-#include "params/keys/picture_parameters.h"
+#include "core/files.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {

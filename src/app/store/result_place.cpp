@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "app/store/checkpoints.h"
-#include "app/store/kept_files.h"
 #include "app/store/manifest.h"
+#include "app/store/replace_result.h"
 #include "app/store/result_files.h"
 #include "app/store/unfinished_results.h"
 

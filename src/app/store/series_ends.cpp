@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/utf8.h"
+#include "core/text.h"
 #include "params/grammar/value_text.h"
 
 namespace frana::app {

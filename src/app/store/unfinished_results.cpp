@@ -18,8 +18,7 @@
 #include "app/store/result_place.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
-#include "core/folder_entries.h"
-#include "core/read_blocks.h"
+#include "core/files.h"
 
 namespace frana::app {
 namespace {

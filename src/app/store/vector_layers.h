@@ -5,12 +5,28 @@
 #include <vector>
 
 #include "core/colour.h"
+#include "core/raster.h"
 #include "core/words/words.h"
-#include "gis/vector/style_titles.h"
 #include "gis/vector/vector_out.h"
 #include "gis/vector/vector_style.h"
+#include "params/keys/classes.h"
+#include "params/keys/result_rasters.h"
+#include "simulation/result.h"
 
 namespace frana::app {
+
+/// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
+const Raster* find_raster(const RunResult& result, const ResultRaster& row);
+
+/// Returns the rasters that every run produces from the flow.
+std::vector<ResultRaster> main_rasters();
+
+/// Returns class bounds of a legend, the same in the GIS style and on the maps: those of the row, else the fixed ones
+/// of its quantity (the last is infinite), else or by choice round ones up to `maximum`, which may be NaN (nothing
+/// flowed).
+std::vector<double> class_bounds(const ResultRaster& row, const ClassSpec& chosen, double maximum);
+/// The last: round ones up to the maximum.
+std::vector<double> class_bounds(bool progressive, double maximum);
 
 // Release and survey must be distinguishable from each other and from every palette.
 inline constexpr Rgb k_release_colour{20, 20, 20};

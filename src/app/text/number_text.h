@@ -8,6 +8,12 @@
 
 namespace frana::app {
 
+/// Returns a unit as print has it: "m³/s" for m3/s, "°" for degrees.
+std::string unit_sign(const std::string& unit);
+
+/// Formats to three digits, with a plus before a positive number.
+std::string signed_number_text(double value);
+
 /// Formats for messages: `digits` significant digits, no exponent between 1e-4 and 1e15.
 std::string number_text(double value, int digits = 4);
 /// Formats in groups of three, "1 200 000"; below 10 with two significant digits, "0.015".

@@ -3,9 +3,32 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace frana::app {
+
+/// Returns a text of the user as one cell of a CSV file: valid UTF-8, quoted if it contains a comma, a quote or a line
+/// end.
+/// A spreadsheet interprets a text that begins with = + - @, a tab or a line end as a formula: such a text gets an
+/// apostrophe before it, and one that begins with an apostrophe another.
+std::string csv_cell(const std::string& text);
+
+/// Returns the text from which csv_cell wrote a cell, without its quotes.
+std::string text_of_cell(const std::string& cell);
+
+/// Returns the columns that a UTF-8 text takes on a terminal: wide letters (Chinese) two, combining accents none. A
+/// byte that is not UTF-8 counts one.
+std::size_t display_width(std::string_view text);
+
+/// Returns the number of bytes of the longest beginning that takes at most so many columns; at least one character.
+std::size_t bytes_within(std::string_view text, std::size_t columns);
+
+/// Wraps at spaces so that no line is wider; a wider word is broken. A newline in the text starts another line.
+std::vector<std::string> wrapped(const std::string& text, std::size_t columns);
+
+/// Pads with spaces to so many columns, on the left if `right`.
+std::string padded(const std::string& text, std::size_t columns, bool right = false);
 
 /// A table for a terminal: cells wrap at spaces, a newline in a cell starts another line of it. Letters count as they
 /// are displayed.

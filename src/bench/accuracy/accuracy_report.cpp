@@ -5,7 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "bench/accuracy/peers.h"
+#include "bench/accuracy/accuracy.h"
 
 namespace frana::bench {
 namespace {

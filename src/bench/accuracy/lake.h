@@ -5,6 +5,12 @@
 
 namespace frana::bench {
 
+/// The sample's terrain flooded to a level, without any forcing for 60 s: a lake with islands and a shoreline, on
+/// ground rougher than the grid, since a coarse grid samples single elevations of the fine one instead of means. Walls
+/// on all sides, no friction. Mark: no particle faster than 1e-4 m/s.
+/// @param dtm elevations without gaps; its cell size is the finest level, the others skip cells
+AccuracyCase lake_dtm(const Raster& dtm);
+
 /// Lakes at rest on [0, 10] m squared, surface at 10 m, closed walls; no still-water depth is specified. Source: Fois,
 /// de Falco, Formaggia 2024, section 4.1 and Table 1.
 ///   lake-z1      Z = 5 exp(-2/5 |x - (5, 5)|^2), 1 s

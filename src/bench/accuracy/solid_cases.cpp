@@ -7,7 +7,7 @@
 
 #include "bench/set_up/solid_block.h"
 #include "models/structured/coupling/exchange.h"
-#include "models/structured/solid/stress.h"
+#include "models/structured/solid/solid_laws.h"
 
 namespace frana::bench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "bench/set_up/lattice.h"
 #include "mpm/levels.h"
-#include "mpm/node_tiles.h"
+#include "mpm/node_grid.h"
 #include "mpm/particles_to_nodes.h"
 #include "mpm/pressure.h"
 #include "mpm/update_nodes.h"

@@ -4,18 +4,45 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <vector>
 
 #include "bench/set_up/setup.h"
-#include "bench/speed/memory_bandwidth.h"
 #include "bench/speed/solid_speed.h"
 #include "bench/speed/speed_report.h"
+#include "core/thread_pool.h"
 #include "mpm/vector/kernels.h"
 
 namespace frana::bench {
 namespace {
+
+/// Returns the bytes per second that `threads` threads move between memory and processor: the best of several passes of
+/// a[i] = b[i] + s c[i] over arrays far larger than the caches, 24 bytes per element (the "triad" of McCalpin's STREAM,
+/// 1995, which does not count that a line is read before it is written).
+double memory_bandwidth(int threads) {
+    constexpr std::size_t k_elements = 16'000'000;  // three arrays of 128 MB
+    constexpr std::size_t k_block = 250'000;
+    constexpr int k_passes = 6;
+    std::vector<double> a(k_elements, 0), b(k_elements, 1), c(k_elements, 2);
+    ThreadPool pool(threads);
+    double best = 0;
+    for (int pass = 0; pass < k_passes; ++pass) {
+        const double s = 1 + pass;
+        const auto begin = std::chrono::steady_clock::now();
+        pool.for_blocks(k_elements, k_block, [&](std::size_t from, std::size_t to) {
+            double* const out = a.data();
+            const double *const in = b.data(), *const factor = c.data();
+            for (std::size_t i = from; i < to; ++i) out[i] = in[i] + s * factor[i];
+        });
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        // The sum is used, so that no pass can be optimised away.
+        if (a[k_elements / 2] == 1 + 2 * s) best = std::max(best, 3 * sizeof(double) * k_elements / seconds);
+    }
+    return best;
+}
 
 // The same number of steps for each number of threads, so that the final states can be compared.
 std::int64_t steps_for(double particles, bool quick) {

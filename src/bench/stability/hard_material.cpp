@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/stability/stability_case.h"
+#include "bench/stability/stability.h"
 
 namespace frana::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/stability/stability_case.h"
+#include "bench/stability/stability.h"
 #include "simulation/simulation.h"
 
 namespace frana::bench {

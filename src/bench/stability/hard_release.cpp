@@ -2,7 +2,7 @@
 // Hard releases: a single cell, a tall column, films, masses that meet.
 #include <cmath>
 
-#include "bench/stability/stability_case.h"
+#include "bench/stability/stability.h"
 
 namespace frana::bench {
 namespace {

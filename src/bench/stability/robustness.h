@@ -9,7 +9,7 @@
 
 #include "simulation/placed_scene.h"
 #include "simulation/result.h"
-#include "simulation/run_statistics.h"
+#include "simulation/run_summary.h"
 
 namespace frana::bench {
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The catalogues of texts, share/po/*.po: msgfmt checks and compiles them, and the assembler puts them into the program.
-# embedded_catalogues() of src/core/words/catalogue.h is written here.
+# embedded_catalogues() of src/core/words/words.h is written here.
 find_package(Gettext REQUIRED)
 set(po_folder ${CMAKE_BINARY_DIR}/generated/po)
 file(MAKE_DIRECTORY ${po_folder})
@@ -17,7 +17,7 @@ foreach(po ${po_files})
 endforeach()
 file(CONFIGURE OUTPUT ${po_folder}/embedded_catalogues.cpp @ONLY CONTENT [[
 // Written by src/core/words/catalogues.cmake.
-#include "core/words/catalogue.h"
+#include "core/words/words.h"
 
 asm(R"(.pushsection .rodata
 @po_bytes@.popsection)");

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mpm/node_friction.h"
-#include "mpm/node_tiles.h"
+#include "mpm/node_grid.h"
 #include "physics/friction_bingham_quadratic.h"
 #include "physics/friction_herschel_bulkley.h"
 #include "physics/friction_pouliquen_forterre.h"

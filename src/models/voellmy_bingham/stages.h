@@ -2,8 +2,8 @@
 #pragma once
 
 #include "models/voellmy_bingham/state.h"
-#include "mpm/maxima.h"
-#include "mpm/node_tiles.h"
+#include "mpm/node_grid.h"
+#include "mpm/update_nodes.h"
 
 namespace frana::voellmy_bingham {
 

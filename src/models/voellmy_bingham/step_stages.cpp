@@ -6,7 +6,7 @@
 #include "mpm/boundary.h"
 #include "mpm/levels.h"
 #include "mpm/shifting.h"
-#include "mpm/stable_step.h"
+#include "mpm/update_nodes.h"
 
 namespace frana::voellmy_bingham {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/grammar/thickness.h"
 
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "params/grammar/value_text.h"
 
 namespace frana {

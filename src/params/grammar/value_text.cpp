@@ -1,10 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/grammar/value_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace frana {
+namespace {
+
+std::string_view without_section(std::string_view name) {
+    const auto dot = name.find('.');
+    return dot == std::string_view::npos ? name : name.substr(dot + 1);
+}
+
+}  // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+    const std::size_t width = b.size() + 1;
+    std::vector<int> table((a.size() + 1) * width);
+    const auto cell = [&](std::size_t i, std::size_t j) -> int& { return table[i * width + j]; };
+    for (std::size_t i = 0; i <= a.size(); ++i) cell(i, 0) = static_cast<int>(i);
+    for (std::size_t j = 0; j <= b.size(); ++j) cell(0, j) = static_cast<int>(j);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const int replace = cell(i - 1, j - 1) + (a[i - 1] == b[j - 1] ? 0 : 1);
+            cell(i, j) = std::min({cell(i - 1, j) + 1, cell(i, j - 1) + 1, replace});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                cell(i, j) = std::min(cell(i, j), cell(i - 2, j - 2) + 1);
+        }
+    }
+    return cell(a.size(), b.size());
+}
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
+    std::string best;
+    // Up to a third of the letters wrong is a misspelling; more is another word.
+    int best_distance = std::max<int>(2, static_cast<int>(without_section(name).size()) / 3) + 1;
+    // A distance is at least the difference of the lengths, so that names of any length cost nothing.
+    const auto distance_within = [&](std::string_view a, std::string_view b) {
+        const auto lengths = static_cast<std::size_t>(best_distance) + std::min(a.size(), b.size());
+        return lengths <= std::max(a.size(), b.size()) ? best_distance : edit_distance(a, b);
+    };
+    for (const std::string& candidate : known) {
+        // A key of another section (or of none) is compared without its section, which counts as one error.
+        const int elsewhere = distance_within(without_section(name), without_section(candidate)) + 1;
+        const int distance = std::min(distance_within(name, candidate), elsewhere);
+        if (distance < best_distance) {
+            best = candidate;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
 namespace {
 
 template <class Number>

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/shortest_text.h"
-#include "params/grammar/source.h"
+#include "core/text.h"
+#include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/parameter.h"
 

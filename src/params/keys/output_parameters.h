@@ -2,11 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "params/keys/parameter.h"
 
 namespace frana {
+
+/// Returns the file formats of maps, which are the endings of their files: "png", "pdf", "svg", "tif".
+const std::vector<std::string>& picture_formats();
+
+/// Adds the keys of [output] for the appearance of maps, views and charts.
+void add_pictures(std::vector<Parameter>& list);
 
 /// Largest map [cells] whose rasters cover it all with output.extent = auto.
 inline constexpr std::int64_t k_largest_whole_map = 1'000'000;

@@ -2,10 +2,29 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/words/words.h"
 #include "params/keys/parameter.h"
 
 namespace frana {
+
+/// Whether a key is one of the twenty that nearly every scene states or asks for: `frana new` writes them, and
+/// dialogues show them first. `frana params --json` marks them.
+bool is_main_key(const std::string& name);
+
+// What a key's declaration says, in the language of a report. Its English texts are in the catalogues.
+
+/// Returns what a law adds to the meaning of the keys that it uses: " Used by material.bed-friction = chezy.".
+std::string used_by(const std::string& key);
+
+/// Returns the key's meaning.
+std::string meaning_in(const Parameter& key, const Words& words);
+/// Returns the effect if the key is not given.
+std::string absent_in(const Parameter& key, const Words& words);
+
+/// Returns the texts of the catalogues that these two need, in English.
+std::vector<std::string> rows_of(const Parameter& key);
 
 /// Returns whether a key matters for the numbers of a scene: it was given, or the scene's model, its laws and its other
 /// keys read it and it has a value, its default or one that frana chose (`is_chosen`). Keys of pictures and files

@@ -2,14 +2,17 @@
 #include "params/scene/scene_reader.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
-#include "params/grammar/absolute_path.h"
-#include "params/grammar/nearest_name.h"
+#include "core/json.h"
+#include "params/check/check_scene.h"
+#include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/former_names.h"
 #include "params/keys/laws.h"
 #include "params/keys/materials.h"
+#include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 
 namespace frana {
 namespace {
@@ -168,6 +171,102 @@ KeySource override_source(const std::vector<std::string>& overrides, const std::
         source.entries.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))});
     }
     return source;
+}
+
+SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::vector<std::string>& given,
+                             const std::string& materials_directory, const std::string& label) {
+    SceneReading reading;
+    reading.label = label;
+    const KeySource source = override_source(keys, reading.override_label, reading.problems);
+    SceneReader reader(reading, "");
+    reader.apply_preset(source, {}, materials_directory);
+    reader.apply(source);
+    reader.drop_unread_of_preset();
+    std::set<std::string> all = reader.given();
+    all.insert(given.begin(), given.end());
+    check_scene(reading.scene, all, label, reading.problems);
+    return reading;
+}
+
+std::optional<Problem> problem_of_key(const std::string& name, const std::string& value) {
+    const std::vector<Parameter>& parameters = scene_parameters();
+    const Parameter* const parameter = find_parameter(parameters, present_name(name));
+    if (parameter == nullptr) return unknown_key(parameters, name, name);
+    SceneSpec scene;
+    return read_value(*parameter, name, value, scene);
+}
+
+namespace {
+
+std::string default_or_absent(const Parameter& parameter) {
+    const std::string text = parameter.default_text();
+    return text.empty() ? parameter.absent : text;
+}
+
+/// '|' would end a cell of a Markdown table.
+std::string cell(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    return escaped;
+}
+
+}  // namespace
+
+std::string reference_ini() {
+    std::string text;
+    for (const Section& section : scene_sections()) {
+        if (!text.empty()) text += '\n';
+        text += "# " + section.meaning + "\n[" + section.name + "]\n";
+        for (const Parameter& parameter : scene_parameters()) {
+            if (parameter.section != section.name) continue;
+            text += "# " + parameter.meaning + '\n';
+            std::string facts = parameter.type;
+            if (!parameter.unit.empty()) facts += ", " + parameter.unit;
+            if (!parameter.limits.empty()) facts += ": " + parameter.limits;
+            text += "#   " + facts + '\n';
+            const std::string fixed = parameter.default_text();
+            text += "# " + parameter.key + " = ";
+            text += fixed.empty() ? '(' + parameter.absent + ')' : fixed;
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string reference_json() {
+    Json keys = Json::array();
+    for (const Parameter& parameter : scene_parameters()) {
+        Json& key = keys.emplace_back(Json{{"name", parameter.name()},
+                                           {"section", parameter.section},
+                                           {"key", parameter.key},
+                                           {"type", parameter.type},
+                                           {"unit", parameter.unit}});
+        if (!parameter.content.empty()) key["content"] = parameter.content;
+        const std::string fixed = parameter.default_text();
+        key["default"] = fixed.empty() ? Json() : Json(fixed);
+        if (fixed.empty()) key["when_absent"] = parameter.absent;
+        key["limits"] = parameter.limits;
+        key["meaning"] = parameter.meaning;
+        key["main"] = is_main_key(parameter.name());
+    }
+    return json_text(keys);
+}
+
+std::string reference_markdown() {
+    std::string text =
+        "<!-- SPDX-License-Identifier: Apache-2.0 -->\n<!-- Written by `frana params --markdown`; do not edit. "
+        "-->\n# Keys of a scene file\n";
+    for (const Section& section : scene_sections()) {
+        text += "\n## [" + section.name + "]\n" + section.meaning +
+                "\n\n| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
+        for (const Parameter& parameter : scene_parameters()) {
+            if (parameter.section != section.name) continue;
+            text += "| `" + parameter.key + "` | " + cell(parameter.type) + " | " + cell(parameter.unit) + " | " +
+                    cell(default_or_absent(parameter)) + " | " + cell(parameter.limits) + " | " +
+                    cell(parameter.meaning) + " |\n";
+        }
+    }
+    return text;
 }
 
 }  // namespace frana

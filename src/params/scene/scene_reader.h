@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,6 +12,19 @@
 #include "params/scene/read_scene.h"
 
 namespace frana {
+
+/// Reads a scene without a file: its keys alone, "section.key=value", named in messages as they are. `label` stands for
+/// the scene where a key is missing. `given` are keys whose data the caller has in another form.
+SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::vector<std::string>& given,
+                             const std::string& materials_directory, const std::string& label);
+
+/// Returns the problem of one key alone; none: read_scene_keys() takes it.
+std::optional<Problem> problem_of_key(const std::string& name, const std::string& value);
+
+/// The reference of all keys, generated from their declarations.
+std::string reference_ini();       ///< a scene file with every key commented out at its default
+std::string reference_json();      ///< an array of objects: name, type, unit, default, limits, meaning
+std::string reference_markdown();  ///< one table per section
 
 /// Entries of one source; a later source overrides an earlier one.
 struct KeySource {

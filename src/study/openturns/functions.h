@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/module.h"
-#include "study/calibration_design.h"
+#include "study/calibration_posterior.h"
 #include "study/sensitivity.h"
 #include "study/study_spec.h"
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/shortest_text.h"
+#include "core/text.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {

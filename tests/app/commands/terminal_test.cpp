@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "app/text/display_width.h"
+#include "app/text/text_table.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gis/raster/raster_in.h"
-#include "gis/raster/raster_text.h"
+#include "gis/raster/raster_out.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {

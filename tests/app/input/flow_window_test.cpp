@@ -8,8 +8,8 @@
 #include "app/input/share_directory.h"
 #include "gis/raster/raster_in.h"
 #include "params/keys/laws.h"
+#include "params/keys/material_parameters.h"
 #include "params/keys/scene_parameters.h"
-#include "params/keys/solid_keys.h"
 #include "support/files.h"
 #include "support/tiny_scene.h"
 

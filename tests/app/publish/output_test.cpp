@@ -14,7 +14,7 @@
 
 #include "analysis/trace.h"
 #include "app/text/number_text.h"
-#include "app/text/text_hash.h"
+#include "app/text/text_file.h"
 #include "gis/access/gdal_session.h"
 #include "gis/raster/raster_in.h"
 #include "support/cog_check.h"

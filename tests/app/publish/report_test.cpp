@@ -10,7 +10,7 @@
 #include "app/publish/html_page.h"
 #include "app/store/manifest.h"
 #include "params/keys/scene_parameters.h"
-#include "render/map/print_scale.h"
+#include "render/map/legend.h"
 #include "support/html_check.h"
 #include "support/tiny_scene.h"
 

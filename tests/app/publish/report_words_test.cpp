@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "app/publish/publish.h"
-#include "app/publish/report_inputs.h"
+#include "app/publish/report_tables.h"
 #include "app/store/accuracy_record.h"
-#include "app/text/unit_sign.h"
+#include "app/text/number_text.h"
 #include "simulation/run_values.h"
 #include "simulation/terms.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/store/layers.h"
+#include "app/store/vector_layers.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "app/store/result_files.h"
-#include "core/shortest_text.h"
+#include "core/text.h"
 
 namespace frana::app {
 namespace {

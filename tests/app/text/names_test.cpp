@@ -4,10 +4,9 @@
 
 #include <set>
 
-#include "app/text/csv_cell.h"
-#include "app/text/file_stems.h"
-#include "core/markup.h"
-#include "core/utf8.h"
+#include "app/text/text_file.h"
+#include "app/text/text_table.h"
+#include "core/text.h"
 
 namespace frana::app {
 namespace {

@@ -5,8 +5,6 @@
 
 #include <sstream>
 
-#include "app/text/display_width.h"
-
 namespace frana::app {
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "core/json.h"
-#include "simulation/scene_origin.h"
+#include "simulation/scene.h"
 
 namespace frana::bench {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The texts that the sources show through words("...") or mark with worded("...") are those of the catalogues share/po,
 // no more and no less.
-#include "core/words/catalogue.h"
+#include "core/words/words.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,11 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "core/words/words.h"
-#include "params/keys/key_words.h"
 #include "params/keys/materials.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
-#include "simulation/run_statistics.h"
+#include "params/keys/used_keys.h"
+#include "simulation/run_summary.h"
 
 namespace frana {
 namespace {

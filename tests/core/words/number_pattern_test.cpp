@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/words/number_pattern.h"
+#include "core/words/words.h"
 
 #include <gtest/gtest.h>
 

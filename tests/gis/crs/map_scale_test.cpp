@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/crs/map_scale.h"
+#include "gis/crs/crs_transform.h"
 
 #include <gtest/gtest.h>
 

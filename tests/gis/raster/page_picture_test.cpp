@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/raster/page_picture.h"
+#include "gis/raster/picture_in.h"
 
 #include <gdal.h>
 #include <gtest/gtest.h>

@@ -14,7 +14,6 @@
 #include "gis/raster/picture_in.h"
 #include "gis/raster/picture_out.h"
 #include "gis/raster/raster_out.h"
-#include "gis/raster/raster_text.h"
 #include "support/files.h"
 
 namespace frana::gis {

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "gis/access/time_origin.h"
+#include "gis/access/table_in.h"
 #include "gis/crs/crs.h"
 #include "support/files.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/raster/rasterize.h"
+#include "gis/raster/footprint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/vector/points_out.h"
+#include "gis/vector/vector_out.h"
 
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/vector/simple_outline.h"
+#include "gis/vector/outline_check.h"
 
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
@@ -10,7 +10,6 @@
 #include <random>
 
 #include "gis/access/gdal_session.h"
-#include "gis/vector/polygon_geometry.h"
 
 namespace frana::gis {
 namespace {

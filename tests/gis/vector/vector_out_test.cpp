@@ -6,8 +6,8 @@
 
 #include "gis/access/gdal_session.h"
 #include "gis/crs/crs.h"
-#include "gis/vector/style_titles.h"
 #include "gis/vector/vector_in.h"
+#include "gis/vector/vector_style.h"
 #include "support/files.h"
 
 namespace frana::gis {

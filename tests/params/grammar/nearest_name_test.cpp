@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/grammar/nearest_name.h"
+#include "params/grammar/value_text.h"
 
 #include <gtest/gtest.h>
 

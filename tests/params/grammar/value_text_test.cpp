@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/shortest_text.h"
+#include "core/text.h"
 
 namespace frana {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/keys/former_names.h"
+#include "params/keys/parameter.h"
 
 #include <algorithm>
 #include <fstream>

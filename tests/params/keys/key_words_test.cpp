@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a report says of a key, in each language.
-#include "params/keys/key_words.h"
+#include "params/keys/used_keys.h"
 
 #include <gtest/gtest.h>
 

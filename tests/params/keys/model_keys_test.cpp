@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/keys/model_keys.h"
+#include "params/keys/laws.h"
 
 #include "params/keys/scene_parameters.h"
 #include "params/scene/write_scene.h"

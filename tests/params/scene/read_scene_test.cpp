@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/scene/read_scene.h"
-#include "params/grammar/absolute_path.h"
+#include "params/grammar/ini_file.h"
 
 #include <cmath>
 

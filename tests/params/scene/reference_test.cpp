@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/scene/reference.h"
+#include "params/scene/scene_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 
 #include "core/json.h"
-#include "params/keys/main_keys.h"
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 #include "scene_fixture.h"
 
 namespace frana {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/canvas/sheet.h"
 #include "render/map/map2d.h"
 #include "scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/canvas/raster_window.h"
+#include "render/canvas/image.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "render/view/view_camera.h"
+#include "render/view/view_ground.h"
 #include "scenes.h"
 
 namespace frana::render {

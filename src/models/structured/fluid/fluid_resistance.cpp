@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "models/structured/fluid/fluid_step.h"
-#include "mpm/along_bed.h"
+#include "mpm/curvature.h"
 #include "physics/friction_manning.h"
 #include "physics/friction_sum.h"
 

@@ -8,7 +8,6 @@
 #include "core/zero_array.h"
 #include "models/structured/tile_lists.h"
 #include "mpm/node_grid.h"
-#include "mpm/node_tiles.h"
 
 namespace frana::structured {
 

@@ -2,8 +2,6 @@
 #pragma once
 
 #include "models/structured/coupling/basal_pressure.h"
-#include "models/structured/solid/drucker_prager.h"
-#include "models/structured/solid/earth_pressure_bell.h"
 #include "models/structured/solid/solid_laws.h"
 #include "particles/particle_set.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "models/structured/solid/artificial_stress.h"
 #include "models/structured/solid/column_state.h"
-#include "models/structured/solid/drucker_prager.h"
 #include "models/structured/solid/pair_work.h"
+#include "models/structured/solid/solid_laws.h"
 #include "particles/cell_order.h"
 
 namespace frana::structured {

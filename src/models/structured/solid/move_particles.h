@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "models/structured/solid/pair_work.h"
+#include "models/structured/solid/rest.h"
 #include "models/structured/solid/solid_report.h"
-#include "models/structured/solid/still.h"
 #include "mpm/node_grid.h"
 #include "particles/cell_order.h"
 #include "particles/particle_set.h"

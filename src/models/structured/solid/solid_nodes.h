@@ -7,7 +7,6 @@
 #include "core/thread_pool.h"
 #include "core/zero_array.h"
 #include "mpm/node_grid.h"
-#include "mpm/node_tiles.h"
 #include "particles/cell_order.h"
 #include "particles/particle_set.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "models/structured/solid/material_update.h"
-#include "models/structured/solid/still.h"
+#include "models/structured/solid/rest.h"
 #include "models/structured/solid/transfer.h"
 
 namespace frana::structured {

@@ -5,13 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "models/structured/solid/artificial_stress.h"
 #include "models/structured/solid/cubic_stencil.h"
-#include "models/structured/solid/damage.h"
-#include "models/structured/solid/drucker_prager.h"
-#include "models/structured/solid/earth_pressure_bell.h"
-#include "models/structured/solid/kernel.h"
 #include "models/structured/solid/material_update.h"
+#include "models/structured/solid/pair_laws.h"
+#include "models/structured/solid/solid_laws.h"
 
 namespace frana::structured::test {
 namespace {
