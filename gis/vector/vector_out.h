@@ -16,6 +16,7 @@ namespace frana::gis {
 /// Written aside and renamed. An empty CRS is stored as undefined. Throws Error(environment).
 void write_points(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& layer_name,
                   const PointTable& table);
+
 }  // namespace frana::gis
 
 class GDALDataset;
@@ -39,10 +40,6 @@ inline constexpr const char* k_style_table = "layer_styles";
 
 /// Adds QGIS's table of styles, each the default of its layer. Returns false on failure.
 bool write_layer_styles(GDALDataset& dataset, const std::vector<LayerStyle>& styles);
-
-}  // namespace frana::gis
-
-namespace frana::gis {
 
 struct OutlineLayer {
     std::string name;  ///< "release", "trace", "deposit"

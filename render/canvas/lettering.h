@@ -74,10 +74,6 @@ class TextLine {
 /// call: they appear as boxes with their code. Any thread may call it.
 std::vector<std::string> take_letters_without_font();
 
-}  // namespace frana::render
-
-namespace frana::render {
-
 /// Coverage of each pixel by a text's ink (255: whole), in page orientation (rows downwards), trimmed to the ink.
 struct Glyphs {
     int left = 0, top = 0;  ///< of the first pixel, from the upper left corner of the page

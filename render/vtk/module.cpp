@@ -240,9 +240,6 @@ std::unique_ptr<TerrainScene> terrain_scene(const std::vector<SceneSurface>& sur
     return std::make_unique<VtkScene>(surfaces, width, height);
 }
 
-/// See VtkFunctions. Edges are smooth.
-std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const PixelWindow& window);
-
 /// Sampling points of the page inside a pixel: each row and each column of an 8 x 8 grid once. Averaging these pictures
 /// smooths edges with the memory of a single one.
 constexpr std::array<std::array<double, 2>, 8> k_pixel_samples{{{-0.4375, -0.1875},
@@ -254,6 +251,7 @@ constexpr std::array<std::array<double, 2>, 8> k_pixel_samples{{{-0.4375, -0.187
                                                                 {0.3125, 0.1875},
                                                                 {0.4375, -0.0625}}};
 
+/// See VtkFunctions. Edges are smooth.
 std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const PixelWindow& part) {
     VtkErrors errors;
     OsmesaWindow window(part.width, part.height);

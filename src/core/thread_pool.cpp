@@ -63,7 +63,7 @@ int checks_before_sleep(int threads) {
     return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_checks : 0;
 }
 
-inline void pause() noexcept {
+void pause() noexcept {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
 #endif

@@ -96,8 +96,7 @@ class RunOfFlow final : public SteppedRun::OfModel {
         if (options_.after_step) options_.after_step(run_->progress(), [&](StateWriter& writer) { writer(*run_); });
     }
     RunResult finish() override {
-        flow_.nodes()
-            .require_ground();  // a read error is found before anything is computed  // after the last state was saved
+        flow_.nodes().require_ground();  // after the last state was saved
         return run_->finish();
     }
 

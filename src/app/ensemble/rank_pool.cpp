@@ -27,7 +27,7 @@ enum class RankMessage {
     interrupted,  ///< to rank 0: number of the signal
     bye,          ///< to rank 0, after `stop`: the last message
 };
-inline int kind_of(RankMessage message) noexcept {
+int kind_of(RankMessage message) noexcept {
     return static_cast<int>(message);
 }
 

@@ -92,7 +92,7 @@ std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, 
     if (const auto run_out = spread_of(result, k_run_out_key)) {
         const std::vector<std::string> numbers{number.grouped(run_out->median), number.grouped(run_out->low),
                                                number.grouped(run_out->high)};
-        text = facts.troubles.unfinished() > 0
+        text = facts.troubles.make_lower_bounds()
                    ? words(
                          "In at least half of the runs the material comes more than {1} m far in map view, in at most "
                          "5 % of them less than {2} m and in at least 5 % more than {3} m.",
@@ -109,11 +109,11 @@ std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, 
                           {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
                            number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
     if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
-        text += " " + words(facts.troubles.on_levels
-                                ? worded("{1} runs were cut or failed and may have come farther: as each is one of a "
-                                         "pair, these values may be too small or too large.")
-                                : worded("{1} runs were cut or failed and may have come farther: these values are "
-                                         "lower bounds."),
+        text += " " + words(facts.troubles.make_lower_bounds()
+                                ? worded("{1} runs were cut or failed and may have come farther: these values are "
+                                         "lower bounds.")
+                                : worded("{1} runs were cut or failed and may have come farther: as they count in "
+                                         "differences of levels, these values may be too small or too large."),
                             {std::to_string(unfinished)});
     return paragraph(words("Where it goes."), text);
 }

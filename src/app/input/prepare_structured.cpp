@@ -26,11 +26,6 @@
 namespace frana::app {
 namespace {
 
-/// Checks values of the structured model against each other, and the release's thickness against the cells. What has no
-/// meaning is added to `problems`; what is legal and dubious, or given and without effect, is warned of.
-void check_structured_values(const SceneReading& reading, const StructuredMaterial& material,
-                             const ReleaseInput& release, const GridSpec& grid, RunLog& log, Problems& problems);
-
 /// Extremes over all materials of a scene.
 struct Extremes {
     double cohesion = 0;        ///< [Pa]
@@ -93,6 +88,8 @@ void warn_of_keys_without_effect(const SceneReading& reading, const StructuredMa
                         {reading.where(confined)}));
 }
 
+/// Checks values of the structured model against each other, and the release's thickness against the cells. What has no
+/// meaning is added to `problems`; what is legal and dubious, or given and without effect, is warned of.
 void check_structured_values(const SceneReading& reading, const StructuredMaterial& m, const ReleaseInput& release,
                              const GridSpec& grid, RunLog& log, Problems& problems) {
     if (!m.solids) return;

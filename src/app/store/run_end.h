@@ -19,19 +19,23 @@ struct Troubles {
     std::size_t open = 0;                   ///< that were cut or left the ground, each once
     double most_moving = 0, most_left = 0;  ///< fractions of the volume, of the runs that were cut, that left
     bool each_counts = false;               ///< of a region: every slope is somebody's
-    bool on_levels = false;                 ///< where one run of a finer level weighs as much as many others
+    bool on_levels = false;                 ///< of a multilevel study: a coarser run of a pair counts negatively
 
     /// Whether a run was cut, left the ground or failed: what --strict makes an error.
     [[nodiscard]] bool any() const noexcept { return cut + left + failed > 0; }
     /// Whether so many runs were cut or left the ground that the study's first line says so: over 5 %, of a region
     /// any, on levels any, and any that failed.
     [[nodiscard]] bool are_first() const noexcept;
+    /// Whether the headline is told, first or among others.
+    [[nodiscard]] bool are_told() const noexcept { return open > 0 || are_first(); }
+    /// Whether the study's numbers are lower bounds: on levels they may be too large as well.
+    [[nodiscard]] bool make_lower_bounds() const noexcept { return unfinished() > 0 && !on_levels; }
     /// Runs whose reach is not known: cut, gone or failed.
     [[nodiscard]] std::size_t unfinished() const noexcept { return open + failed; }
 };
 
 /// "Extent, run-out and probabilities are lower bounds: 12 of 12 runs were cut while their front still moved (up to 70
-/// % of the volume); ...".
+/// % of the volume); ...", or on levels "... may be too small or too large, without bounds: ...".
 Sentence headline(const Troubles& troubles);
 
 /// As `run_troubles` of summary.json, and back; none: an older summary.

@@ -168,6 +168,8 @@ TEST_F(LevelsStudy, UntilStopsAfterARound) {
 TEST_F(LevelsStudy, APairWithAFailedRunIsLeftOut) {
     write_dtm(
         [](int, int column) { return column > 50 ? -9999 : 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); });
+    write_scene(
+        "stop-when-still = off\n[output]\nreport = on\nmaps = on\nmap-formats = svg\nanimation = off\nframes = off\n");
     write_study("samples = 24\nsampling = random\nlevels = 2\n",
                 "[set]\ntime.end = 40\nterrain.crs = local\n[vary]\nmaterial.friction-angle = uniform(1, 40)\n");
     const Outcome outcome = run();
@@ -195,6 +197,12 @@ TEST_F(LevelsStudy, APairWithAFailedRunIsLeftOut) {
     const std::string first = parse_json(read_text(path("out/summary.json")))["warnings"][0];
     EXPECT_NE(first.find("too small or too large"), std::string::npos) << first;
     EXPECT_NE(first.find(std::to_string(failed) + " of "), std::string::npos) << first;
+    const std::string report = read_text(path("out/report.html")),
+                      map = read_text(path("out/maps/probability_depth_0.5.svg"));
+    EXPECT_LT(report.find("too small or too large"), report.find("id=\"answer\""));
+    EXPECT_EQ(report.find("In at least half of the runs"), std::string::npos);
+    EXPECT_EQ(report.find("lower bounds"), std::string::npos);
+    EXPECT_NE(map.find("too small or"), std::string::npos);
 }
 
 TEST_F(LevelsStudy, WhatCannotBeOnLevelsIsRefused) {

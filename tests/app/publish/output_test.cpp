@@ -491,6 +491,13 @@ TEST_F(Output, DepthsNormalToTheBedAreTheVerticalOnesTimesTheCosineOfTheSlope) {
     EXPECT_NEAR(number("result", "max_depth_m"), maximum(depth), 1e-6);
     EXPECT_LT(number("result", "max_depth_m"), number("vertical", "max_depth_m"));
     EXPECT_EQ(json_text(text("summary.json"), "depth_direction"), "normal to the bed");
+    std::vector<std::string> stations = rows_of(text("profiles.csv"));
+    ASSERT_GT(stations.size(), 10U);
+    for (std::size_t i = 1; i < stations.size(); ++i)
+        EXPECT_EQ(cells_of(stations[i]).back(), "normal to the bed") << stations[i];
+    const GDALDatasetUniquePtr profiles(GDALDataset::Open(path("result/profiles.gpkg").c_str(), GDAL_OF_VECTOR));
+    const OGRFeatureUniquePtr station(profiles->GetLayerByName("stations")->GetNextFeature());
+    EXPECT_STREQ(station->GetFieldAsString("depth_direction"), "normal to the bed");
     const auto deposit = [&](const std::string& folder) {
         const GDALDatasetUniquePtr file(GDALDataset::Open(path(folder + "/extent.gpkg").c_str(), GDAL_OF_VECTOR));
         const OGRFeatureUniquePtr feature(file->GetLayerByName("deposit")->GetNextFeature());
