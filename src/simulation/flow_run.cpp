@@ -21,6 +21,7 @@
 #include "simulation/terrain_sample.h"
 
 namespace frana {
+
 // Corrections of the rasters of a run before they are returned.
 
 namespace {

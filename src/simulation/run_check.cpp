@@ -14,6 +14,7 @@
 #include "simulation/terrain_sample.h"
 
 namespace frana {
+
 // The place of a problem in a step. Each function searches everything, and is called only after the problem was
 // detected.
 

@@ -15,6 +15,7 @@
 #include "study/read_study.h"
 
 namespace frana::study {
+
 // Paths in a study file: absolute where it is used, relative where it is echoed.
 
 namespace {

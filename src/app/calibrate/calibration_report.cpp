@@ -27,6 +27,20 @@
 #include "study/study_maps.h"
 
 namespace frana::app {
+
+MapStyle calibration_style(const SceneSpec& scene) {
+    const OutputSpec& output = scene.output;
+    MapStyle style;
+    style.words = words_of(scene);
+    if (const auto size = size_from_text(output.map_size)) style.size = *size;
+    style.formats = output.map_formats;
+    style.attribution = output.map_attribution.value_or("");
+    style.author = output.map_author.value_or("");
+    style.organisation = output.map_organisation.value_or("");
+    style.date = date_on_maps(output.map_date, today());
+    return style;
+}
+
 namespace {
 
 constexpr Rgb k_best_colour{200, 60, 20};
@@ -71,7 +85,7 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
     const Prepared& base = ground.study.base;
     const OutputSpec& output = base.spec.output;
     MapSource source;
-    source.style.words = words_of(base.spec);
+    source.style = calibration_style(base.spec);
     source.title = output.title.value_or(ground.event.name);
     const auto number = [&](double value) { return source.style.words.number(number_text(value, 3)); };
     source.subtitle = source.style.words("{1} runs weighted by the surveys, effective number {2}",
@@ -93,12 +107,6 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
         source.marks.push_back({source.style.words("Best run"), gis::polygonise(trace_mask(depth, ground.threshold)),
                                 k_best_colour, 1.8, true});
     }
-    if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
-    source.style.formats = output.map_formats;
-    source.style.attribution = output.map_attribution.value_or("");
-    source.style.author = output.map_author.value_or("");
-    source.style.organisation = output.map_organisation.value_or("");
-    source.style.date = date_on_maps(output.map_date, today());
     return source;
 }
 

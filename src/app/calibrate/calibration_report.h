@@ -5,7 +5,9 @@
 
 #include "app/calibrate/calibration_result.h"
 #include "app/calibrate/publish_calibration.h"
+#include "app/pictures/map_source.h"
 #include "app/store/result_directory.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 
@@ -17,6 +19,9 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
 
 /// Returns the title of a calibration's charts and report.
 std::string calibration_title(const CalibrationInput& input);
+
+/// Returns how a calibration's maps and charts look: as the scene's keys ask.
+MapStyle calibration_style(const SceneSpec& scene);
 
 /// Writes report.html from the tables and the charts already in the directory. Throws Error(environment).
 void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,

@@ -237,16 +237,9 @@ std::string calibration_summary_json(const CalibrationInput& input, const Calibr
 namespace {
 
 MapSource chart_source(const CalibrationInput& input) {
-    const OutputSpec& output = input.own.front().base.spec.output;
     MapSource source;
     source.title = calibration_title(input);
-    source.style.words = words_of(input.own.front().base.spec);
-    if (const auto size = size_from_text(output.map_size)) source.style.size = *size;
-    source.style.formats = output.map_formats;
-    source.style.attribution = output.map_attribution.value_or("");
-    source.style.author = output.map_author.value_or("");
-    source.style.organisation = output.map_organisation.value_or("");
-    source.style.date = date_on_maps(output.map_date, today());
+    source.style = calibration_style(input.own.front().base.spec);
     return source;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-
 #include <algorithm>
 #include <boost/program_options/variables_map.hpp>
 #include <filesystem>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-
 #include "app/calibrate/calibration_runs.h"
 #include "app/calibrate/publish_calibration.h"
 #include "app/commands/command_line.h"
