@@ -11,8 +11,9 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/parameter.h"
 
-// The kinds of parameter. Each function makes a Parameter from a member, its limits and its meaning. `Member` is a
-// callable that takes a SceneSpec (const or not) and returns a reference to the member.
+// The kinds of parameter. Each function makes a parameter from a member, its limits and its meaning. `Member` is a
+// callable that takes a `Spec` (const or not), a SceneSpec if nothing else is said, and returns a reference to the
+// member.
 
 namespace frana::declare {
 
@@ -33,32 +34,31 @@ auto given(const Value& value) {
 }
 
 /// Common to all kinds; `from_text` returns a ValueProblem or stores the value, `to_text` formats the plain value.
-template <class Member, class Read, class Write>
-Parameter parameter(const std::string& name, const std::string& type, Member member, Read from_text, Write to_text) {
-    Parameter result;
+template <class Spec = SceneSpec, class Member, class Read, class Write>
+ParameterOf<Spec> parameter(const std::string& name, const std::string& type, Member member, Read from_text,
+                            Write to_text) {
+    ParameterOf<Spec> result;
     const auto dot = name.find('.');
     result.section = name.substr(0, dot);
     result.key = name.substr(dot + 1);
     result.type = type;
-    result.read = [member, from_text](SceneSpec& scene, const std::string& text) {
-        return from_text(member(scene), text);
-    };
-    result.write = [member, to_text](const SceneSpec& scene) -> std::optional<std::string> {
-        const auto value = given(member(scene));
+    result.read = [member, from_text](Spec& spec, const std::string& text) { return from_text(member(spec), text); };
+    result.write = [member, to_text](const Spec& spec) -> std::optional<std::string> {
+        const auto value = given(member(spec));
         if (!value) return std::nullopt;
         return to_text(*value);
     };
-    result.reset = [member](SceneSpec& scene) {
-        const SceneSpec fresh;
-        member(scene) = member(fresh);
+    result.reset = [member](Spec& spec) {
+        const Spec fresh;
+        member(spec) = member(fresh);
     };
     return result;
 }
 
-template <class Member>
-Parameter number(const std::string& name, Member member, const std::string& unit, Range range,
-                 const std::string& meaning, const std::string& absent = {}) {
-    Parameter result = parameter(
+template <class Spec = SceneSpec, class Member>
+ParameterOf<Spec> number(const std::string& name, Member member, const std::string& unit, Range range,
+                         const std::string& meaning, const std::string& absent = {}) {
+    auto result = parameter<Spec>(
         name, "number", member,
         [range](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = number_from_text(text);
@@ -80,9 +80,29 @@ Parameter number(const std::string& name, Member member, const std::string& unit
     return result;
 }
 
-template <class Member>
-Parameter on_off(const std::string& name, Member member, const std::string& meaning, const std::string& absent = {}) {
-    Parameter result = parameter(
+template <class Spec = SceneSpec, class Member>
+ParameterOf<Spec> integer(const std::string& name, Member member, std::int64_t lowest, std::int64_t highest,
+                          const std::string& meaning) {
+    auto result = parameter<Spec>(
+        name, "integer", member,
+        [lowest, highest](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+            const auto value = integer_from_text(text);
+            if (!value) return ValueProblem{"is not a whole number", ""};
+            if (*value < lowest || *value > highest) return ValueProblem{"is out of range", ""};
+            target = static_cast<typename decltype(given(target))::value_type>(*value);
+            return std::nullopt;
+        },
+        [](auto value) { return std::to_string(value); });
+    result.limits = std::to_string(lowest) + " to " + std::to_string(highest);
+    result.range = Range{static_cast<double>(lowest), static_cast<double>(highest)};
+    result.meaning = meaning;
+    return result;
+}
+
+template <class Spec = SceneSpec, class Member>
+ParameterOf<Spec> on_off(const std::string& name, Member member, const std::string& meaning,
+                         const std::string& absent = {}) {
+    auto result = parameter<Spec>(
         name, "on | off", member,
         [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = boolean_from_text(text);
@@ -99,10 +119,10 @@ Parameter on_off(const std::string& name, Member member, const std::string& mean
 }
 
 /// One of the words in `choices`; those in `not_yet` are refused as not yet available.
-template <class Member>
-Parameter choice(const std::string& name, Member member, const std::vector<std::string>& choices,
-                 const std::string& meaning, const std::vector<std::string>& not_yet = {}) {
-    Parameter result = parameter(
+template <class Spec = SceneSpec, class Member>
+ParameterOf<Spec> choice(const std::string& name, Member member, const std::vector<std::string>& choices,
+                         const std::string& meaning, const std::vector<std::string>& not_yet = {}) {
+    auto result = parameter<Spec>(
         name, "choice", member,
         [choices, not_yet](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             if (std::find(not_yet.begin(), not_yet.end(), text) != not_yet.end())
@@ -123,9 +143,10 @@ Parameter choice(const std::string& name, Member member, const std::vector<std::
 /// One of several words, each of which stands for a value of the member.
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
-template <class Member, class Value>
-Parameter option(const std::string& name, Member member, const Words<Value>& words, const std::string& meaning) {
-    Parameter result = parameter(
+template <class Spec = SceneSpec, class Member, class Value>
+ParameterOf<Spec> option(const std::string& name, Member member, const Words<Value>& words,
+                         const std::string& meaning) {
+    auto result = parameter<Spec>(
         name, "choice", member,
         [words](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             for (const auto& [word, value] : words) {
@@ -161,10 +182,10 @@ inline Parameter holds(const std::string& content, Parameter file) {
     return file;
 }
 
-template <class Member>
-Parameter text(const std::string& name, Member member, const std::string& type, const std::string& meaning,
-               const std::string& absent = {}) {
-    Parameter result = parameter(
+template <class Spec = SceneSpec, class Member>
+ParameterOf<Spec> text(const std::string& name, Member member, const std::string& type, const std::string& meaning,
+                       const std::string& absent = {}) {
+    auto result = parameter<Spec>(
         name, type, member,
         [](auto& target, const std::string& given_text) -> std::optional<ValueProblem> {
             target = given_text;
@@ -174,20 +195,21 @@ Parameter text(const std::string& name, Member member, const std::string& type, 
     result.meaning = meaning;
     result.absent = absent;
     if (type == "file" || type == "folder") {
-        result.map_files = [read = result.read, write = result.write](SceneSpec& scene, const FileMap& map) {
-            const auto path = write(scene);
+        result.map_files = [read = result.read, write = result.write](Spec& spec, const FileMap& map) {
+            const auto path = write(spec);
             const bool column = path && path->rfind("attribute:", 0) == 0;  // of the vector layer, which names the
                                                                             // files
-            if (path && !path->empty() && !column) read(scene, map(*path));
+            if (path && !path->empty() && !column) read(spec, map(*path));
         };
     }
     return result;
 }
 
 /// A number, attribute:NAME or raster:FILE, restricted to `kinds`.
-template <class Member>
-Parameter source(const std::string& name, Member member, const std::string& unit, Range range,
-                 const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning, const std::string& absent) {
+template <class Spec = SceneSpec, class Member>
+ParameterOf<Spec> source(const std::string& name, Member member, const std::string& unit, Range range,
+                         const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning,
+                         const std::string& absent) {
     using Kind = SourceSpec::Kind;
     const auto allowed = [kinds](Kind kind) { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); };
     std::vector<std::string> forms;
@@ -199,7 +221,7 @@ Parameter source(const std::string& name, Member member, const std::string& unit
         forms.push_back(std::string(beginning) + rest);
         beginnings.emplace_back(beginning);
     }
-    Parameter result = parameter(
+    auto result = parameter<Spec>(
         name, "text", member,
         [range, allowed](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = source_from_text(text);
@@ -217,8 +239,8 @@ Parameter source(const std::string& name, Member member, const std::string& unit
     result.meaning = meaning;
     result.absent = absent;
     if (allowed(Kind::raster)) {
-        result.map_files = [member](SceneSpec& scene, const FileMap& map) {
-            auto& target = member(scene);
+        result.map_files = [member](Spec& spec, const FileMap& map) {
+            auto& target = member(spec);
             if (target && target->kind == Kind::raster) target->name = map(target->name);
         };
     }
@@ -226,10 +248,10 @@ Parameter source(const std::string& name, Member member, const std::string& unit
 }
 
 /// A list of words from a fixed set; a word in `alone` must be the only one.
-template <class Member>
-Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
-                    const std::vector<std::string>& words, const std::string& meaning) {
-    Parameter result = parameter(
+template <class Spec = SceneSpec, class Member>
+ParameterOf<Spec> word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
+                            const std::vector<std::string>& words, const std::string& meaning) {
+    auto result = parameter<Spec>(
         name, "list", member,
         [=](std::vector<std::string>& target, const std::string& value) -> std::optional<ValueProblem> {
             const auto is_in = [](const std::vector<std::string>& list, const std::string& word) {
@@ -256,5 +278,5 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
 
 }  // namespace frana::declare
 
-// The member of a parameter, of a scene that may or may not be const.
+// The member of a parameter, of a scene or other file that may or may not be const.
 #define FRANA_MEMBER(path) ([](auto& scene) -> auto& { return scene.path; })

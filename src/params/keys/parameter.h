@@ -40,20 +40,26 @@ using FileMap = std::function<std::string(const std::string&)>;
 struct NumberRange {
     double lowest = 0;
     double highest = 0;
-    bool lowest_excluded = false;
+    bool lowest_excluded = false, highest_excluded = false;
 
     [[nodiscard]] bool has(double value) const {
-        return (lowest_excluded ? value > lowest : value >= lowest) && value <= highest;
+        return (lowest_excluded ? value > lowest : value >= lowest) &&
+               (highest_excluded ? value < highest : value <= highest);
     }
     [[nodiscard]] std::string text() const {
         return (lowest_excluded ? "greater than " : "") + shortest_text(lowest) +
-               (lowest_excluded ? ", at most " : " to ") + shortest_text(highest);
+               (highest_excluded  ? ", less than "
+                : lowest_excluded ? ", at most "
+                                  : " to ") +
+               shortest_text(highest);
     }
 };
 
-/// One key of a scene file. Declared once, in scene_parameters.cpp; the parser, --set, `frana params`, the echo and
-/// every message about the key are generated from it.
-struct Parameter {
+/// One key of a file, as a member of what is read from it: of a scene, in scene_parameters.cpp, of a study, a region or
+/// a calibration in `src/study`. Declared once; the parser, --set, `frana params`, the echo and every message about the
+/// key are generated from it.
+template <class Spec>
+struct ParameterOf {
     std::string section;
     std::string key;
     std::string type;    ///< "number", "integer", "on | off", "choice", "file", "folder", "text", "list"
@@ -66,12 +72,12 @@ struct Parameter {
     std::string meaning;                 ///< one sentence
     std::string content;  ///< of a file: "raster", "polygons", "lines", "points", "lines or points", "raster or
                           ///< polygons", "table"
-    std::function<std::optional<ValueProblem>(SceneSpec&, const std::string&)> read;
-    std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
-    std::function<void(SceneSpec&)> reset;                              ///< restores the default
+    std::function<std::optional<ValueProblem>(Spec&, const std::string&)> read;
+    std::function<std::optional<std::string>(const Spec&)> write;  ///< none: not given
+    std::function<void(Spec&)> reset;                              ///< restores the default
     std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a numeric key
-    std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< calls the map for each path in the value; empty:
-                                                                ///< none
+    std::function<void(Spec&, const FileMap&)> map_files;  ///< calls the map for each path in the value; empty:
+                                                           ///< none
 
     bool is_on_map = false;  ///< its file's features must lie on the working grid, also where frana selects that
 
@@ -80,7 +86,26 @@ struct Parameter {
 
     [[nodiscard]] std::string name() const { return section + "." + key; }
     /// Returns the default as text; empty if there is no fixed one (see `absent`).
-    [[nodiscard]] std::string default_text() const { return write(SceneSpec{}).value_or(""); }
+    [[nodiscard]] std::string default_text() const { return write(Spec{}).value_or(""); }
 };
+
+/// A key of a scene file.
+using Parameter = ParameterOf<SceneSpec>;
+
+/// Returns the parameter "section.key"; null if there is none.
+template <class Spec>
+const ParameterOf<Spec>* find_parameter(const std::vector<ParameterOf<Spec>>& parameters, const std::string& name) {
+    for (const ParameterOf<Spec>& one : parameters)
+        if (one.name() == name) return &one;
+    return nullptr;
+}
+
+/// Returns "section.key" of every parameter.
+template <class Spec>
+std::vector<std::string> names_of(const std::vector<ParameterOf<Spec>>& parameters) {
+    std::vector<std::string> names;
+    for (const ParameterOf<Spec>& one : parameters) names.push_back(one.name());
+    return names;
+}
 
 }  // namespace frana

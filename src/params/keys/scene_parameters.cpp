@@ -459,18 +459,6 @@ const std::vector<Parameter>& scene_parameters() {
     return k_list;
 }
 
-const Parameter* find_parameter(const std::vector<Parameter>& parameters, const std::string& name) {
-    const auto found =
-        std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name() == name; });
-    return found == parameters.end() ? nullptr : &*found;
-}
-
-std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
-    std::vector<std::string> names;
-    for (const Parameter& parameter : parameters) names.push_back(parameter.name());
-    return names;
-}
-
 std::vector<Section> scene_sections() {
     return {{"scene", "The scene file."},
             {"terrain", "Terrain and working grid."},

@@ -11,12 +11,6 @@ namespace frana {
 /// Returns every key of a scene file, in the order of the documentation and the echo.
 const std::vector<Parameter>& scene_parameters();
 
-/// Returns the parameter "section.key"; null if there is none.
-const Parameter* find_parameter(const std::vector<Parameter>& parameters, const std::string& name);
-
-/// Returns "section.key" of every parameter.
-std::vector<std::string> names_of(const std::vector<Parameter>& parameters);
-
 /// The sections in order, each with one sentence.
 struct Section {
     std::string name;
