@@ -3,49 +3,46 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <set>
 
 #include "core/text.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/declare.h"
 #include "params/keys/scene_spec.h"
+#include "study/entry_reader.h"
 
 namespace frana::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A number of [study] or [objective] that only calibrations have; parser, messages and echo follow from it.
-struct NumberKey {
-    const char *name, *limits, *meaning;
-    double lowest, highest;
-    bool whole;
-    std::function<double&(CalibrationSpec&)> member;
-    std::function<std::string(const CalibrationSpec&)> write;
-};
+/// Numbers of [study] and [objective] that only calibrations have; parser, messages and echo follow from them.
+const std::vector<ParameterOf<CalibrationSpec>>& calibration_keys() {
+    using namespace declare;
+    static const std::vector<ParameterOf<CalibrationSpec>> k_keys{
+        integer<CalibrationSpec>("study.refine", FRANA_MEMBER(refine), 0, 100'000,
+                                 "Members on the scenes' own cells, drawn where the coarse ones explain the surveys; "
+                                 "0 with coarse = 1: the first members themselves are the posterior."),
+        number<CalibrationSpec>("study.coarse", FRANA_MEMBER(coarse), "", Range{1, 16},
+                                "Cell size of the first members, in units of the scene's."),
+        number<CalibrationSpec>("objective.exponent", FRANA_MEMBER(exponent), "", Range{0.1, 1000},
+                                "N of the likelihood (misfit)^-N of an event: the number of independent pieces of "
+                                "information in its survey.")};
+    return k_keys;
+}
 
-const std::vector<NumberKey>& number_keys() {
-    static const std::vector<NumberKey> k_keys{
-        {"study.refine",
-         "0 to 100000",
-         "Members on the scenes' own cells, drawn where the coarse ones explain the surveys; 0 with coarse = 1: the "
-         "first members themselves are the posterior.",
-         0,
-         1e5,
-         true,
-         {},
-         [](const CalibrationSpec& c) { return std::to_string(c.refine); }},
-        {"study.coarse", "1 to 16", "Cell size of the first members, in units of the scene's.", 1, 16, false,
-         [](CalibrationSpec& c) -> double& { return c.coarse; },
-         [](const CalibrationSpec& c) { return shortest_text(c.coarse); }},
-        {"objective.exponent", "greater than 0.1, up to 1000",
-         "N of the likelihood (misfit)^-N of an event: the number of independent pieces of information in its survey.",
-         0.1, 1000, false, [](CalibrationSpec& c) -> double& { return c.exponent; },
-         [](const CalibrationSpec& c) { return shortest_text(c.exponent); }}};
+/// The weights of [objective], a measure each.
+const std::vector<ParameterOf<Weight>>& weight_keys() {
+    static const std::vector<ParameterOf<Weight>> k_keys = [] {
+        std::vector<ParameterOf<Weight>> keys;
+        for (const MeasureRow& row : k_measures)
+            keys.push_back(declare::number<Weight>(std::string("objective.") + row.name, FRANA_MEMBER(weight), "",
+                                                   NumberRange{0, 1e6}, row.formula));
+        return keys;
+    }();
     return k_keys;
 }
 
@@ -81,31 +78,28 @@ bool is_event_name(const std::string& name) {
 
 /// Reads the entries of one calibration: sorts them by event, and lets the reader of studies read what an event's study
 /// would contain.
-class CalibrationReader {
+class CalibrationReader : private EntryReader {
   public:
-    explicit CalibrationReader(CalibrationReading& reading, std::string folder)
-        : reading_(reading), folder_(std::move(folder)) {}
+    CalibrationReader(CalibrationReading& reading, std::string folder)
+        : EntryReader(reading.label, std::move(folder), reading.problems), reading_(reading) {}
 
-    void read(const std::vector<IniEntry>& entries);
+    void read_all(const std::vector<IniEntry>& entries);
 
   private:
-    void add(const IniEntry& entry);
+    void add_entry(const IniEntry& entry);
     void add_scenes(const IniEntry& entry);
     void add_event(const std::string& name, const std::string& scene, const IniEntry& entry);
     void add_weight(const std::string& name, const IniEntry& entry);
     void add_observation(const std::string& event, const std::string& key, const IniEntry& entry);
-    bool add_number(const IniEntry& entry);
     void read_members();
     void read_event(EventSpec& event);
     void check();
     [[nodiscard]] EventSpec* event_of(const std::string& name);
-    void refuse(const std::string& what, const IniEntry& entry, const std::string& limit, const std::string& remedy) {
-        reading_.problems.add({what, reading_.where(entry.name), entry.value, limit, remedy});
+    void refuse_event(const std::string& name, const IniEntry& entry) {
+        refuse("there is no event " + name, entry, "", "Give it a scene: [event " + name + "] scene = FILE");
     }
 
     CalibrationReading& reading_;
-    std::string folder_;
-    std::set<std::string> seen_;
     std::map<std::string, std::string> scenes_;               ///< by event
     std::vector<IniEntry> shared_;                            ///< for the study of each event
     std::map<std::string, std::vector<IniEntry>> own_;        ///< by event
@@ -129,7 +123,7 @@ void CalibrationReader::add_event(const std::string& name, const std::string& sc
                "Give each a section [event NAME] with its scene");
     } else {
         reading_.calibration.events.push_back({name, {}, {}, {}, {}, {}, {}, {}});
-        scenes_[name] = absolute_path(scene, folder_);
+        scenes_[name] = absolute_path(scene, folder());
     }
 }
 
@@ -143,49 +137,26 @@ void CalibrationReader::add_scenes(const IniEntry& entry) {
             refuse("has an empty name of a scene", entry, "", "Write scene = one.ini, other.ini");
             continue;
         }
-        add_event(event_name(absolute_path(scene, folder_)), scene, entry);
+        add_event(event_name(absolute_path(scene, folder())), scene, entry);
     }
-}
-
-bool CalibrationReader::add_number(const IniEntry& entry) {
-    for (const NumberKey& key : number_keys()) {
-        if (entry.name != key.name) continue;
-        const auto value = number_from_text(entry.value);
-        if (!value || (key.whole && *value != std::floor(*value)))
-            refuse(key.whole ? "is not a whole number" : "is not a number", entry, key.limits, "");
-        else if (!(*value >= key.lowest && *value <= key.highest))
-            refuse("is out of range", entry, key.limits, "");
-        else if (key.member)
-            key.member(reading_.calibration) = *value;
-        else
-            reading_.calibration.refine = static_cast<std::int64_t>(*value);
-        return true;
-    }
-    return false;
 }
 
 void CalibrationReader::add_weight(const std::string& name, const IniEntry& entry) {
     std::vector<std::string> names{"exponent"};
     for (const MeasureRow& row : k_measures) {
         names.emplace_back(row.name);
+        Weight weight{row.measure, 0};
         if (name != row.name) continue;
-        const auto weight = number_from_text(entry.value);
-        if (!weight || !(*weight >= 0 && *weight <= 1e6))
-            refuse("is not a weight", entry, "0 to 1000000", "");
-        else if (*weight > 0)
-            reading_.calibration.objective.push_back({row.measure, *weight});
+        read(weight_keys(), entry, weight);
+        if (weight.weight > 0) reading_.calibration.objective.push_back(weight);
         return;
     }
-    const std::string nearest = nearest_name(name, names);
-    refuse("unknown measure", entry, joined(names, ", "), nearest.empty() ? "" : "Did you mean " + nearest + "?");
+    refuse_name("unknown measure", name, names, "", entry, joined(names, ", "));
 }
 
 void CalibrationReader::add_observation(const std::string& event, const std::string& key, const IniEntry& entry) {
     EventSpec* const spec = event_of(event);
-    if (spec == nullptr) {
-        refuse("there is no event " + event, entry, "", "Give it a scene: [event " + event + "] scene = FILE");
-        return;
-    }
+    if (spec == nullptr) return refuse_event(event, entry);
     const auto value = number_from_text(entry.value);
     const std::size_t space = key.find(' ');
     const std::string word = key.substr(0, space), gauge = space == std::string::npos ? "" : trimmed(key.substr(space));
@@ -203,15 +174,8 @@ void CalibrationReader::add_observation(const std::string& event, const std::str
         spec->runout = *value;
 }
 
-void CalibrationReader::add(const IniEntry& entry) {
-    if (!seen_.insert(entry.name).second) {
-        refuse("is given more than once", entry, "", "Keep one of the lines");
-        return;
-    }
-    if (entry.value.empty()) {
-        refuse("has no value", entry, "", "Give one or remove the key");
-        return;
-    }
+void CalibrationReader::add_entry(const IniEntry& entry) {
+    if (!is_good(entry)) return;
     const auto dot = entry.name.find('.');
     const std::string head = entry.name.substr(0, dot),
                       rest = dot == std::string::npos ? "" : entry.name.substr(dot + 1);
@@ -223,7 +187,7 @@ void CalibrationReader::add(const IniEntry& entry) {
     if (event.empty() && k_of_ensembles.count(entry.name) > 0)
         return refuse("has no effect in a calibration", entry, "", "Remove it");
     if (entry.name == "study.scene") return add_scenes(entry);
-    if (add_number(entry)) return;
+    if (read(calibration_keys(), entry, reading_.calibration)) return;
     if (section == "objective" && event.empty()) return add_weight(rest, entry);
     if (section == "event" && !event.empty()) {
         if (rest == "scene") return add_event(event, entry.value, entry);
@@ -281,7 +245,7 @@ void CalibrationReader::read_members() {
     for (const auto& [event, entries] : own_)
         for (const IniEntry& entry : entries)
             if (event_of(event) == nullptr) {
-                refuse("there is no event " + event, entry, "", "Give it a scene: [event " + event + "] scene = FILE");
+                refuse_event(event, entry);
                 break;
             }
     if (calibration.events.empty()) return;
@@ -293,32 +257,32 @@ void CalibrationReader::read_members() {
 
 void CalibrationReader::check() {
     CalibrationSpec& calibration = reading_.calibration;
-    Problems& problems = reading_.problems;
-    const bool names_scene = std::any_of(seen_.begin(), seen_.end(), [](const std::string& name) {
+    const bool names_scene = std::any_of(seen().begin(), seen().end(), [](const std::string& name) {
         return name == "study.scene" || (name.starts_with("event ") && name.ends_with(".scene"));
     });
     if (!names_scene)
-        problems.add({"is missing", reading_.where("study.scene"), "", "scene files",
-                      "Name the scene of each event, with its [observed]"});
-    if (calibration.objective.empty() && std::none_of(seen_.begin(), seen_.end(), [](const std::string& name) {
+        add_problem({"is missing", where("study.scene"), "", "scene files",
+                     "Name the scene of each event, with its [observed]"});
+    if (calibration.objective.empty() && std::none_of(seen().begin(), seen().end(), [](const std::string& name) {
             return name.starts_with("objective.") && name != "objective.exponent";
         }))
-        problems.add({"has no measure", reading_.where("objective"), "", "",
-                      "Say what is compared with the surveys: [objective] jaccard = 1"});
+        add_problem({"has no measure", where("objective"), "", "",
+                     "Say what is compared with the surveys: [objective] jaccard = 1"});
     else if (calibration.objective.empty())
-        problems.add({"has no weight greater than 0", reading_.where("objective"), "", "", "Give a measure a weight"});
-    const Sampling sampling = calibration.study.sampling;
-    if (!calibration.events.empty() &&
-        (sampling == Sampling::grid || sampling == Sampling::saltelli || sampling == Sampling::table))
-        problems.add({"is not for calibrations", reading_.where("study.sampling"), name_of(sampling),
-                      "sobol, latin-hypercube, random", "Choose one of these"});
+        add_problem({"has no weight greater than 0", where("objective"), "", "", "Give a measure a weight"});
+    using Kind = SamplingMethod::Kind;
+    const SamplingMethod& method = method_of(calibration.study.sampling);
+    if (!calibration.events.empty() && method.kind != Kind::sample)
+        add_problem({"is not for calibrations", where("study.sampling"), method.name,
+                     joined(sampling_words([](const SamplingMethod& row) { return row.kind == Kind::sample; }), ", "),
+                     "Choose one of these"});
     if (calibration.refine == 0 && calibration.coarse != 1)
-        problems.add({"leaves no member on the scenes' own cells", reading_.where("study.refine"), "0", "",
-                      "Write coarse = 1, or refine = 100"});
+        add_problem({"leaves no member on the scenes' own cells", where("study.refine"), "0", "",
+                     "Write coarse = 1, or refine = 100"});
 }
 
-void CalibrationReader::read(const std::vector<IniEntry>& entries) {
-    for (const IniEntry& entry : entries) add(entry);
+void CalibrationReader::read_all(const std::vector<IniEntry>& entries) {
+    for (const IniEntry& entry : entries) add_entry(entry);
     for (const auto& [event, entry] : observed_)
         add_observation(event, entry.name.substr(entry.name.find('.') + 1), entry);
     read_members();
@@ -337,42 +301,47 @@ std::string events_text(const EventSpec& event) {
 }  // namespace
 
 bool is_calibration(const std::string& path) {
-    const std::vector<IniEntry> entries = read_ini(path);
-    return std::any_of(entries.begin(), entries.end(), [](const IniEntry& entry) {
-        return entry.name.starts_with("objective.") || entry.name.starts_with("event ");
-    });
+    return has_section(path, "objective.") || has_section(path, "event ");
 }
 
 CalibrationReading read_calibration(const std::string& path) {
     CalibrationReading reading;
     reading.label = path;
     const fs::path absolute = fs::absolute(path).lexically_normal();
-    CalibrationReader(reading, absolute.parent_path().string()).read(read_ini(path));
+    CalibrationReader(reading, absolute.parent_path().string()).read_all(read_ini(path));
     return reading;
+}
+
+CalibrationSpec with_files(CalibrationSpec calibration, const KeyedFileMap& map) {
+    calibration.study = with_files(std::move(calibration.study), map);
+    for (EventSpec& event : calibration.events) {
+        event.set = with_files(std::move(event.set), map);
+        event.vary = with_files(std::move(event.vary), map);
+        event.members.study = with_files(std::move(event.members.study), map);
+    }
+    return calibration;
+}
+
+CalibrationSpec seen_from(CalibrationSpec calibration, const std::string& folder) {
+    return with_files(std::move(calibration),
+                      [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
 }
 
 std::string calibration_text(const CalibrationSpec& calibration) {
     const StudySpec& study = calibration.study;
-    std::string text = "# A calibration as used; `frana calibrate` on this file repeats it.\n\n[study]\n";
-    text += "samples = " + std::to_string(study.samples) + "\nsampling = " + name_of(study.sampling) +
-            "\nseed = " + std::to_string(study.seed) + "\n";
-    std::string objective = "\n[objective]\n";
-    for (const NumberKey& key : number_keys()) {
-        const std::string name = key.name, of_section = name.substr(name.find('.') + 1);
-        (name.starts_with("study.") ? text : objective) += std::string("# ") + key.meaning + " Values: " + key.limits +
-                                                           ".\n" + of_section + " = " + key.write(calibration) + "\n";
-    }
+    std::string text = "# A calibration as used; `frana calibrate` on this file repeats it.\n\n[study]\nsamples = " +
+                       std::to_string(study.samples) + "\nsampling = " + name_of(study.sampling) +
+                       "\nseed = " + std::to_string(study.seed) + "\n" +
+                       keys_text(calibration_keys(), calibration, "study") + "\n[objective]\n" +
+                       keys_text(calibration_keys(), calibration, "objective");
     for (const MeasureRow& row : k_measures) {
         const auto found = std::find_if(calibration.objective.begin(), calibration.objective.end(),
                                         [&](const Weight& one) { return one.measure == row.measure; });
-        objective += std::string("# ") + row.formula + "\n";
-        objective += found == calibration.objective.end() ? std::string("# ") + row.name + " =\n"
-                                                          : row.name + (" = " + shortest_text(found->weight)) + "\n";
+        text += std::string("# ") + row.formula + "\n";
+        text += found == calibration.objective.end() ? std::string("# ") + row.name + " =\n"
+                                                     : row.name + (" = " + shortest_text(found->weight)) + "\n";
     }
-    text += objective + settings_text("set", study.set) + variations_text("vary", study.vary);
-    if (!study.correlate.empty()) text += "\n[correlate]\n";
-    for (const Correlation& one : study.correlate)
-        text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";
+    text += settings_text("set", study.set) + variations_text("vary", study.vary) + correlations_text(study);
     for (const EventSpec& event : calibration.events) text += events_text(event);
     return text;
 }

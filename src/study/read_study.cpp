@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
-#include <set>
 
 #include "core/text.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/declare.h"
 #include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
 #include "study/distribution_text.h"
+#include "study/entry_reader.h"
 #include "study/sampling.h"
 
 namespace frana::study {
@@ -19,174 +19,125 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t k_most_samples = 1'000'000;
+using StudyKey = ParameterOf<StudySpec>;
 
-struct NamedSampling {
-    const char* name;
-    Sampling sampling;
-};
-constexpr NamedSampling k_samplings[] = {{"sobol", Sampling::sobol},
-                                         {"latin-hypercube", Sampling::latin_hypercube},
-                                         {"random", Sampling::random},
-                                         {"grid", Sampling::grid},
-                                         {"saltelli", Sampling::saltelli}};
+constexpr std::int64_t k_most_samples = 1'000'000, k_last_seed = 2'147'483'647;
 constexpr const char* k_table_word = "table:";
 
-/// One key of [study]; the parser, the messages and the echo follow from it.
-struct StudyKey {
-    const char *name, *limits, *meaning;
-    std::function<std::optional<ValueProblem>(StudySpec&, const std::string& text, const std::string& folder)> read;
-    std::function<std::optional<std::string>(const StudySpec&)> write;
-};
-
-std::optional<ValueProblem> read_sampling(StudySpec& study, const std::string& text, const std::string& folder) {
-    if (text.starts_with(k_table_word)) {
+StudyKey sampling_key() {
+    declare::Words<Sampling> words;
+    for (const SamplingMethod& row : k_samplings)
+        if (row.kind != SamplingMethod::Kind::given) words.emplace_back(row.name, row.sampling);
+    auto key = declare::option<StudySpec>("study.sampling", FRANA_MEMBER(sampling), words,
+                                          "How the values of the members are drawn.");
+    key.limits += std::string(", ") + k_table_word + "FILE.csv";
+    key.read = [of_word = key.read](StudySpec& study, const std::string& text) -> std::optional<ValueProblem> {
+        if (!text.starts_with(k_table_word)) return of_word(study, text);
         const std::string file = trimmed(text.substr(std::string(k_table_word).size()));
         if (file.empty()) return ValueProblem{"names no file", "Write table:FILE.csv"};
         study.sampling = Sampling::table;
-        study.table = absolute_path(file, folder);
+        study.table = file;
         return std::nullopt;
-    }
-    for (const NamedSampling& one : k_samplings) {
-        if (text != one.name) continue;
-        study.sampling = one.sampling;
-        return std::nullopt;
-    }
-    return ValueProblem{"is not one of the choices", ""};
+    };
+    key.write = [of_word = key.write](const StudySpec& study) -> std::optional<std::string> {
+        if (study.per_polygon()) return std::nullopt;
+        return study.sampling == Sampling::table ? k_table_word + study.table : of_word(study);
+    };
+    key.map_files = [](StudySpec& study, const FileMap& map) {
+        if (!study.table.empty()) study.table = map(study.table);
+    };
+    return key;
 }
 
+StudyKey per_polygon_key() {
+    auto key = declare::parameter<StudySpec>(
+        "study.per-polygon", "on | off", FRANA_MEMBER(sampling),
+        [](Sampling& sampling, const std::string& text) -> std::optional<ValueProblem> {
+            if (text != "on" && text != "off") return ValueProblem{"is not one of the choices", ""};
+            if (text == "on") sampling = Sampling::polygons;
+            return std::nullopt;
+        },
+        [](Sampling) { return std::string("on"); });
+    key.limits = "on, off";
+    key.meaning = "Each polygon of the release perimeter is a member of its own; nothing is drawn from distributions.";
+    key.write = [write = key.write](const StudySpec& study) {
+        return study.per_polygon() ? write(study) : std::nullopt;
+    };
+    return key;
+}
+
+/// A key that has no effect, and is not written, where nothing is drawn.
+StudyKey of_drawn(StudyKey key, bool also_of_tables) {
+    key.write = [write = key.write, also_of_tables](const StudySpec& study) -> std::optional<std::string> {
+        if (study.per_polygon() || (study.sampling == Sampling::table && !also_of_tables)) return std::nullopt;
+        return write(study);
+    };
+    return key;
+}
+
+/// The keys of [study]; the parser, the messages and the echo follow from them.
 const std::vector<StudyKey>& study_keys() {
-    static const std::vector<StudyKey> k_keys{
-        {"scene", "a scene file", "The scene whose keys vary.",
-         [](StudySpec& study, const std::string& text, const std::string& folder) -> std::optional<ValueProblem> {
-             study.scene = absolute_path(text, folder);
-             return std::nullopt;
-         },
-         [](const StudySpec& study) { return study.scene; }},
-        {"samples", "2 to 1000000",
-         "Number of members; with sampling = grid, and with until, the most; with levels the budget, in such runs.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
-             const auto count = integer_from_text(text);
-             if (!count) return ValueProblem{"is not a whole number", ""};
-             if (*count < 2 || *count > k_most_samples) return ValueProblem{"is out of range", ""};
-             study.samples = *count;
-             return std::nullopt;
-         },
-         [](const StudySpec& study) -> std::optional<std::string> {
-             if (study.sampling == Sampling::table || study.per_polygon()) return std::nullopt;
-             return std::to_string(study.samples);
-         }},
-        {"sampling", "sobol, latin-hypercube, random, grid, saltelli, table:FILE.csv",
-         "How the values of the members are drawn.", read_sampling,
-         [](const StudySpec& study) -> std::optional<std::string> {
-             if (study.per_polygon()) return std::nullopt;
-             return study.sampling == Sampling::table ? k_table_word + study.table : name_of(study.sampling);
-         }},
-        {"per-polygon", "on, off",
-         "Each polygon of the release perimeter is a member of its own; nothing is drawn from distributions.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
-             if (text != "on" && text != "off") return ValueProblem{"is not one of the choices", ""};
-             if (text == "on") study.sampling = Sampling::polygons;
-             return std::nullopt;
-         },
-         [](const StudySpec& study) -> std::optional<std::string> {
-             if (!study.per_polygon()) return std::nullopt;
-             return "on";
-         }},
-        {"seed", "0 to 2147483647", "The same seed gives the same members.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
-             const auto seed = integer_from_text(text);
-             if (!seed) return ValueProblem{"is not a whole number", ""};
-             if (*seed < 0 || *seed > 2147483647) return ValueProblem{"is out of range", ""};
-             study.seed = *seed;
-             return std::nullopt;
-         },
-         [](const StudySpec& study) -> std::optional<std::string> {
-             if (study.per_polygon()) return std::nullopt;
-             return std::to_string(study.seed);
-         }},
-        {"until", "greater than 0, less than 0.5",
-         "Standard error of the probabilities, anywhere on the map, below which no more members are run.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
-             const auto error = number_from_text(text);
-             if (!error) return ValueProblem{"is not a number", ""};
-             if (!(*error > 0 && *error < 0.5)) return ValueProblem{"is out of range", ""};
-             study.until = *error;
-             return std::nullopt;
-         },
-         [](const StudySpec& study) -> std::optional<std::string> {
-             if (!study.until) return std::nullopt;
-             return shortest_text(*study.until);
-         }},
-        {"levels", "2 to 6",
-         "Cell sizes, each twice the next, of a multilevel study: many members on coarse cells, few on the scene's "
-         "own. "
-         "All together cost as much as `samples` on the scene's own.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
-             const auto levels = integer_from_text(text);
-             if (!levels) return ValueProblem{"is not a whole number", ""};
-             if (*levels < 2 || *levels > 6) return ValueProblem{"is out of range", ""};
-             study.levels = static_cast<std::size_t>(*levels);
-             return std::nullopt;
-         },
-         [](const StudySpec& study) -> std::optional<std::string> {
-             if (!study.levels) return std::nullopt;
-             return std::to_string(*study.levels);
-         }},
-        {"keep", "none, failed, all", "Members whose scene and maps are written to members/.",
-         [](StudySpec& study, const std::string& text, const std::string&) -> std::optional<ValueProblem> {
-             if (text != "none" && text != "failed" && text != "all")
-                 return ValueProblem{"is not one of the choices", ""};
-             study.keep = text == "none" ? Keep::none : text == "all" ? Keep::all : Keep::failed;
-             return std::nullopt;
-         },
-         [](const StudySpec& study) -> std::optional<std::string> {
-             return study.keep == Keep::none ? "none" : study.keep == Keep::all ? "all" : "failed";
-         }}};
+    using namespace declare;
+    static const std::vector<StudyKey> k_keys = [] {
+        StudyKey scene_file = text<StudySpec>("study.scene", FRANA_MEMBER(scene), "file", "The scene whose keys vary.");
+        scene_file.limits = "a scene file";
+        return std::vector<StudyKey>{
+            scene_file,
+            of_drawn(integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
+                                        "Number of members; with sampling = grid, and with until, the most; with "
+                                        "levels the budget, in such runs."),
+                     false),
+            sampling_key(),
+            per_polygon_key(),
+            of_drawn(integer<StudySpec>("study.seed", FRANA_MEMBER(seed), 0, k_last_seed,
+                                        "The same seed gives the same members."),
+                     true),
+            number<StudySpec>("study.until", FRANA_MEMBER(until), "", Range{0, 0.5, true, true},
+                              "Standard error of the probabilities, anywhere on the map, below which no more members "
+                              "are run."),
+            integer<StudySpec>("study.levels", FRANA_MEMBER(levels), 2, 6,
+                               "Cell sizes, each twice the next, of a multilevel study: many members on coarse cells, "
+                               "few on the scene's own. All together cost as much as `samples` on the scene's own."),
+            option<StudySpec>("study.keep", FRANA_MEMBER(keep),
+                              declare::Words<Keep>{{name_of(Keep::none), Keep::none},
+                                                   {name_of(Keep::failed), Keep::failed},
+                                                   {name_of(Keep::all), Keep::all}},
+                              "Members whose scene and maps are written to members/.")};
+    }();
     return k_keys;
 }
 
 /// Reads the entries of one study file.
-class StudyReader {
+class StudyReader : private EntryReader {
   public:
     StudyReader(StudyReading& reading, std::string folder)
-        : reading_(reading), folder_(std::move(folder)), parameters_(scene_parameters()) {}
+        : EntryReader(reading.label, std::move(folder), reading.problems), reading_(reading) {}
 
     void add(const IniEntry& entry);
-    void check() const;
+    void check();
 
   private:
-    void add_study_key(const std::string& key, const IniEntry& entry);
     void add_setting(const std::string& key, const IniEntry& entry);
     void add_variation(const std::string& key, const IniEntry& entry);
-    [[nodiscard]] const Parameter* known_key(const std::string& name, const IniEntry& entry);
     void add_correlation(const std::string& keys, const IniEntry& entry);
-    void check_per_polygon() const;
-    void check_sampling() const;
+    void check_per_polygon();
+    void check_sampling();
     [[nodiscard]] const Variation* variation_of(const std::string& key) const;
-    void refuse(const std::string& what, const IniEntry& entry, const std::string& limit, const std::string& remedy) {
-        reading_.problems.add({what, reading_.where(entry.name), entry.value, limit, remedy});
-    }
 
     StudyReading& reading_;
-    std::string folder_;
-    const std::vector<Parameter>& parameters_;
-    std::set<std::string> seen_;
 };
 
 void StudyReader::add(const IniEntry& entry) {
-    if (!seen_.insert(entry.name).second) {
-        refuse("is given more than once", entry, "", "Keep one of the lines");
-        return;
-    }
-    if (entry.value.empty()) {
-        refuse("has no value", entry, "", "Give one or remove the key");
-        return;
-    }
+    if (!is_good(entry)) return;
     const auto dot = entry.name.find('.');
     const std::string section = entry.name.substr(0, dot),
                       rest = dot == std::string::npos ? "" : entry.name.substr(dot + 1);
-    if (section == "study" && !rest.empty()) return add_study_key(rest, entry);
+    if (section == "study" && !rest.empty()) {
+        const std::vector<std::string> names = names_of(study_keys());
+        if (!read(study_keys(), entry, reading_.study))
+            refuse_name("unknown key", entry.name, names, "Known are " + joined(names, ", "), entry);
+        return;
+    }
     if (section == "set" && !rest.empty()) return add_setting(rest, entry);
     if (section == "vary" && !rest.empty()) return add_variation(rest, entry);
     if (section == "correlate" && !rest.empty()) return add_correlation(rest, entry);
@@ -195,59 +146,29 @@ void StudyReader::add(const IniEntry& entry) {
            "also [objective] and [event NAME]");
 }
 
-void StudyReader::add_study_key(const std::string& key, const IniEntry& entry) {
-    std::vector<std::string> names;
-    for (const StudyKey& one : study_keys()) {
-        names.push_back(std::string("study.") + one.name);
-        if (key != one.name) continue;
-        if (const auto refusal = one.read(reading_.study, entry.value, folder_))
-            refuse(refusal->what, entry, one.limits, refusal->remedy);
-        return;
-    }
-    const std::string nearest = nearest_name(entry.name, names);
-    refuse("unknown key", entry, "",
-           nearest.empty() ? "Known are " + joined(names, ", ") : "Did you mean " + nearest + "?");
-}
-
-const Parameter* StudyReader::known_key(const std::string& name, const IniEntry& entry) {
-    const Parameter* const parameter = find_parameter(parameters_, name);
-    if (parameter != nullptr) return parameter;
-    const std::string nearest = nearest_name(name, names_of(parameters_));
-    refuse("unknown key of the scene", entry, "",
-           nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?");
-    return nullptr;
-}
-
 void StudyReader::add_setting(const std::string& key, const IniEntry& entry) {
     const std::string name = present_name(key);
-    const Parameter* const parameter = known_key(name, entry);
+    const Parameter* const parameter = scene_key(name, entry);
     if (parameter == nullptr) return;
     SceneSpec scene;
     if (const auto refusal = parameter->read(scene, entry.value))
         refuse(refusal->what, entry, parameter->limits, refusal->remedy);
     else
-        reading_.study.set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value, folder_));
+        reading_.study.set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value, folder()));
 }
 
 void StudyReader::add_variation(const std::string& key, const IniEntry& entry) {
     const std::string name = present_name(key);
-    const Parameter* const parameter = known_key(name, entry);
+    const Parameter* const parameter = scene_key(name, entry);
     if (parameter == nullptr) return;
-    if (const auto refusal = refusal_to_vary(*parameter)) {
-        refuse(refusal->what, entry, "", refusal->remedy);
-        return;
-    }
+    if (const auto refusal = refusal_to_vary(*parameter)) return refuse(refusal->what, entry, "", refusal->remedy);
     auto read = distribution_from_text(entry.value);
-    if (const auto* refusal = std::get_if<ValueProblem>(&read)) {
-        refuse(refusal->what, entry, k_distributions, refusal->remedy);
-        return;
-    }
+    if (const auto* refusal = std::get_if<ValueProblem>(&read))
+        return refuse(refusal->what, entry, k_distributions, refusal->remedy);
     auto& distribution = std::get<Distribution>(read);
-    if (const auto refusal = refusal_of(*parameter, distribution)) {
-        refuse(refusal->what, entry, parameter->limits, refusal->remedy);
-        return;
-    }
-    for (std::string& value : distribution.values) value = with_absolute_paths(*parameter, value, folder_);
+    if (const auto refusal = refusal_of(*parameter, distribution))
+        return refuse(refusal->what, entry, parameter->limits, refusal->remedy);
+    for (std::string& value : distribution.values) value = with_absolute_paths(*parameter, value, folder());
     reading_.study.vary.push_back({name, std::move(distribution)});
 }
 
@@ -271,89 +192,83 @@ const Variation* StudyReader::variation_of(const std::string& key) const {
     return found == all.end() ? nullptr : &*found;
 }
 
-void StudyReader::check() const {
+void StudyReader::check() {
     const StudySpec& study = reading_.study;
-    Problems& problems = reading_.problems;
     if (study.scene.empty())
-        problems.add(
-            {"is missing", reading_.where("study.scene"), "", "a scene file", "Name the scene whose keys vary"});
+        add_problem({"is missing", where("study.scene"), "", "a scene file", "Name the scene whose keys vary"});
     for (const Variation& one : study.vary)
-        if (seen_.count("set." + one.key) > 0)
-            problems.add({"is also set for all members", reading_.where("vary." + one.key), "", "",
-                          "Keep it in one of [set] and [vary]"});
+        if (has_seen("set." + one.key))
+            add_problem({"is also set for all members", where("vary." + one.key), "", "",
+                         "Keep it in one of [set] and [vary]"});
     const bool by_table = study.sampling == Sampling::table;
-    const bool has_vary =
-        std::any_of(seen_.begin(), seen_.end(), [](const std::string& name) { return name.starts_with("vary."); });
+    const bool has_vary = has_seen_any("vary.");
     if (by_table && (has_vary || !study.correlate.empty()))
-        problems.add({"gives all values: [vary] and [correlate] have no effect", reading_.where("study.sampling"), "",
-                      "", "Remove the sections, or choose another sampling"});
+        add_problem({"gives all values: [vary] and [correlate] have no effect", where("study.sampling"), "", "",
+                     "Remove the sections, or choose another sampling"});
     if (study.per_polygon()) return check_per_polygon();
     if (!by_table && !has_vary)
-        problems.add({"has no key", reading_.where("vary"), "", "", "Give at least one key a distribution"});
+        add_problem({"has no key", where("vary"), "", "", "Give at least one key a distribution"});
     if (variation_of("material.friction-angle") != nullptr && variation_of("material.friction-coefficient") != nullptr)
-        problems.add({"contradicts vary.material.friction-coefficient: both give the bed friction",
-                      reading_.where("vary.material.friction-angle"), "", "", "Keep one of the two"});
+        add_problem({"contradicts vary.material.friction-coefficient: both give the bed friction",
+                     where("vary.material.friction-angle"), "", "", "Keep one of the two"});
     for (const Correlation& one : study.correlate) {
         for (const std::string& key : {one.first, one.second}) {
             const Variation* const varied = variation_of(key);
-            const std::string where = reading_.where("correlate." + one.first + " " + one.second);
-            const bool tried = seen_.count("vary." + key) > 0;  // its problem is told already
-            if (varied == nullptr && !tried) problems.add({key + " does not vary", where, "", "", "Add it to [vary]"});
+            const std::string place = where("correlate." + one.first + " " + one.second);
+            const bool tried = has_seen("vary." + key);  // its problem is told already
+            if (varied == nullptr && !tried) add_problem({key + " does not vary", place, "", "", "Add it to [vary]"});
             if (varied != nullptr && varied->distribution.is_nominal())
-                problems.add({key + " has values without an order, which cannot be correlated", where, "", "",
-                              "Remove the line"});
+                add_problem({key + " has values without an order, which cannot be correlated", place, "", "",
+                             "Remove the line"});
         }
     }
     check_sampling();
 }
 
-void StudyReader::check_per_polygon() const {
-    for (const std::string& name : seen_) {
+void StudyReader::check_per_polygon() {
+    for (const std::string& name : seen()) {
         const bool of_sampling = name.starts_with("vary.") || name.starts_with("correlate.") ||
                                  name == "study.samples" || name == "study.sampling" || name == "study.seed" ||
                                  name == "study.until" || name == "study.levels";
         if (of_sampling)
-            reading_.problems.add({"has no effect with study.per-polygon = on: each polygon is one member",
-                                   reading_.where(name), "", "", "Remove it, or per-polygon"});
+            add_problem({"has no effect with study.per-polygon = on: each polygon is one member", where(name), "", "",
+                         "Remove it, or per-polygon"});
     }
 }
 
-void StudyReader::check_sampling() const {
+void StudyReader::check_sampling() {
+    using Kind = SamplingMethod::Kind;
     const StudySpec& study = reading_.study;
-    Problems& problems = reading_.problems;
-    const std::string where = reading_.where("study.sampling"), name = name_of(study.sampling);
-    const bool even = study.sampling == Sampling::grid || study.sampling == Sampling::saltelli;
-    if (even && !study.correlate.empty())
-        problems.add({"needs independent keys", where, name, "", "Remove [correlate], or choose another sampling"});
-    if (study.until && (even || study.sampling == Sampling::table))
-        problems.add({"cannot be stopped before its last member by study.until", where, name, "",
-                      "Remove study.until, or choose sobol, latin-hypercube or random"});
+    const SamplingMethod& method = method_of(study.sampling);
+    const auto refuse_for = [&](const std::string& what, const std::string& remedy) {
+        add_problem({what, where("study.sampling"), method.name, "", remedy});
+    };
+    const auto remove_or_choose = [](const std::string& key, const auto& holds) {
+        return "Remove " + key + ", or choose " + joined(sampling_words(holds), " or ");
+    };
+    if (method.kind == Kind::design && !study.correlate.empty())
+        refuse_for("needs independent keys", "Remove [correlate], or choose another sampling");
+    if (study.until && method.kind != Kind::sample)
+        refuse_for("cannot be stopped before its last member by study.until",
+                   remove_or_choose("study.until", [](const auto& row) { return row.kind == Kind::sample; }));
     if (study.sampling == Sampling::saltelli && !study.vary.empty()) {
         const auto group = static_cast<std::int64_t>(study.vary.size()) + 2;
         if (study.samples % group != 0 || study.samples / group < 2)
-            problems.add({"is not a multiple of the keys plus 2, which sampling = saltelli needs",
-                          reading_.where("study.samples"), std::to_string(study.samples), "",
-                          "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
+            add_problem({"is not a multiple of the keys plus 2, which sampling = saltelli needs",
+                         where("study.samples"), std::to_string(study.samples), "",
+                         "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
     }
-    if (study.levels && study.sampling != Sampling::random && study.sampling != Sampling::sobol)
-        problems.add({"cannot go on drawing members, which study.levels needs", where, name, "",
-                      "Remove study.levels, or choose sobol or random"});
-    if (study.sampling == Sampling::grid && seen_.count("vary.terrain.error") > 0)
-        problems.add({"cannot draw fields of error", where, name, "", "Choose another sampling"});
+    if (study.levels && !method.goes_on)
+        refuse_for("cannot go on drawing members, which study.levels needs",
+                   remove_or_choose("study.levels", [](const auto& row) { return row.goes_on; }));
+    if (study.sampling == Sampling::grid && has_seen("vary.terrain.error"))
+        refuse_for("cannot draw fields of error", "Choose another sampling");
 }
 
 }  // namespace
 
-std::string name_of(Sampling sampling) {
-    for (const NamedSampling& one : k_samplings)
-        if (one.sampling == sampling) return one.name;
-    return sampling == Sampling::polygons ? "per-polygon" : "table";
-}
-
 bool is_study(const std::string& path) {
-    const std::vector<IniEntry> entries = read_ini(path);
-    return std::any_of(entries.begin(), entries.end(),
-                       [](const IniEntry& entry) { return entry.name.starts_with("study."); });
+    return has_section(path, "study.");
 }
 
 StudyReading read_study(const std::string& path) {
@@ -371,18 +286,102 @@ StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std:
     return reading;
 }
 
-std::string study_text(const StudySpec& study) {
-    std::string text = "# A study as used; `frana ensemble` on this file repeats it.\n\n[study]\n";
-    for (const StudyKey& key : study_keys()) {
-        const auto value = key.write(study);
-        text += std::string("# ") + key.meaning + " Values: " + key.limits + ".\n";
-        text += value ? std::string(key.name) + " = " + *value + "\n" : std::string("# ") + key.name + " =\n";
+// Paths in a study file: absolute where it is used, relative where it is echoed.
+
+namespace {
+
+std::string with_mapped_paths(const Parameter& parameter, const std::string& value, const FileMap& map) {
+    SceneSpec scene;
+    if (!parameter.map_files || parameter.read(scene, value)) return value;
+    parameter.map_files(scene, map);
+    return parameter.write(scene).value_or(value);
+}
+
+}  // namespace
+
+std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder) {
+    return with_mapped_paths(parameter, value, [&](const std::string& path) { return absolute_path(path, folder); });
+}
+
+std::string with_files(const std::string& key, const std::string& value, const KeyedFileMap& map) {
+    // A folder is where something is written, no input.
+    static const std::vector<Parameter>& k_keys = scene_parameters();
+    const Parameter* const parameter = find_parameter(k_keys, key);
+    if (parameter == nullptr || !parameter->reads_files()) return value;
+    return with_mapped_paths(*parameter, value, [&](const std::string& path) { return map(key, path); });
+}
+
+std::vector<std::string> with_files(std::vector<std::string> set, const KeyedFileMap& map) {
+    for (std::string& one : set) {
+        const auto equals = one.find('=');
+        const std::string key = one.substr(0, equals);
+        one = key + "=" + with_files(key, one.substr(equals + 1), map);
     }
-    text += settings_text("set", study.set) + variations_text("vary", study.vary);
-    if (!study.correlate.empty()) text += "\n[correlate]\n";
+    return set;
+}
+
+std::vector<Variation> with_files(std::vector<Variation> vary, const KeyedFileMap& map) {
+    for (Variation& one : vary)
+        for (std::string& value : one.distribution.values) value = with_files(one.key, value, map);
+    return vary;
+}
+
+StudySpec with_files(StudySpec study, const KeyedFileMap& map) {
+    for (const StudyKey& key : study_keys())
+        if (key.map_files) key.map_files(study, [&](const std::string& path) { return map(key.name(), path); });
+    study.set = with_files(std::move(study.set), map);
+    study.vary = with_files(std::move(study.vary), map);
+    return study;
+}
+
+StudySpec seen_from(StudySpec study, const std::string& folder) {
+    return with_files(std::move(study),
+                      [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
+}
+
+// Sections of a study file as text.
+
+namespace {
+
+std::string quoted_if_needed(const std::string& value) {
+    return value.find_first_of(",:\"") == std::string::npos ? value : '"' + value + '"';
+}
+
+std::string text_of(const Distribution& distribution) {
+    if (distribution.law != Law::choice) return distribution.text;
+    std::string text;
+    for (std::size_t i = 0; i < distribution.values.size(); ++i)
+        text += (i == 0 ? "choice(" : ", ") + quoted_if_needed(distribution.values[i]) + ": " +
+                shortest_text(distribution.weights[i]);
+    return text + ")";
+}
+
+}  // namespace
+
+std::string settings_text(const std::string& section, const std::vector<std::string>& set) {
+    std::string text = set.empty() ? "" : "\n[" + section + "]\n";
+    for (const std::string& one : set)
+        text += one.substr(0, one.find('=')) + " = " + one.substr(one.find('=') + 1) + "\n";
+    return text;
+}
+
+std::string variations_text(const std::string& section, const std::vector<Variation>& vary) {
+    std::string text = vary.empty() ? "" : "\n[" + section + "]\n";
+    for (const Variation& one : vary) text += one.key + " = " + text_of(one.distribution) + "\n";
+    return text;
+}
+
+std::string correlations_text(const StudySpec& study) {
+    std::string text = study.correlate.empty() ? "" : "\n[correlate]\n";
     for (const Correlation& one : study.correlate)
         text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";
     return text;
+}
+
+std::string study_text(const StudySpec& study) {
+    return "# A study as used; `frana ensemble` on this file repeats it.\n\n[study]\n" +
+           keys_text(study_keys(), study, "study") + settings_text("set", study.set) +
+           variations_text("vary", study.vary) + correlations_text(study);
 }
 
 }  // namespace frana::study

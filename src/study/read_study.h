@@ -53,11 +53,10 @@ StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std:
 /// Returns the study file with every key, its meaning and the distributions as used; reading it back gives the same.
 std::string study_text(const StudySpec& study);
 
-/// Returns a section of such a file: "[set]", "[vary]" or those of one event.
+/// Returns a section of such a file: "[set]", "[vary]" or those of one event; empty without entries.
 std::string settings_text(const std::string& section, const std::vector<std::string>& set);
 std::string variations_text(const std::string& section, const std::vector<Variation>& vary);
-
-/// Returns "sobol", "latin-hypercube", ...
-std::string name_of(Sampling sampling);
+/// Returns the section [correlate], empty without correlations.
+std::string correlations_text(const StudySpec& study);
 
 }  // namespace frana::study

@@ -7,114 +7,11 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "params/grammar/ini_file.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 #include "study/member_record.h"
-#include "study/read_calibration.h"
-#include "study/read_study.h"
 
 namespace frana::study {
-
-// Paths in a study file: absolute where it is used, relative where it is echoed.
-
-namespace {
-
-std::string with_mapped_paths(const Parameter& parameter, const std::string& value, const FileMap& map) {
-    SceneSpec scene;
-    if (!parameter.map_files || parameter.read(scene, value)) return value;
-    parameter.map_files(scene, map);
-    return parameter.write(scene).value_or(value);
-}
-
-}  // namespace
-
-std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder) {
-    return with_mapped_paths(parameter, value, [&](const std::string& path) { return absolute_path(path, folder); });
-}
-
-std::string with_files(const std::string& key, const std::string& value, const KeyedFileMap& map) {
-    // A folder is where something is written, no input.
-    static const std::vector<Parameter>& k_keys = scene_parameters();
-    const Parameter* const parameter = find_parameter(k_keys, key);
-    if (parameter == nullptr || !parameter->reads_files()) return value;
-    return with_mapped_paths(*parameter, value, [&](const std::string& path) { return map(key, path); });
-}
-
-std::vector<std::string> with_files(std::vector<std::string> set, const KeyedFileMap& map) {
-    for (std::string& one : set) {
-        const auto equals = one.find('=');
-        const std::string key = one.substr(0, equals);
-        one = key + "=" + with_files(key, one.substr(equals + 1), map);
-    }
-    return set;
-}
-
-std::vector<Variation> with_files(std::vector<Variation> vary, const KeyedFileMap& map) {
-    for (Variation& one : vary)
-        for (std::string& value : one.distribution.values) value = with_files(one.key, value, map);
-    return vary;
-}
-
-StudySpec with_files(StudySpec study, const KeyedFileMap& map) {
-    if (!study.scene.empty()) study.scene = map("study.scene", study.scene);
-    if (!study.table.empty()) study.table = map("study.sampling", study.table);
-    study.set = with_files(std::move(study.set), map);
-    study.vary = with_files(std::move(study.vary), map);
-    return study;
-}
-
-StudySpec seen_from(StudySpec study, const std::string& folder) {
-    return with_files(std::move(study),
-                      [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
-}
-
-CalibrationSpec with_files(CalibrationSpec calibration, const KeyedFileMap& map) {
-    calibration.study = with_files(std::move(calibration.study), map);
-    for (EventSpec& event : calibration.events) {
-        event.set = with_files(std::move(event.set), map);
-        event.vary = with_files(std::move(event.vary), map);
-        event.members.study = with_files(std::move(event.members.study), map);
-    }
-    return calibration;
-}
-
-CalibrationSpec seen_from(CalibrationSpec calibration, const std::string& folder) {
-    return with_files(std::move(calibration),
-                      [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
-}
-
-// Sections of a study file as text.
-
-namespace {
-
-std::string quoted_if_needed(const std::string& value) {
-    return value.find_first_of(",:\"") == std::string::npos ? value : '"' + value + '"';
-}
-
-std::string text_of(const Distribution& distribution) {
-    if (distribution.law != Law::choice) return distribution.text;
-    std::string text;
-    for (std::size_t i = 0; i < distribution.values.size(); ++i)
-        text += (i == 0 ? "choice(" : ", ") + quoted_if_needed(distribution.values[i]) + ": " +
-                shortest_text(distribution.weights[i]);
-    return text + ")";
-}
-
-}  // namespace
-
-std::string settings_text(const std::string& section, const std::vector<std::string>& set) {
-    std::string text = set.empty() ? "" : "\n[" + section + "]\n";
-    for (const std::string& one : set)
-        text += one.substr(0, one.find('=')) + " = " + one.substr(one.find('=') + 1) + "\n";
-    return text;
-}
-
-std::string variations_text(const std::string& section, const std::vector<Variation>& vary) {
-    std::string text = vary.empty() ? "" : "\n[" + section + "]\n";
-    for (const Variation& one : vary) text += one.key + " = " + text_of(one.distribution) + "\n";
-    return text;
-}
 
 namespace {
 

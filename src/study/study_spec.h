@@ -54,7 +54,40 @@ enum class Sampling {
     table,
     polygons  ///< no sampling: each polygon of the release perimeter is a member of its own
 };
+
+/// How the values of members are found. A method is a row of k_samplings; its points are drawn in openturns/module.cpp.
+struct SamplingMethod {
+    /// A sample: the first members are one too, so that it may stop early; keys may be correlated. A design: all its
+    /// members together, with independent keys. Given: nothing is drawn.
+    enum class Kind { sample, design, given };
+    Sampling sampling;
+    const char* name;  ///< of samples and designs in study.sampling
+    Kind kind;
+    bool goes_on = false;  ///< more members may follow the last one, as study.levels needs
+};
+inline constexpr SamplingMethod k_samplings[] = {
+    {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true},
+    {Sampling::latin_hypercube, "latin-hypercube", SamplingMethod::Kind::sample},
+    {Sampling::random, "random", SamplingMethod::Kind::sample, true},
+    {Sampling::grid, "grid", SamplingMethod::Kind::design},
+    {Sampling::saltelli, "saltelli", SamplingMethod::Kind::design},
+    {Sampling::table, "table", SamplingMethod::Kind::given},
+    {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
+
+/// Returns the row of a method, and its name.
+constexpr const SamplingMethod& method_of(Sampling sampling) noexcept {
+    for (const SamplingMethod& row : k_samplings)
+        if (row.sampling == sampling) return row;
+    return k_samplings[0];
+}
+inline std::string name_of(Sampling sampling) {
+    return method_of(sampling).name;
+}
+
 enum class Keep { none, failed, all };
+inline std::string name_of(Keep keep) {
+    return keep == Keep::none ? "none" : keep == Keep::all ? "all" : "failed";
+}
 
 /// A region: a study with a polygon for each member, whose attributes say what each is.
 struct RegionSpec {

@@ -164,7 +164,7 @@ key = 1
                                     "study.sampling: is not for calibrations",
                                     "objective.jacard: unknown measure",
                                     "Did you mean jaccard?",
-                                    "objective.area: is not a weight",
+                                    "objective.area: is out of range",
                                     "objective.exponent: is out of range",
                                     "event a.runout: is not a number greater than 0",
                                     "event a.lenght: unknown key",

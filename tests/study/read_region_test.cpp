@@ -52,9 +52,9 @@ TEST_F(ReadRegion, EveryMistakeIsNamed) {
     std::string all;
     for (const Problem& problem : reading.problems.list()) all += describe(problem) + "\n";
     for (const std::string words :
-         {"region.scene", "Did you mean region.scenario", "neither auto nor a number", "also set for all slopes",
-          "columns.terrain.cell-size", "cannot differ from slope to slope", "Did you mean release.thickness",
-          "has 2 values", "does not rise", "'green' is no degree"})
+         {"region.scene", "Did you mean region.scenario", "auto, or metres from 1 to 1000000",
+          "also set for all slopes", "columns.terrain.cell-size", "cannot differ from slope to slope",
+          "Did you mean release.thickness", "has 2 values", "does not rise", "'green' is no degree"})
         EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
 }
 
