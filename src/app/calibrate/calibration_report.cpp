@@ -156,10 +156,10 @@ std::string name_of(const study::CalibrationSpec& calibration, const study::KeyS
     return key.event.empty() || calibration.events.size() == 1 ? key.key : words("{1} of {2}", {key.key, key.event});
 }
 
-std::string keys_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+Table keys_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
-    HtmlTable table({words("key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
-                     words("width, of that before")});
+    Table table({words("key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
+                 words("width, of that before")});
     for (std::size_t k = 0; k < result.keys.size(); ++k) {
         const study::KeySample& key = result.keys[k];
         const study::KeyPosterior& after = result.posteriors[k];
@@ -173,11 +173,11 @@ std::string keys_table(const CalibrationInput& input, const CalibrationResult& r
             table.row({name, key.prior.text, number(key.numbers[result.best], 4), number(after.median, 3),
                        range(after.low, after.high, words), number(after.width, 2)});
     }
-    return table.html();
+    return table;
 }
 
-std::vector<std::string> scores_row(const std::string& event, const std::string& kind, const Explained& one,
-                                    const Words& words) {
+std::vector<Cell> scores_row(const std::string& event, const std::string& kind, const Explained& one,
+                             const Words& words) {
     if (!one.possible) return {event, kind, words("no member finished"), "", "", ""};
     const ReportNumbers number(words);
     return {event,
@@ -188,22 +188,22 @@ std::vector<std::string> scores_row(const std::string& event, const std::string&
             number(one.effective, 3)};
 }
 
-std::string scores_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
-    HtmlTable table({words("event"), words("values"), words("score of the best"), words("mean"), words("5 to 95 %"),
-                     words("effective members")});
+Table scores_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+    Table table({words("event"), words("values"), words("score of the best"), words("mean"), words("5 to 95 %"),
+                 words("effective members")});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const std::string& event = input.spec().events[e].name;
         table.row(scores_row(event, words("fitted to all surveys"), result.events[e].fitted, words));
         if (input.events() > 1)
             table.row(scores_row(event, words("from the other surveys alone"), result.events[e].predicted, words));
     }
-    return table.html();
+    return table;
 }
 
-std::string misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                          const Words& words) {
+Table misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                    const Words& words) {
     const ReportNumbers number(words);
-    HtmlTable table({words("event"), words("measure"), words("weight"), words("misfit of the best"), words("formula")});
+    Table table({words("event"), words("measure"), words("weight"), words("misfit of the best"), words("formula")});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventRuns& event = runs.last().events[e];
         for (std::size_t m = 0; m < event.measures.size(); ++m) {
@@ -212,26 +212,26 @@ std::string misfits_table(const CalibrationInput& input, const CalibrationRuns& 
                        number(event.members[result.best].agreement.parts[m], 3), words(measure.formula)});
         }
     }
-    return table.html();
+    return table;
 }
 
-std::string failures_table(const CalibrationInput& input, const Stage& stage, const Words& words) {
-    HtmlTable table({words("member"), words("event"), words("reason")});
+Table failures_table(const CalibrationInput& input, const Stage& stage, const Words& words) {
+    Table table({words("member"), words("event"), words("reason")});
     for (std::size_t e = 0; e < input.events(); ++e)
         for (std::size_t i = 0; i < stage.size(); ++i)
             if (const std::string& why = stage.events[e].members[i].failure; !why.empty())
                 table.row({std::to_string(i), input.spec().events[e].name, why});
-    return table.html();
+    return table;
 }
 
-std::string surveys_say(const CalibrationResult& result, const Words& words) {
-    std::string list;
-    for (const Sentence& sentence : result.sentences) list += "<li>" + escaped_markup(sentence.in(words)) + "</li>\n";
-    return "<p><b>" + escaped_markup(words("What the surveys say.")) + "</b></p>\n<ul>\n" + list + "</ul>\n";
+Document surveys_say(const CalibrationResult& result, const Words& words) {
+    List list;
+    for (const Sentence& sentence : result.sentences) list.items.push_back(sentence.in(words));
+    return Document().add(Paragraph{{}, words("What the surveys say.")}).add(list);
 }
 
 /// How well the best values repeat each event, fitted and, with several events, predicted from the others.
-std::string scores_told(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+Document scores_told(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
     std::string text = words("A score is 1 minus the misfit: 1 agrees.");
     for (std::size_t e = 0; e < input.events(); ++e) {
@@ -244,10 +244,10 @@ std::string scores_told(const CalibrationInput& input, const CalibrationResult& 
     }
     if (input.events() == 1)
         text += " " + words("With one event there is no forecast to check: the score is that of a fit.");
-    return paragraph(words("How well the events are explained."), text);
+    return Document().paragraph(words("How well the events are explained."), text);
 }
 
-std::string runs_told(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
+Document runs_told(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
     std::string cells;
     for (const EventRuns& event : runs.last().events) cells += (cells.empty() ? "" : ", ") + number(event.cell_size);
@@ -258,30 +258,33 @@ std::string runs_told(const CalibrationRuns& runs, const CalibrationResult& resu
          number(result.effective, 3), number(result.exponent, 2)});
     if (const std::size_t failed = runs.last().failed(); failed > 0)
         text += " " + words("{1} runs failed and have no weight.", {std::to_string(failed)});
-    return paragraph(words("How sure."), text);
+    return Document().paragraph(words("How sure."), text);
 }
 
-std::string not_done(const Words& words) {
-    return paragraph(words("Not done."),
-                     words("The values fit these events with this model; another place, another size or another model "
-                           "needs its own calibration."));
+Document not_done(const Words& words) {
+    return Document().paragraph(
+        words("Not done."),
+        words("The values fit these events with this model; another place, another size or another model "
+              "needs its own calibration."));
 }
 
-std::string answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                   const CalibrationFacts& facts, const Words& words) {
-    const std::string first =
-        facts.troubles.are_first()
-            ? "<p class=\"warning\"><b>" + escaped_markup(headline(facts.troubles).in(words)) + "</b></p>\n"
-            : "";
-    return first + "<h2 id=\"answer\">" + escaped_markup(words("Values and answer")) + "</h2>\n" +
-           keys_table(input, result, words) + surveys_say(result, words) + scores_told(input, result, words) +
-           runs_told(runs, result, words) + first_warnings(facts.warnings, words) + not_done(words);
+Document answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                const CalibrationFacts& facts, const Words& words) {
+    Document answer;
+    if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
+    return answer.heading("answer", words("Values and answer"))
+        .add(keys_table(input, result, words))
+        .add(surveys_say(result, words))
+        .add(scores_told(input, result, words))
+        .add(runs_told(runs, result, words))
+        .first_warnings(facts.warnings, words)
+        .add(not_done(words));
 }
 
-void add_inputs(const CalibrationInput& input, const Words& words, HtmlPage& page) {
-    page.add_heading("inputs", words("Inputs"));
+void add_inputs(const CalibrationInput& input, const Words& words, Document& page) {
+    page.heading("inputs", words("Inputs"));
     for (std::size_t e = 0; e < input.events(); ++e) {
-        if (input.events() > 1) page.add("<h3>" + escaped_markup(input.spec().events[e].name) + "</h3>\n");
+        if (input.events() > 1) page.subheading(input.spec().events[e].name);
         page.add(inputs_table(input.own[e].base, words));
     }
 }
@@ -300,31 +303,26 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
     const Words words = words_of(input.own.front().base.spec);
     const std::vector<std::string> maps = pictures_in(directory.path("maps")),
                                    charts = pictures_in(directory.path("charts"));
-    HtmlPage page(directory.path(k_report_file), words("{1}: calibration", {calibration_title(input)}),
-                  words("Computed with {1}, study {2}, {3}",
-                        {std::string(k_program) + " " + k_version,
-                         std::filesystem::path(input.spec().study.file).filename().string(), words.date(facts.date)}),
-                  words, Opening::answer);
-    page.expect_pictures(maps.size() + charts.size());
-    page.add(answer(input, runs, result, facts, words));
-    page.end_answer();
-    page.add_heading("maps", words("Maps"));
-    if (maps.empty()) page.add("<p>" + escaped_markup(words("There are no maps.")) + "</p>\n");
-    page.add_pictures(maps, words("Map"));
-    page.add_heading("scores", words("How well the events are explained"));
-    page.add(scores_table(input, result, words) + misfits_table(input, runs, result, words));
-    if (!charts.empty()) {
-        page.add_heading("charts", words("Charts"));
-        page.add_pictures(charts, words("Chart"));
-    }
+    const std::string& folder = directory.folder();
+    Document page = answer(input, runs, result, facts, words);
+    page.end_answer().heading("maps", words("Maps"));
+    if (maps.empty()) page.paragraph(words("There are no maps."));
+    page.pictures(maps, words("Map"), folder, words)
+        .heading("scores", words("How well the events are explained"))
+        .add(scores_table(input, result, words))
+        .add(misfits_table(input, runs, result, words));
+    if (!charts.empty()) page.heading("charts", words("Charts")).pictures(charts, words("Chart"), folder, words);
     add_inputs(input, words, page);
-    if (!facts.warnings.empty()) page.add_warnings(facts.warnings);
-    if (runs.last().failed() > 0) {
-        page.add_heading("failures", words("Failed members"));
-        page.add(failures_table(input, runs.last(), words));
-    }
-    page.finish();
-    remove_page_pictures(directory.folder());
+    if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
+    if (runs.last().failed() > 0)
+        page.heading("failures", words("Failed members")).add(failures_table(input, runs.last(), words));
+    write_page(folder,
+               {words("{1}: calibration", {calibration_title(input)}),
+                words("Computed with {1}, study {2}, {3}",
+                      {std::string(k_program) + " " + k_version,
+                       std::filesystem::path(input.spec().study.file).filename().string(), words.date(facts.date)}),
+                words, Opening::answer},
+               page);
 }
 
 }  // namespace frana::app

@@ -60,7 +60,7 @@ std::string names_of(const std::vector<std::string>& all) {
     return joined(names, ", ") + (all.size() > names.size() && !names.empty() ? ", …" : "");
 }
 
-std::string released(const StudyInput& input, const StudyResult& result, const Words& words) {
+Document released(const StudyInput& input, const StudyResult& result, const Words& words) {
     const ReportNumbers number(words);
     std::vector<std::string> areas, told;
     for (const ReleaseArea& area : input.base.scene.release) areas.push_back(area.name);
@@ -71,22 +71,22 @@ std::string released(const StudyInput& input, const StudyResult& result, const W
                 ? words("{1} m³ in every run.", {number.grouped(volume->median)})
                 : words("{1} m³ in the median of the runs, between {2} and {3} m³ in 90 % of them.",
                         {number.grouped(volume->median), number.grouped(volume->low), number.grouped(volume->high)}));
-    return told.empty() ? "" : paragraph(words("What fails."), joined(told, " "));
+    return told.empty() ? Document() : Document().paragraph(words("What fails."), joined(told, " "));
 }
 
-std::string varied(const StudyInput& input, const Words& words) {
+Document varied(const StudyInput& input, const Words& words) {
     const std::vector<study::Variation>& vary = input.reading.study.vary;
     std::vector<std::string> told;
     for (std::size_t i = 0; i < std::min(k_keys, vary.size()); ++i)
         told.push_back(vary[i].key + " = " + vary[i].distribution.text);
     if (vary.size() > k_keys) told.emplace_back("…");
     const std::string keys = told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
-    return paragraph(words("What varies."),
-                     words("{1}. All other values are those of the scene {2}.",
-                           {keys, std::filesystem::path(input.reading.study.scene).filename().string()}));
+    return Document().paragraph(words("What varies."),
+                                words("{1}. All other values are those of the scene {2}.",
+                                      {keys, std::filesystem::path(input.reading.study.scene).filename().string()}));
 }
 
-std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
+Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
     const ReportNumbers number(words);
     std::string text;
     if (const auto run_out = spread_of(result, k_run_out_key)) {
@@ -115,7 +115,7 @@ std::string reached_by_runs(const StudyResult& result, const StudyFacts& facts, 
                                 : worded("{1} runs were cut or failed and may have come farther: as they count in "
                                          "differences of levels, these values may be too small or too large."),
                             {std::to_string(unfinished)});
-    return paragraph(words("Where it goes."), text);
+    return Document().paragraph(words("Where it goes."), text);
 }
 
 /// The name of a source, else its number.
@@ -124,8 +124,8 @@ std::string source_name(const StudyInput& input, std::size_t member) {
     return named ? elided(valid_utf8(input.slopes[member].name), k_name_letters) : std::to_string(member);
 }
 
-std::string reached_by_sources(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
-                               const Words& words) {
+Document reached_by_sources(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
+                            const Words& words) {
     const ReportNumbers number(words);
     std::string text;
     if (const auto place = place_of_figure(result, k_run_out_key)) {
@@ -142,7 +142,7 @@ std::string reached_by_sources(const StudyInput& input, const StudyResult& resul
                             {number.grouped(facts.reached_m2.front()), number(facts.reached_threshold)});
     text +=
         " " + words("Maps show the worst of all: what at least one of the sources causes, not all of them together.");
-    return paragraph(words("Where it goes."), text);
+    return Document().paragraph(words("Where it goes."), text);
 }
 
 std::string runs_sentence(const StudyInput& input, const StudyResult& result, const Words& words) {
@@ -154,12 +154,12 @@ std::string runs_sentence(const StudyInput& input, const StudyResult& result, co
         {finished, all, study::name_of(study.sampling), std::to_string(study.seed)});
 }
 
-std::string sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
+Document sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     const ReportNumbers number(words);
     const study::StudySpec& study = input.reading.study;
     std::string text = runs_sentence(input, result, words);
     if (result.failed() > 0) text += " " + words("{1} failed and are in no map.", {std::to_string(result.failed())});
-    if (study.per_polygon()) return paragraph(words("How sure."), text);
+    if (study.per_polygon()) return Document().paragraph(words("How sure."), text);
     text += " " + words(
                       "The standard error of the probabilities is at most {1} %, on average {2} % where it is not 0: "
                       "it measures the number of runs, not how well model, terrain and distributions describe "
@@ -170,13 +170,13 @@ std::string sure(const StudyInput& input, const StudyResult& result, const Study
                 (facts.error.largest <= *study.until
                      ? words("The error asked for (study.until = {1}) is reached.", {shortest_text(*study.until)})
                      : words("The error asked for (study.until = {1}) is not reached.", {shortest_text(*study.until)}));
-    return paragraph(words("How sure."), text);
+    return Document().paragraph(words("How sure."), text);
 }
 
-std::string figures_table(const StudyResult& result, const Words& words) {
-    if (result.figures().empty()) return "";
+Document figures_table(const StudyResult& result, const Words& words) {
+    if (result.figures().empty()) return {};
     const ReportNumbers number(words);
-    HtmlTable table({words("value"), "", words("mean"), "5 %", "50 %", "95 %"});
+    Table table({words("value"), "", words("mean"), "5 %", "50 %", "95 %"});
     const std::vector<double>& weights = result.finished.weights;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
@@ -190,80 +190,79 @@ std::string figures_table(const StudyResult& result, const Words& words) {
         table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
                    number.of_any_size(weighted_mean(values, weights)), quantile(0.05), quantile(0.5), quantile(0.95)});
     }
-    return "<h3>" + escaped_markup(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed")) +
-           "</h3>\n" + table.html();
+    return Document()
+        .subheading(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed"))
+        .add(table);
 }
 
-std::string slopes_table(const StudyInput& input, const StudyResult& result, const Words& words) {
+Document slopes_table(const StudyInput& input, const StudyResult& result, const Words& words) {
     const ReportNumbers number(words);
     const auto run_out = place_of_figure(result, k_run_out_key), volume = place_of_figure(result, "volume_m3"),
                area = place_of_figure(result, "covered_area_m2"), depth = place_of_figure(result, "max_depth_m");
-    if (!run_out) return "";
+    if (!run_out) return {};
     const auto of = [&](std::size_t i, const std::optional<std::size_t>& figure) {
         return figure ? result.members[i].figures[*figure].value : k_no_data;
     };
     std::vector<std::size_t> order = result.finished_at;
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return of(a, run_out) > of(b, run_out); });
-    HtmlTable table({words("source"), words("volume [m³]"), words("Run-out [m]"), words("covered area [m²]"),
-                     words("greatest depth [m]")});
+    Table table({words("source"), words("volume [m³]"), words("Run-out [m]"), words("covered area [m²]"),
+                 words("greatest depth [m]")});
     for (std::size_t i = 0; i < std::min(k_slopes, order.size()); ++i) {
         const std::size_t member = result.members[order[i]].member;
         table.row({source_name(input, member), number.grouped(of(order[i], volume)),
                    number.grouped(of(order[i], run_out)), number.grouped(of(order[i], area)),
                    number(of(order[i], depth), 3)});
     }
-    const std::string more = order.size() > k_slopes
-                                 ? "<p class=\"small\">" +
-                                       escaped_markup(words("The {1} that come farthest; members.csv has all.",
-                                                            {std::to_string(k_slopes)})) +
-                                       "</p>\n"
-                                 : "";
-    return "<h3>" + escaped_markup(words("Sources")) + "</h3>\n" + table.html() + more;
+    Document sources;
+    sources.subheading(words("Sources")).add(table);
+    if (order.size() > k_slopes)
+        sources.small(words("The {1} that come farthest; members.csv has all.", {std::to_string(k_slopes)}));
+    return sources;
 }
 
-std::string degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
-    if (degrees.empty()) return "";
+Document degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
+    if (degrees.empty()) return {};
     const ReportNumbers number(words);
-    HtmlTable table({"", words("Degree of hazard"), words("area [m²]")});
-    for (const HazardArea& one : degrees)
-        table.raw("<tr><td><span class=\"swatch\" style=\"background:" + hex(one.kind.colour) + "\"></span></td><td>" +
-                  escaped_markup(class_label(one.kind.name + ": " + one.kind.thresholds, words)) +
-                  "</td><td class=\"n\">" + number.grouped(one.area_m2) + "</td></tr>\n");
-    return table.html();
+    Table table({"", words("Degree of hazard"), words("area [m²]")});
+    for (const HazardArea& one : degrees) {
+        Cell colour = "";
+        colour.swatch = hex(one.kind.colour);
+        table.row({colour,
+                   class_label(one.kind.name + ": " + one.kind.thresholds, words),
+                   {number.grouped(one.area_m2), "n"}});
+    }
+    return document(table);
 }
 
-/// The first page of a study's report, as HTML: what fails, what varies, where it goes in how many of the runs, how
+/// The first page of a study's report: what fails, what varies, where it goes in how many of the runs, how
 /// sure that is. Of sources that fail alone: what at least one of them reaches.
-std::string study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
-                         const Words& words) {
+Document study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     const bool per_polygon = input.reading.study.per_polygon();
     const std::string not_done =
         per_polygon ? words("Each source is computed with one set of values, not with the range of what is possible.")
                     : words(
                           "Only what is named here is varied: errors of the model, of the terrain and of other "
                           "values are in no probability.");
-    std::string html;
-    if (facts.troubles.are_first())
-        html = "<p class=\"warning\"><b>" + escaped_markup(headline(facts.troubles).in(words)) + "</b></p>\n";
-    html += "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n";
-    if (!per_polygon) html += released(input, result, words) + varied(input, words);
-    html += per_polygon ? reached_by_sources(input, result, facts, words) : reached_by_runs(result, facts, words);
-    html += sure(input, result, facts, words);
-    if (!per_polygon) html += page_part(k_comparison_answer, comparison_answer(std::nullopt, words));
-    return html + first_warnings(facts.warnings, words) + paragraph(words("Not done."), not_done);
+    Document answer;
+    if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
+    answer.heading("answer", words("Scenario and answer"));
+    if (!per_polygon) answer.add(released(input, result, words)).add(varied(input, words));
+    answer.add(per_polygon ? reached_by_sources(input, result, facts, words) : reached_by_runs(result, facts, words))
+        .add(sure(input, result, facts, words));
+    if (!per_polygon) answer.part(k_comparison_answer, comparison_answer(std::nullopt, words));
+    return answer.first_warnings(facts.warnings, words).paragraph(words("Not done."), not_done);
 }
 
 /// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
-std::string study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
-                         const Words& words) {
+Document study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
     return figures_table(result, words);
 }
 
 /// The sources of a study in which each fails alone, those that come farthest first; empty for others.
-std::string study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
-    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : "";
+Document study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
+    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : Document();
 }
 
 /// Slopes that a report lists; members.csv has all.
@@ -289,18 +288,18 @@ std::string figure_text(const MemberResult& member, const ShownFigure& shown, co
 
 /// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
 /// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
-std::string slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
-    if (input.slopes.empty()) return "";
+Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
+    if (input.slopes.empty()) return {};
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
     std::vector<std::string> heads{"", words("Slope")};
     if (has_scenarios) heads.push_back(words("Scenario"));
     for (const ShownFigure& shown : k_figures) heads.push_back(words(shown.title));
     if (has_failures) heads.push_back(words("Why it failed"));
-    HtmlTable table(heads);
+    Table table(heads);
     for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
         const MemberResult& member = result.members[i];
         const Slope& slope = input.slopes[member.member];
-        std::vector<std::string> cells{std::to_string(member.member), valid_utf8(slope.name)};
+        std::vector<Cell> cells{std::to_string(member.member), valid_utf8(slope.name)};
         if (has_scenarios) cells.push_back(valid_utf8(slope.scenario));
         // The figures of a run that failed are those of another event.
         for (const ShownFigure& shown : k_figures)
@@ -308,36 +307,34 @@ std::string slopes_section(const StudyInput& input, const StudyResult& result, c
         if (has_failures) cells.push_back(member.failure);
         table.row(cells, member.failure.empty() ? "" : "warning");
     }
-    std::string html = "<h2 id=\"slopes\">" + escaped_markup(words("Slopes")) + "</h2>\n" + table.html();
+    Document section;
+    section.heading("slopes", words("Slopes")).add(table);
     if (result.members.size() > k_most_slopes)
-        html +=
-            "<p class=\"small\">" +
-            escaped_markup(words("The first {1} of {2} slopes; {3} has all.",
-                                 {std::to_string(k_most_slopes),
-                                  words.number(grouped(static_cast<double>(result.members.size()))), k_member_table})) +
-            "</p>\n";
-    return html;
+        section.small(words("The first {1} of {2} slopes; {3} has all.",
+                            {std::to_string(k_most_slopes),
+                             words.number(grouped(static_cast<double>(result.members.size()))), k_member_table}));
+    return section;
 }
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t k_figures_on_first_page = 12;
 
-std::string keys_table(const StudyInput& input, const Words& words) {
-    HtmlTable table({words("key"), words("distribution")});
+Table keys_table(const StudyInput& input, const Words& words) {
+    Table table({words("key"), words("distribution")});
     for (const study::Variation& one : input.reading.study.vary) table.row({one.key, one.distribution.text});
     for (const study::Correlation& one : input.reading.study.correlate)
         table.row(
             {one.first + ", " + one.second, words("rank correlation {1}", {words.number(shortest_text(one.rho))})});
-    return table.html();
+    return table;
 }
 
-std::string levels_table(const std::vector<LevelSummary>& levels, const Words& words) {
+Table levels_table(const std::vector<LevelSummary>& levels, const Words& words) {
     const ReportNumbers number(words);
     double all = 0;
     for (const LevelSummary& level : levels) all += level.statistics.cost * static_cast<double>(level.members);
-    HtmlTable table({words("level"), words("cells [m]"), words("members"),
-                     words("variance of the difference, of that on level 0 [%]"), words("part of the cost [%]")});
+    Table table({words("level"), words("cells [m]"), words("members"),
+                 words("variance of the difference, of that on level 0 [%]"), words("part of the cost [%]")});
     for (std::size_t l = 0; l < levels.size(); ++l) {
         const LevelSummary& level = levels[l];
         const double cost = level.statistics.cost * static_cast<double>(level.members);
@@ -345,7 +342,7 @@ std::string levels_table(const std::vector<LevelSummary>& levels, const Words& w
                    number.percent(level.statistics.variance / levels.front().statistics.variance),
                    number.percent(cost / all)});
     }
-    return table.html();
+    return table;
 }
 
 std::string interval_text(const std::optional<study::Interval>& one, const Words& words) {
@@ -354,10 +351,9 @@ std::string interval_text(const std::optional<study::Interval>& one, const Words
     return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
 }
 
-std::string sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures,
-                              const Words& words) {
-    HtmlTable table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"),
-                     words("method")});
+Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, const Words& words) {
+    Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"),
+                 words("method")});
     for (const FigureSensitivity& figure : figures)
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const study::KeySensitivity& one = figure.keys[k];
@@ -365,32 +361,30 @@ std::string sensitivity_table(const StudyInput& input, const std::vector<FigureS
                        interval_text(one.total, words), interval_text(one.rank_correlation, words),
                        one.method.empty() ? words("not measurable") : one.method});
         }
-    return table.html() + "<p class=\"small\">" +
-           escaped_markup(words("What part of the variance of a value its key explains, alone (first order) and with "
-                                "others (total), or how the two are correlated; in brackets the interval of 95 %.")) +
-           "</p>\n";
+    return Document().add(table).small(
+        words("What part of the variance of a value its key explains, alone (first order) and with others (total), or "
+              "how the two are correlated; in brackets the interval of 95 %."));
 }
 
-std::string median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory,
-                             const Words& words) {
+Paragraph median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory,
+                           const Words& words) {
     const ReportNumbers number(words);
     std::string values;
     for (const std::string& one : input.table.overrides(median.member)) values += (values.empty() ? "" : ", ") + one;
-    std::string html = escaped_markup(
-        words("Member {1}: {2} {3} {4}, nearest to the weighted median of all, {5}. Its values: {6}.",
-              {std::to_string(median.member), figure_title(median.figure, words), number.grouped(median.figure.value),
-               ReportNumbers::unit(median.figure.unit), number.grouped(median.median), values}));
+    Paragraph told{
+        {{words("Member {1}: {2} {3} {4}, nearest to the weighted median of all, {5}. Its values: {6}.",
+                {std::to_string(median.member), figure_title(median.figure, words), number.grouped(median.figure.value),
+                 ReportNumbers::unit(median.figure.unit), number.grouped(median.median), values})}}};
     if (fs::exists(directory.path(k_animation_file)))
-        html += std::string(" <a href=\"") + k_animation_file + "\">" + escaped_markup(words("Film of this member")) +
-                "</a>.";
-    return "<p>" + html + "</p>\n";
+        told.text.push_back({words("Film of this member"), "", k_animation_file});
+    return told;
 }
 
-std::string failures_list(const StudyResult& result, const Words& words) {
-    HtmlTable table({words("member"), words("reason")});
+Table failures_list(const StudyResult& result, const Words& words) {
+    Table table({words("member"), words("reason")});
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) table.row({std::to_string(member.member), member.failure});
-    return table.html();
+    return table;
 }
 
 /// Puts the pictures of these names first, in their order.
@@ -418,14 +412,11 @@ std::string title_of(const StudyInput& input, const Words& words) {
                                                : words("{1}: a range of runs", {name});
 }
 
-void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& words, HtmlPage& page) {
-    page.add_heading("inputs", words("Distributions and inputs"));
+void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& words, Document& page) {
+    page.heading("inputs", words("Distributions and inputs"));
     if (!input.reading.study.vary.empty()) page.add(keys_table(input, words));
-    if (!facts.levels.empty())
-        page.add("<h3>" + escaped_markup(words("Levels")) + "</h3>\n" + levels_table(facts.levels, words));
-    page.add(inputs_table(input.base, words));
-    page.add("<details>\n<summary>" + escaped_markup(words("Keys used")) + "</summary>\n" +
-             parameters_table(input.base, true, words) + "</details>\n");
+    if (!facts.levels.empty()) page.subheading(words("Levels")).add(levels_table(facts.levels, words));
+    page.add(inputs_table(input.base, words)).folded(words("Keys used"), parameters_table(input.base, true, words));
 }
 
 }  // namespace
@@ -437,47 +428,38 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     const std::vector<std::string> maps = maps_in_order(input, directory),
                                    charts = with_first({"exceedance", "sensitivity", "convergence"},
                                                        pictures_in(directory.path("charts")));
-    HtmlPage page(directory.path(k_report_file), title_of(input, words),
-                  words("Computed with {1}, study {2}, {3}",
-                        {std::string(k_program) + " " + k_version,
-                         fs::path(input.reading.study.file).filename().string(), words.date(facts.date)}),
-                  words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
-    page.expect_pictures(maps.size() + charts.size() + 1);
-    page.add(study_answer(input, result, facts, words) +
-             exposure_answer(facts.exposure, exposure_reached_by(input), words));
-    if (!maps.empty()) page.add_pictures({maps.front()}, words("Map"));
+    const std::string& folder = directory.folder();
+    Document page = study_answer(input, result, facts, words);
+    page.add(exposure_answer(facts.exposure, exposure_reached_by(input), words));
+    if (!maps.empty()) page.pictures({maps.front()}, words("Map"), folder, words);
     // The first page of paper has room for a short table under its picture.
     const bool is_short = input.reading.study.per_polygon() || result.figures().size() <= k_figures_on_first_page;
     if (is_short) page.add(study_values(input, result, facts, words));
     page.end_answer();
     if (!is_short) page.add(study_values(input, result, facts, words));
-    page.add(study_sources(input, result, words) + exposure_section(facts.exposure, words) +
-             slopes_section(input, result, words));
-    page.add_heading("maps", words("Maps"));
-    if (maps.size() > 1) page.add_pictures({maps.begin() + 1, maps.end()}, words("Map"));
-    if (maps.size() == 1) page.add("<p>" + escaped_markup(words("The only map is on the first page.")) + "</p>\n");
-    if (maps.empty()) page.add("<p>" + escaped_markup(words("There are no maps.")) + "</p>\n");
-    page.add(page_part(k_comparison_section, ""));
+    page.add(study_sources(input, result, words))
+        .add(exposure_section(facts.exposure, words))
+        .add(slopes_section(input, result, words))
+        .heading("maps", words("Maps"));
+    if (maps.size() > 1) page.pictures({maps.begin() + 1, maps.end()}, words("Map"), folder, words);
+    if (maps.size() == 1) page.paragraph(words("The only map is on the first page."));
+    if (maps.empty()) page.paragraph(words("There are no maps."));
+    page.part(k_comparison_section, {});
     add_inputs(input, facts, words, page);
-    if (!figures.empty()) {
-        page.add_heading("sensitivity", words("Sensitivity"));
-        page.add(sensitivity_table(input, figures, words));
-    }
-    if (!charts.empty()) {
-        page.add_heading("charts", words("Charts"));
-        page.add_pictures(charts, words("Chart"));
-    }
-    if (facts.median) {
-        page.add_heading("median", words("Median member"));
-        page.add(median_paragraph(input, *facts.median, directory, words));
-    }
-    if (!facts.warnings.empty()) page.add_warnings(facts.warnings);
-    if (result.failed() > 0) {
-        page.add_heading("failures", words("Failed members"));
-        page.add(failures_list(result, words));
-    }
-    page.finish();
-    remove_page_pictures(directory.folder());
+    if (!figures.empty())
+        page.heading("sensitivity", words("Sensitivity")).add(sensitivity_table(input, figures, words));
+    if (!charts.empty()) page.heading("charts", words("Charts")).pictures(charts, words("Chart"), folder, words);
+    if (facts.median)
+        page.heading("median", words("Median member")).add(median_paragraph(input, *facts.median, directory, words));
+    if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
+    if (result.failed() > 0) page.heading("failures", words("Failed members")).add(failures_list(result, words));
+    write_page(folder,
+               {title_of(input, words),
+                words("Computed with {1}, study {2}, {3}",
+                      {std::string(k_program) + " " + k_version, fs::path(input.reading.study.file).filename().string(),
+                       words.date(facts.date)}),
+                words, maps.empty() ? Opening::answer : Opening::answer_with_picture},
+               page);
 }
 
 }  // namespace frana::app

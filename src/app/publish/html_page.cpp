@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <sstream>
 
-#include "app/pictures/map_layer.h"
 #include "app/store/manifest.h"
 #include "app/store/replace_result.h"
 #include "app/store/result_files.h"
@@ -17,7 +19,6 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "gis/raster/picture_in.h"
-#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
@@ -85,91 +86,12 @@ summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
 }
 )";
 
-std::string cell(const char* open, const std::string& text, const char* close) {
-    return open + escaped_markup(text) + close;
-}
-
-std::string value_cells(const std::string& name, const std::string& value, const std::string& unit) {
-    return cell("<td>", name, "</td>") + cell("<td class=\"n\">", value, "</td>") +
-           cell("<td class=\"u\">", unit, "</td>");
-}
-
-}  // namespace
-
-HtmlTable::HtmlTable(const std::vector<std::string>& heads) {
-    for (const std::string& head : heads)
-        head_ += head.empty() ? "<td></td>" : cell("<th scope=\"col\">", head, "</th>");
-    if (!heads.empty()) head_ = "<thead><tr>" + head_ + "</tr></thead>\n";
-}
-
-HtmlTable& HtmlTable::row(const std::vector<std::string>& cells, const std::string& kind) {
-    rows_ += kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">";
-    for (const std::string& text : cells) rows_ += cell("<td>", text, "</td>");
-    rows_ += "</tr>\n";
-    return *this;
-}
-
-HtmlTable& HtmlTable::number(const std::string& name, const std::string& value, const std::string& unit,
-                             const std::vector<std::string>& more) {
-    rows_ += "<tr>" + value_cells(name, value, unit);
-    for (const std::string& text : more) rows_ += cell("<td class=\"soft\">", text, "</td>");
-    rows_ += "</tr>\n";
-    return *this;
-}
-
-HtmlTable& HtmlTable::number_with(const std::string& name, const std::string& value, const std::string& unit,
-                                  const std::string& cells) {
-    rows_ += "<tr>" + value_cells(name, value, unit) + cells + "</tr>\n";
-    return *this;
-}
-
-HtmlTable& HtmlTable::raw(const std::string& html) {
-    rows_ += html;
-    return *this;
-}
-
-std::string HtmlTable::html(const std::string& kind) const {
-    return (kind.empty() ? "<table>\n" : "<table class=\"" + kind + "\">\n") + head_ + "<tbody>\n" + rows_ +
-           "</tbody>\n</table>\n";
-}
-
-std::string small_print(const std::string& text) {
-    return "<p class=\"small\">" + escaped_markup(text) + "</p>\n";
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 // Of all pictures of a page: with base64 a third more, so that with texts and charts it stays below 4 MB.
-constexpr std::size_t k_all_picture_bytes = 2'400'000;
+constexpr std::size_t k_picture_bytes = 250'000, k_all_picture_bytes = 2'400'000;
 constexpr int k_picture_columns = 1600;
 constexpr std::size_t k_foot_letters = 60;
-constexpr std::size_t k_warning_letters = 1000;  // of all in an answer
-
-/// Charts of studies and calibrations, by the names of their files.
-struct ChartTitle {
-    const char *name, *title;
-};
-constexpr ChartTitle k_chart_titles[] = {
-    {"exceedance", worded("exceedance")},
-    {"sensitivity", worded("sensitivity of the results")},
-    {"convergence", worded("convergence of the probabilities")},
-    {"response", worded("score over pairs of values")},
-    {"posterior", worded("values before and after the calibration")},
-    {"forecast", worded("fitted, and predicted from the other events")},
-};
-
-/// The title of a map or chart from the name of its file; names that no table has stay, with spaces.
-std::string picture_title(const std::string& name, const Words& words) {
-    const std::string layer = raster_of_map(name);
-    if (const ResultRaster* const row = find_result_raster(layer)) return raster_title(*row, layer, words);
-    for (const ChartTitle& chart : k_chart_titles)
-        if (name == chart.name) return words(chart.title);
-    std::string title = name;
-    std::replace(title.begin(), title.end(), '_', ' ');
-    return title;
-}
 
 /// A text as a string of CSS: whatever it contains, it ends neither the string nor the style.
 std::string css_text(const std::string& text) {
@@ -194,127 +116,157 @@ std::string end_of(const std::string& name) {
     return "<!--end of " + name + "-->";
 }
 
-}  // namespace
+std::string element(const std::string& name, const std::string& kind, const std::string& html) {
+    return "<" + name + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + html + "</" + name + ">";
+}
 
-HtmlPage::HtmlPage(const std::string& path, const std::string& title, const std::string& origin, const Words& words,
-                   Opening opening)
-    : folder_(fs::path(path).parent_path().string()),
-      aside_(path),
-      file_(aside_.partial_path(), std::ios::binary),
-      words_(words),
-      picture_bytes_(k_picture_bytes) {
+/// Writes blocks as HTML.
+class Renderer {
+  public:
+    Renderer(std::ostream& out, std::size_t most_bytes) : out_(out), most_bytes_(most_bytes) {}
+
+    void operator()(const std::vector<Block>& blocks) const {
+        for (const Block& block : blocks) std::visit(*this, block.value);
+    }
+    void operator()(const Heading& one) const {
+        const std::string text = escaped_markup(one.text);
+        out_ << (one.id.empty() ? "<h3>" + text + "</h3>\n" : "<h2 id=\"" + one.id + "\">" + text + "</h2>\n");
+    }
+    void operator()(const Paragraph& one) const {
+        std::string html = one.lead.empty() ? "" : "<b>" + escaped_markup(one.lead) + "</b>";
+        for (const Span& span : one.text) {
+            if (!html.empty() && !span.text.empty() && !html.ends_with("\n")) html += " ";
+            html += html_of(span);
+        }
+        out_ << element("p", one.kind, html) << "\n";
+    }
+    void operator()(const List& one) const {
+        out_ << "<ul>\n";
+        for (const std::string& item : one.items) out_ << element("li", "", escaped_markup(item)) << "\n";
+        out_ << "</ul>\n";
+    }
+    void operator()(const Table& one) const {
+        out_ << (one.kind().empty() ? "<table>\n" : "<table class=\"" + one.kind() + "\">\n");
+        std::string head;
+        for (const std::string& text : one.heads())
+            head += text.empty() ? "<td></td>" : "<th scope=\"col\">" + escaped_markup(text) + "</th>";
+        if (!head.empty()) out_ << "<thead>" << element("tr", "", head) << "</thead>\n";
+        out_ << "<tbody>\n";
+        for (const auto& [kind, cells] : one.rows()) {
+            std::string row;
+            for (const Cell& cell : cells)
+                row += cell.part.empty() ? html_of(cell) : page_part(cell.part, html_of(cell));
+            out_ << element("tr", kind, row) << "\n";
+        }
+        out_ << "</tbody>\n</table>\n";
+    }
+    void operator()(const Figure& one) const {
+        if (!one.svg.empty() || one.file.ends_with(".svg"))
+            drawing(one.svg.empty() ? read_text_file(one.file) : one.svg, one);
+        else
+            picture(one);
+    }
+    void operator()(const Group& one) const {
+        const bool is_part = one.kind == "part", is_folded = one.kind == "folded";
+        out_ << (is_part                 ? begin_of(one.title) + "\n"
+                 : is_folded             ? "<details>\n<summary>" + escaped_markup(one.title) + "</summary>\n"
+                 : one.kind == "columns" ? "<div class=\"columns\">\n"
+                                         : "<div>\n");
+        (*this)(one.content);
+        out_ << (is_part ? end_of(one.title) + "\n" : is_folded ? "</details>\n" : "</div>\n");
+    }
+    void operator()(const AnswerEnd&) const { out_ << "</section>\n"; }
+
+  private:
+    /// A JPEG of at most so many bytes if the file is larger.
+    void picture(const Figure& one) const {
+        const gis::PagePicture embedded = gis::page_picture(one.file, k_picture_columns, most_bytes_);
+        // A picture drawn for the page has its size in print, which its scale needs.
+        const bool for_page = fs::path(one.file).parent_path().filename() == k_page_folder;
+        out_ << "<figure>\n<img " << (for_page ? "class=\"page\" " : "") << "alt=\"" << escaped_markup(one.alt)
+             << "\" width=\"" << embedded.width << "\" height=\"" << embedded.height
+             << "\" src=\"data:" << embedded.mime << ";base64," << base64(embedded.bytes) << "\">\n"
+             << element("figcaption", "", escaped_markup(one.caption)) << "\n</figure>\n";
+    }
+    /// The element, a picture by its role, gets a name for those who cannot see it.
+    void drawing(const std::string& svg, const Figure& one) const {
+        const std::string tag = "<svg ";
+        const std::size_t at = svg.find(tag);
+        const std::string named = at == std::string::npos
+                                      ? svg
+                                      : svg.substr(at, tag.size()) + (one.caption.empty() ? "" : "class=\"page\" ") +
+                                            "aria-label=\"" + escaped_markup(one.alt) + "\" " +
+                                            svg.substr(at + tag.size());
+        out_ << "<figure>\n"
+             << named << (one.caption.empty() ? "" : element("figcaption", "", escaped_markup(one.caption)) + "\n")
+             << "</figure>\n";
+    }
+
+    std::ostream& out_;
+    std::size_t most_bytes_;
+};
+
+std::size_t count_of_files(const std::vector<Block>& blocks) {
+    std::size_t count = 0;
+    for (const Block& block : blocks) {
+        if (const Figure* const figure = std::get_if<Figure>(&block.value)) count += figure->file.empty() ? 0 : 1;
+        if (const Group* const group = std::get_if<Group>(&block.value)) count += count_of_files(group->content);
+    }
+    return count;
+}
+
+std::string html_head(const PageHead& head) {
     // The title at the foot of each printed page, where a browser can.
     const std::string foot =
-        "@page { @bottom-left { content: " + css_text(elided(shown_text(title), k_foot_letters)) + "; } }\n";
-    add("<!DOCTYPE html>\n<html lang=\"" + language_code(words.language()) +
-        "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
-        "initial-scale=1\">\n<title>" +
-        escaped_markup(title) + "</title>\n<style>" + k_page_style + foot + "</style>\n</head>\n<body>\n" +
-        (opening == Opening::title    ? ""
-         : opening == Opening::answer ? "<section class=\"answer plain\">\n"
-                                      : "<section class=\"answer\">\n") +
-        "<h1>" + escaped_markup(title) + "</h1>\n<p class=\"small\">" + escaped_markup(origin) + "</p>\n");
+        "@page { @bottom-left { content: " + css_text(elided(shown_text(head.title), k_foot_letters)) + "; } }\n";
+    const char* const section = head.opening == Opening::title    ? ""
+                                : head.opening == Opening::answer ? "<section class=\"answer plain\">\n"
+                                                                  : "<section class=\"answer\">\n";
+    return "<!DOCTYPE html>\n<html lang=\"" + language_code(head.words.language()) +
+           "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+           "initial-scale=1\">\n<title>" +
+           escaped_markup(head.title) + "</title>\n<style>" + k_page_style + foot + "</style>\n</head>\n<body>\n" +
+           section + "<h1>" + escaped_markup(head.title) + "</h1>\n" +
+           element("p", "small", escaped_markup(head.origin)) + "\n";
 }
 
-void HtmlPage::expect_pictures(std::size_t count) {
-    picture_bytes_ = std::min(k_picture_bytes, k_all_picture_bytes / std::max<std::size_t>(1, count));
+}  // namespace
+
+std::string html_of(const Document& document) {
+    std::ostringstream html;
+    Renderer{html, k_picture_bytes}(document.blocks());
+    return html.str();
 }
 
-void HtmlPage::add_heading(const std::string& id, const std::string& text) {
-    add("<h2 id=\"" + id + "\">" + escaped_markup(text) + "</h2>\n");
+std::string html_of(const Span& span) {
+    const std::string text = escaped_markup(span.text);
+    if (!span.part.empty()) return page_part(span.part, text + "\n");
+    return span.link.empty() ? text : "<a href=\"" + span.link + "\">" + text + "</a>.";
 }
 
-void HtmlPage::add_warnings(const std::vector<Sentence>& warnings) {
-    add_heading("warnings", words_("Warnings"));
-    if (warnings.empty()) add("<p class=\"good\">" + escaped_markup(words_("The run gave no warnings.")) + "</p>\n");
-    for (const Sentence& warning : warnings)
-        add("<p class=\"warning\">" + escaped_markup(valid_utf8(warning.in(words_))) + "</p>\n");
+std::string html_of(const Cell& cell) {
+    const std::string swatch =
+        cell.swatch.empty() ? "" : "<span class=\"swatch\" style=\"background:" + cell.swatch + "\"></span>";
+    return element("td", cell.kind,
+                   swatch + (swatch.empty() || cell.text.empty() ? "" : " ") + escaped_markup(cell.text));
 }
 
-void HtmlPage::add_picture(const std::string& path, const std::string& caption, const std::string& alt) {
-    add(figure_html(path, caption, alt, picture_bytes_));
-}
-
-void HtmlPage::add_pictures(const std::vector<std::string>& paths, const std::string& kind) {
-    for (const std::string& path : paths) {
-        const std::string title = picture_title(fs::path(path).stem().string(), words_),
-                          alt = words_.labelled(kind, title), own = drawn_for_page(folder_, path);
-        if (own.ends_with(".svg"))
-            add(svg_figure(read_text_file(own), title, alt));
-        else
-            add_picture(own, title, alt);
-    }
-}
-
-void HtmlPage::finish() {
-    add("</body>\n</html>\n");
-    file_.close();
-    if (!file_) {
+void write_page(const std::string& folder, const PageHead& head, const Document& document) {
+    FileAside aside((fs::path(folder) / k_report_file).string());
+    std::ofstream file(aside.partial_path(), std::ios::binary);
+    file << html_head(head);
+    // All share the bytes that a page may have, with one that a comparison may add.
+    const std::size_t pictures = count_of_files(document.blocks()) + 1;
+    Renderer{file, std::min(k_picture_bytes, k_all_picture_bytes / pictures)}(document.blocks());
+    file << "</body>\n</html>\n";
+    file.close();
+    if (!file) {
         throw Error(ErrorKind::environment, Problem{std::string("cannot be written: ") + std::strerror(errno),
-                                                    aside_.path(), "", "", "Check the disk's space and the rights"});
+                                                    aside.path(), "", "", "Check the disk's space and the rights"});
     }
-    aside_.rename_into_place();
-}
-
-std::string figure_html(const std::string& path, const std::string& caption, const std::string& alt,
-                        std::size_t most_bytes) {
-    const gis::PagePicture picture = gis::page_picture(path, k_picture_columns, most_bytes);
-    // A picture drawn for the page has its size in print, which its scale needs.
-    const bool for_page = fs::path(path).parent_path().filename() == k_page_folder;
-    return std::string("<figure>\n<img ") + (for_page ? "class=\"page\" " : "") + "alt=\"" + escaped_markup(alt) +
-           "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
-           "\" src=\"data:" + picture.mime + ";base64," + base64(picture.bytes) + "\">\n<figcaption>" +
-           escaped_markup(caption) + "</figcaption>\n</figure>\n";
-}
-
-std::string svg_figure(const std::string& svg, const std::string& caption, const std::string& alt) {
-    // The element, a picture by its role, gets a name for those who cannot see it.
-    const std::string tag = "<svg ";
-    const std::size_t at = svg.find(tag);
-    const std::string named = at == std::string::npos
-                                  ? svg
-                                  : svg.substr(at, tag.size()) + (caption.empty() ? "" : "class=\"page\" ") +
-                                        "aria-label=\"" + escaped_markup(alt) + "\" " + svg.substr(at + tag.size());
-    return "<figure>\n" + named +
-           (caption.empty() ? "" : "<figcaption>" + escaped_markup(caption) + "</figcaption>\n") + "</figure>\n";
-}
-
-std::string drawn_for_page(const std::string& folder, const std::string& path) {
-    const fs::path stem = fs::path(folder) / k_page_folder / fs::path(path).stem();
-    for (const char* ending : {".svg", ".png"})
-        if (const std::string own = stem.string() + ending; fs::exists(own)) return own;
-    return path;
-}
-
-void remove_page_pictures(const std::string& folder) {
+    aside.rename_into_place();
     std::error_code ignored;
     fs::remove_all(fs::path(folder) / k_page_folder, ignored);
-}
-
-std::string first_warnings(const std::vector<Sentence>& warnings, const Words& words) {
-    if (warnings.empty()) return "<p>" + escaped_markup(words("The run gave no warnings.")) + "</p>\n";
-    std::string html;
-    // Whole sentences, as many as leave room for the answer: half a warning may say the opposite.
-    std::size_t told = 0, letters = 0;
-    for (; told < warnings.size(); ++told) {
-        const std::string text = valid_utf8(warnings[told].in(words));
-        letters += text.size();
-        if (told > 0 && letters > k_warning_letters) break;
-        html +=
-            "<p class=\"warning\"><b>" + escaped_markup(words("Warning:")) + "</b> " + escaped_markup(text) + "</p>\n";
-    }
-    if (warnings.size() > told)
-        html += "<p>" + escaped_markup(words("{1} warnings in all, see below.", {std::to_string(warnings.size())})) +
-                "</p>\n";
-    return html;
-}
-
-std::vector<std::string> pictures_in(const std::string& folder) {
-    std::vector<std::string> paths;
-    for (const fs::directory_entry& entry : folder_entries(fs::path(folder)))
-        if (entry.path().extension() == ".png") paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
-    return paths;
 }
 
 std::string page_part(const std::string& name, const std::string& html) {

@@ -74,21 +74,21 @@ std::optional<double> value_of(const ReachedFeature& feature, const std::string&
 
 }  // namespace
 
-std::string exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words) {
-    if (!totals) return "";
-    return paragraph(words("What is exposed."), exposure_sentence(*totals, by, words));
+Document exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words) {
+    if (!totals) return {};
+    return Document().paragraph(words("What is exposed."), exposure_sentence(*totals, by, words));
 }
 
-std::string exposure_section(const std::optional<ExposureTotals>& totals, const Words& words) {
-    if (!totals || totals->deepest.empty()) return "";
+Document exposure_section(const std::optional<ExposureTotals>& totals, const Words& words) {
+    if (!totals || totals->deepest.empty()) return {};
     std::vector<ShownColumn> shown;
     for (const ShownColumn& column : k_columns)
         if (value_of(totals->deepest.front(), column.key)) shown.push_back(column);
     std::vector<std::string> heads{words("Feature")};
     for (const ShownColumn& column : shown) heads.push_back(words(column.title));
-    HtmlTable table(heads);
+    Table table(heads);
     for (const ReachedFeature& feature : totals->deepest) {
-        std::vector<std::string> cells{valid_utf8(feature.name)};
+        std::vector<Cell> cells{valid_utf8(feature.name)};
         for (const ShownColumn& column : shown) {
             const double value = column.factor * value_of(feature, column.key).value_or(k_no_data);
             cells.push_back(std::isnan(value) ? "" : words.number(number_text(value, column.digits)));
@@ -100,60 +100,56 @@ std::string exposure_section(const std::optional<ExposureTotals>& totals, const 
                                         {std::to_string(totals->deepest.size()),
                                          words.number(grouped(static_cast<double>(totals->reached))), k_exposure_table})
                                 : words("{1} has all features, also those that are not reached.", {k_exposure_table});
-    return "<h2 id=\"exposure\">" + escaped_markup(words("Exposed features that are reached")) + "</h2>\n" +
-           table.html() + "<p class=\"small\">" + escaped_markup(all) + "</p>\n";
+    return Document().heading("exposure", words("Exposed features that are reached")).add(table).small(all);
 }
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string headed(const std::string& heading, const std::string& html) {
-    return "<div>\n<h3>" + escaped_markup(heading) + "</h3>\n" + html + "</div>\n";
-}
-
 std::string hazard_heading(const SceneSpec& spec, const Words& words) {
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
     return scheme && scheme->title != k_intensity_title ? words(scheme->title) : words("Intensity classes");
 }
 
-void add_maps(HtmlPage& page, const ReportInput& input, const std::vector<ReportMap>& maps) {
+Figure figure_of(const ReportMap& map) {
+    return {map.file, map.caption, map.alt};
+}
+
+void add_maps(Document& page, const ReportInput& input, const std::vector<ReportMap>& maps) {
     const Words& words = input.words;
-    page.add_heading("maps", words("Maps"));
+    page.heading("maps", words("Maps"));
     if (maps.empty())
-        page.add(small_print(input.prepared.spec.output.maps.front() == "off"
-                                 ? words("The scene asks for no maps.")
-                                 : words("No map could be drawn; see the warnings.")));
-    if (maps.size() == 1) page.add(small_print(words("The only map is on the first page.")));
-    for (std::size_t i = 1; i < maps.size(); ++i) page.add_picture(maps[i].file, maps[i].caption, maps[i].alt);
+        page.small(input.prepared.spec.output.maps.front() == "off"
+                       ? words("The scene asks for no maps.")
+                       : words("No map could be drawn; see the warnings."));
+    if (maps.size() == 1) page.small(words("The only map is on the first page."));
+    for (std::size_t i = 1; i < maps.size(); ++i) page.add(figure_of(maps[i]));
     if (!input.hazard.empty())
-        page.add(
-            headed(hazard_heading(input.prepared.spec, words), hazard_table(input.prepared.spec, input.hazard, words)));
+        page.box(hazard_heading(input.prepared.spec, words), hazard_table(input.prepared.spec, input.hazard, words));
 }
 
-void add_details(HtmlPage& page, const ReportInput& input) {
+void add_details(Document& page, const ReportInput& input) {
     const Words& words = input.words;
-    page.add_heading("series", words("Course of the flow"));
-    page.add(series_charts(input));
-    page.add_heading("values", words("Values in detail"));
-    page.add(headed(words("High values"), high_values_table(input)));
-    if (!input.result.released.empty()) page.add(headed(words("Release areas"), release_table(input.result, words)));
-    if (input.facts.accuracy) page.add(headed(words("Accuracy"), accuracy_tables(*input.facts.accuracy, words)));
+    page.heading("series", words("Course of the flow")).add(series_charts(input));
+    page.heading("values", words("Values in detail")).box(words("High values"), high_values_table(input));
+    if (!input.result.released.empty()) page.box(words("Release areas"), release_table(input.result, words));
+    if (input.facts.accuracy) page.box(words("Accuracy"), accuracy_tables(*input.facts.accuracy, words));
     if (input.facts.release_ground || input.facts.path_ground)
-        page.add(headed(words("Ground"), ground_table(input.facts, words)));
-    page.add("<div class=\"columns\">\n" + headed(words("Mass budget"), budget_table(input.result, words)) +
-             headed(words("Numerical checks"), numerics_table(input)) + "</div>\n" + terms_note(input));
+        page.box(words("Ground"), ground_table(input.facts, words));
+    page.columns(Document()
+                     .box(words("Mass budget"), budget_table(input.result, words))
+                     .box(words("Numerical checks"), numerics_table(input)))
+        .small(terms_note(input));
 }
 
-void add_keys(HtmlPage& page, const ReportInput& input) {
+void add_keys(Document& page, const ReportInput& input) {
     const Words& words = input.words;
-    page.add_heading("parameters", words("Keys used"));
-    page.add(small_print(
-                 words("Bold: given in the scene, on the command line or by the material preset. Keys that the scene "
-                       "does not use are left out.")) +
-             parameters_table(input.prepared, true, words) + "<details>\n<summary>" +
-             escaped_markup(words("All keys")) + "</summary>\n" + parameters_table(input.prepared, false, words) +
-             "</details>\n");
+    page.heading("parameters", words("Keys used"))
+        .small(words("Bold: given in the scene, on the command line or by the material preset. Keys that the scene "
+                     "does not use are left out."))
+        .add(parameters_table(input.prepared, true, words))
+        .folded(words("All keys"), parameters_table(input.prepared, false, words));
 }
 
 }  // namespace
@@ -163,29 +159,25 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     const Words& words = input.words;
     const std::string title = spec.output.title.value_or(scene_name(spec));
     const std::vector<ReportMap> maps = report_maps(input, directory);
-    HtmlPage page(directory.path(k_report_file), title,
-                  words("Computed with {1}, scene {2}, hash {3}",
-                        {std::string(k_program) + " " + k_version, fs::path(spec.file).filename().string(),
-                         provenance(input.prepared).at("SCENE_HASH")}),
-                  words, maps.empty() ? Opening::answer : Opening::answer_with_picture);
-    page.expect_pictures(maps.size() + 1);
-    page.add(answer_sentences(input));
-    if (!maps.empty()) page.add_picture(maps.front().file, maps.front().caption, maps.front().alt);
-    page.add(answer_tables(input));
-    page.end_answer();
+    Document page = answer_sentences(input);
+    if (!maps.empty()) page.add(figure_of(maps.front()));
+    page.add(answer_tables(input)).end_answer();
     add_maps(page, input, maps);
-    page.add(
-        page_part(k_comparison_section,
-                  comparison_section(input.comparison,
-                                     drawn_for_page(directory.folder(), directory.path("comparison.png")), words)));
+    page.part(k_comparison_section,
+              comparison_section(input.comparison, drawn_for_page(directory.folder(), directory.path("comparison.png")),
+                                 words));
     page.add(exposure_section(input.facts.exposure, words));
     add_details(page, input);
-    if (!input.facts.warnings.empty()) page.add_warnings(warnings_of(input));
-    page.add_heading("inputs", words("Inputs"));
-    page.add(inputs_table(input.prepared, words));
+    if (!input.facts.warnings.empty()) page.warnings(warnings_of(input), words);
+    page.heading("inputs", words("Inputs")).add(inputs_table(input.prepared, words));
     add_keys(page, input);
-    page.finish();
-    remove_page_pictures(directory.folder());
+    write_page(directory.folder(),
+               {title,
+                words("Computed with {1}, scene {2}, hash {3}",
+                      {std::string(k_program) + " " + k_version, fs::path(spec.file).filename().string(),
+                       provenance(input.prepared).at("SCENE_HASH")}),
+                words, maps.empty() ? Opening::answer : Opening::answer_with_picture},
+               page);
 }
 
 }  // namespace frana::app

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/compare/comparison.h"
+#include "app/publish/document.h"
 #include "app/publish/publish.h"
 #include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
@@ -33,10 +34,10 @@ struct ErrorEstimates {
 ErrorEstimates error_estimates(const SummaryFacts& facts, const std::string& result);
 
 /// The paragraph "What is exposed." of a report's answer; empty without exposed features.
-std::string exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words);
+Document exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words);
 
 /// The section of the features that are reached, the deepest first, with its heading; empty if none is.
-std::string exposure_section(const std::optional<ExposureTotals>& totals, const Words& words);
+Document exposure_section(const std::optional<ExposureTotals>& totals, const Words& words);
 
 /// Data of a report, besides the pictures already in the result directory.
 struct ReportInput {

@@ -171,18 +171,6 @@ std::string laws_told(const ReportInput& input, const Words& words) {
     return joined(told, ", ");
 }
 
-/// Puts no line break between the groups of a number, and between a number and its unit.
-std::string kept_together(const std::string& text) {
-    static constexpr std::string_view k_begins = "0123456789msk%P";
-    std::string together;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool in_value = text[i] == ' ' && i > 0 && i + 1 < text.size() && text[i - 1] >= '0' &&
-                              text[i - 1] <= '9' && k_begins.find(text[i + 1]) != std::string_view::npos;
-        together += in_value ? "\u00A0" : std::string(1, text[i]);
-    }
-    return together;
-}
-
 /// Returns the preset's source without its label; of a user's own preset as that has it.
 std::string preset_source(const SceneSpec& spec, const Words& words) {
     for (const std::string& text : paragraphs_of(preset_comments(spec))) {
@@ -194,11 +182,6 @@ std::string preset_source(const SceneSpec& spec, const Words& words) {
 }
 
 }  // namespace
-
-std::string paragraph(const std::string& lead, const std::string& text) {
-    return "<p>" + (lead.empty() ? "" : "<b>" + escaped_markup(lead) + "</b> ") + escaped_markup(kept_together(text)) +
-           "</p>\n";
-}
 
 std::string origin_text(const SceneSpec& spec, const std::string& key, const Words& words) {
     const Origin origin = spec.origin_of(key);
@@ -217,7 +200,7 @@ std::vector<std::string> preset_comments(const SceneSpec& spec) {
     return {};
 }
 
-std::string release_sentences(const ReportInput& input) {
+Document release_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const RunResult& r = input.result;
     double volume = 0, area = 0, thickest = 0;
@@ -243,10 +226,10 @@ std::string release_sentences(const ReportInput& input) {
     if (r.exchanges)
         told.push_back(words("On its way the flow erodes {1} m³ and deposits {2} m³ on the bed.",
                              {grouped_number(r.volume_eroded), grouped_number(r.volume_deposited)}));
-    return paragraph(words("What fails."), joined(told, " "));
+    return Document().paragraph(words("What fails."), joined(told, " "));
 }
 
-std::string material_sentences(const ReportInput& input) {
+Document material_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const SceneSpec& spec = input.prepared.spec;
     const std::string laws = laws_told(input, words);
@@ -255,11 +238,11 @@ std::string material_sentences(const ReportInput& input) {
     if (!laws.empty()) text += " " + laws + ".";
     const std::string values = joined(values_told(input, words), ", ");
     if (!values.empty()) text += " " + words("Values: {1}.", {values});
-    std::string html = paragraph(words("Friction and material."), text);
+    Document told;
+    told.paragraph(words("Friction and material."), text);
     if (const std::string source = preset_source(spec, words); !source.empty())
-        html += "<p class=\"small\">" + escaped_markup(words("Source of the preset {1}:", {*spec.material.preset})) +
-                " " + escaped_markup(source) + "</p>\n";
-    return html;
+        told.small(words("Source of the preset {1}:", {*spec.material.preset}) + " " + source);
+    return told;
 }
 
 namespace {
@@ -329,7 +312,7 @@ std::string strength_sentence(const ReportInput& input) {
          number(greatest(speed), 3)});
 }
 
-std::string where_sentences(const ReportInput& input) {
+Document where_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
     const SummaryFacts& f = input.facts;
@@ -347,7 +330,7 @@ std::string where_sentences(const ReportInput& input) {
             " " + strength_sentence(input);
     if (const std::size_t flows = f.statistics.run_outs.size(); flows > 1)
         text += " " + words("{1} flows never met; the run-out is that of the longest.", {std::to_string(flows)});
-    return paragraph(words("Where it goes."), text + arrivals(input));
+    return Document().paragraph(words("Where it goes."), text + arrivals(input));
 }
 
 std::string cell_error_sentence(const ErrorEstimates& errors, double cell_size, const Words& words) {
@@ -393,8 +376,9 @@ std::string end_sentences(const ReportInput& input) {
     return text;
 }
 
-std::string error_cell(const ErrorEstimates& errors, const std::string& key, const Words& words) {
-    return "<td class=\"soft\">" + escaped_markup(error_text(errors, key, words)) + "</td>";
+/// A key: of the estimate, by which it is replaced.
+Cell error_cell(const ErrorEstimates& errors, const std::string& key, const Words& words) {
+    return {error_text(errors, key, words), "soft", key.empty() ? "" : k_error_of + key};
 }
 
 /// A row of the answer's tables.
@@ -402,15 +386,11 @@ struct Row {
     std::string name, value, unit, key;  ///< key: of its estimate
 };
 
-std::string values_table(const std::string& head, const std::vector<Row>& rows, const ReportInput& input) {
-    const Words& words = input.words;
-    HtmlTable table({head, "", "", words("± by cell size")});
-    for (const Row& row : rows) {
-        const std::string cell = error_cell(input.errors, row.key, words);
-        table.number_with(row.name, row.value, row.unit,
-                          row.key.empty() ? cell : page_part(k_error_of + row.key, cell));
-    }
-    return table.html();
+Table values_table(const std::string& head, const std::vector<Row>& rows, const ReportInput& input) {
+    Table table({head, "", "", input.words("± by cell size")});
+    for (const Row& row : rows)
+        table.number(row.name, row.value, row.unit, {error_cell(input.errors, row.key, input.words)});
+    return table;
 }
 
 }  // namespace
@@ -429,9 +409,9 @@ std::vector<GaugeAnswer> gauge_answers(const ReportInput& input) {
 }
 
 std::vector<PagePart> error_parts(const ErrorEstimates& errors, double cell_size, const Words& words) {
-    std::vector<PagePart> parts{{k_cell_error, escaped_markup(cell_error_sentence(errors, cell_size, words)) + "\n"}};
+    std::vector<PagePart> parts{{k_cell_error, html_of(Span{cell_error_sentence(errors, cell_size, words)}) + "\n"}};
     for (const auto& [key, error] : errors.of)
-        parts.push_back({k_error_of + key, error_cell(errors, key, words), true});
+        parts.push_back({k_error_of + key, html_of(error_cell(errors, key, words)), true});
     return parts;
 }
 
@@ -443,7 +423,7 @@ std::string error_text(const ErrorEstimates& errors, const std::string& key, con
     return estimate->converging ? text : text + ", " + words("not converging");
 }
 
-std::string answer_tables(const ReportInput& input) {
+Document answer_tables(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
     const SummaryFacts& f = input.facts;
@@ -468,8 +448,9 @@ std::string answer_tables(const ReportInput& input) {
             strength.push_back({words("on 99.9 % of the area"), number(f.high[i].p999, 3), what.row().unit,
                                 std::string(what.name) + "_p999" + unit});
     }
-    return "<div class=\"columns\">\n" + values_table(words("Where it goes"), where, input) +
-           values_table(words("How strong, at most"), strength, input) + "</div>\n";
+    return Document().columns(Document()
+                                  .add(values_table(words("Where it goes"), where, input))
+                                  .add(values_table(words("How strong, at most"), strength, input)));
 }
 
 std::vector<Sentence> warnings_of(const ReportInput& input) {
@@ -480,21 +461,22 @@ std::vector<Sentence> warnings_of(const ReportInput& input) {
     return warnings;
 }
 
-std::string answer_sentences(const ReportInput& input) {
+Document answer_sentences(const ReportInput& input) {
     const Words& words = input.words;
-    const std::string cell_error =
-        escaped_markup(cell_error_sentence(input.errors, input.result.max_depth.grid.cell_size, words));
-    const std::string sure = "<p><b>" + escaped_markup(words("How sure.")) + "</b> " +
-                             page_part(k_cell_error, cell_error + "\n") +
-                             escaped_markup(balance_sentence(input) + " " + end_sentences(input)) + "</p>\n";
-    return "<h2 id=\"answer\">" + escaped_markup(words("Scenario and answer")) + "</h2>\n" + release_sentences(input) +
-           material_sentences(input) + where_sentences(input) +
-           exposure_answer(input.facts.exposure, ReachedBy::the_flow, words) + sure +
-           page_part(k_comparison_answer, comparison_answer(input.comparison, words)) +
-           first_warnings(warnings_of(input), words) +
-           paragraph(words("Not done."),
-                     words("This is one run with one set of values, not a range of what is possible: frana ensemble "
-                           "computes the range, frana calibrate fits the values to observed events."));
+    return Document()
+        .heading("answer", words("Scenario and answer"))
+        .add(release_sentences(input))
+        .add(material_sentences(input))
+        .add(where_sentences(input))
+        .add(exposure_answer(input.facts.exposure, ReachedBy::the_flow, words))
+        .add(Paragraph{{{cell_error_sentence(input.errors, input.result.max_depth.grid.cell_size, words), k_cell_error},
+                        {balance_sentence(input) + " " + end_sentences(input)}},
+                       words("How sure.")})
+        .part(k_comparison_answer, comparison_answer(input.comparison, words))
+        .first_warnings(warnings_of(input), words)
+        .paragraph(words("Not done."),
+                   words("This is one run with one set of values, not a range of what is possible: frana ensemble "
+                         "computes the range, frana calibrate fits the values to observed events."));
 }
 
 }  // namespace frana::app

@@ -10,20 +10,17 @@
 
 namespace frana::app {
 
-// The sentences of a report's first page, each a paragraph of HTML.
+// The sentences of a report's first page.
 
 /// What fails: names, volume, area, thickness; inflow; what is eroded and deposited.
-std::string release_sentences(const ReportInput& input);
+Document release_sentences(const ReportInput& input);
 /// Model, laws, and each value of theirs with its origin; the source of a preset.
-std::string material_sentences(const ReportInput& input);
+Document material_sentences(const ReportInput& input);
 
 /// Returns the comments of the scene's material preset; none without a preset, or if it cannot be read.
 std::vector<std::string> preset_comments(const SceneSpec& spec);
 /// Returns the origin of a key's value: "scene file", "preset bindo".
 std::string origin_text(const SceneSpec& spec, const std::string& key, const Words& words);
-
-/// Returns "<p><b>What fails.</b> ...</p>"; the texts are escaped.
-std::string paragraph(const std::string& lead, const std::string& text);
 
 /// Recordings of a gauge in a few numbers.
 struct GaugeAnswer {
@@ -37,9 +34,9 @@ std::vector<GaugeAnswer> gauge_answers(const ReportInput& input);
 std::vector<Sentence> warnings_of(const ReportInput& input);
 
 /// The first page: what fails, friction and material, where it goes, how sure, what was not done.
-std::string answer_sentences(const ReportInput& input);
+Document answer_sentences(const ReportInput& input);
 /// The main values with their estimated errors.
-std::string answer_tables(const ReportInput& input);
+Document answer_tables(const ReportInput& input);
 
 /// The parts of a report that `frana converge` replaces: the sentence on the size of the cells, the errors of values.
 std::vector<PagePart> error_parts(const ErrorEstimates& errors, double cell_size, const Words& words);

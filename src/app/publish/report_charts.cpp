@@ -26,15 +26,10 @@ std::string greatest_text(const std::vector<Point>& points, const Words& words) 
     return words.number(value < 1000 ? number_text(value, 3) : grouped(value));
 }
 
-/// Two charts beside each other, where there is room.
-std::string in_columns(const std::string& figures) {
-    return "<div class=\"columns\">\n" + figures + "</div>\n";
-}
-
 }  // namespace
 
-std::string chart_figures(const render::ChartPanel& panel, const std::string& alt, const Words& words) {
-    std::string html;
+Document chart_figures(const render::ChartPanel& panel, const std::string& alt, const Words& words) {
+    Document figures;
     for (std::size_t first = 0; first < std::max<std::size_t>(1, panel.series.size()); first += k_curves) {
         render::ChartPanel part = panel;
         part.series.clear();
@@ -43,22 +38,22 @@ std::string chart_figures(const render::ChartPanel& panel, const std::string& al
             part.series.back().width_px = 3;
             render::look_apart(part.series.back(), i - first);
         }
-        html +=
-            svg_figure(render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height), "", alt);
+        figures.add(Figure{"", "", alt,
+                           render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height)});
     }
-    return html;
+    return figures;
 }
 
-std::string series_charts(const ReportInput& input) {
+Document series_charts(const ReportInput& input) {
     const Words& words = input.words;
     const std::string seconds = words("time [s]");
-    std::string charts;
+    Document charts;
     const auto add = [&](const std::string& label, double SeriesRow::*value) {
         render::ChartSeries series;
         for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
         const std::string most = greatest_text(series.points, words);
         render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
-        charts += chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words);
+        charts.add(chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words));
     };
     add(words("front from the release's centroid [m]"), &SeriesRow::front_distance);
     add(words("greatest speed [m/s]"), &SeriesRow::max_speed);
@@ -75,7 +70,7 @@ std::string series_charts(const ReportInput& input) {
         std::string alt = words("Curves over time: {1}", {label});
         for (const render::ChartSeries& one : series)
             alt += "; " + one.label + ": " + words("at most {1}", {greatest_text(one.points, words)});
-        charts += chart_figures({"", seconds, label, std::move(series), {0}}, alt, words);
+        charts.add(chart_figures({"", seconds, label, std::move(series), {0}}, alt, words));
     };
     const Recording& recording = input.prepared.scene.recording;
     std::vector<render::ChartSeries> gauges = named(recording.gauges), sections = named(recording.sections);
@@ -84,10 +79,10 @@ std::string series_charts(const ReportInput& input) {
         sections[row.section].points.push_back({row.time, row.discharge});
     add_places(words("depth at the gauges [m]"), std::move(gauges));
     add_places(words("discharge through the cross-sections [m³/s]"), std::move(sections));
-    return in_columns(charts);
+    return Document().columns(std::move(charts));  // beside each other, where there is room
 }
 
-std::string score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words) {
+Document score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words) {
     render::ChartSeries jaccard, hit, alarm;
     jaccard.label = "Jaccard";
     hit.label = words("true positive rate");

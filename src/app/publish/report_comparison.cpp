@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void add_statistics(HtmlTable& table, const ComparisonStatistics& f, const Words& words) {
+void add_statistics(Table& table, const ComparisonStatistics& f, const Words& words) {
     const auto area = [&](const std::string& name, double value) {
         table.number(name, words.number(grouped(value)), "m²");
     };
@@ -46,8 +46,8 @@ void add_statistics(HtmlTable& table, const ComparisonStatistics& f, const Words
     score(words("Area under the ROC curve, best 1"), f.auroc, "");
 }
 
-std::string scores_table(const Comparison& c, const Words& words) {
-    HtmlTable table;
+Table scores_table(const Comparison& c, const Words& words) {
+    Table table;
     const auto number = [&](double value) { return words.number(number_text(value, 3)); };
     const auto signed_number = [&](double value) { return words.number(signed_number_text(value)); };
     if (c.statistics) add_statistics(table, *c.statistics, words);
@@ -73,11 +73,11 @@ std::string scores_table(const Comparison& c, const Words& words) {
     }
     for (const TipComparison& tip : c.tips)
         table.number(words("Tip {1}: distance, + beyond, − short", {tip.name}), signed_number(tip.distance_m), "m");
-    return table.html();
+    return table;
 }
 
-std::string deposit_table(const Comparison& c, const Words& words) {
-    HtmlTable table;
+Table deposit_table(const Comparison& c, const Words& words) {
+    Table table;
     const auto number = [&](double value) { return words.number(number_text(value, 3)); };
     add_statistics(table, *c.deposit_overlap, words);
     if (const auto& d = c.deposit_depth) {
@@ -88,7 +88,7 @@ std::string deposit_table(const Comparison& c, const Words& words) {
             .number(words("Root mean square error of depth"), number(d->rmse_m), "m")
             .number(words("Correlation of the depths"), number(d->correlation), "");
     }
-    return "<h3>" + escaped_markup(words("Deposit")) + "</h3>\n" + table.html();
+    return table;
 }
 
 /// comparison.png of a result as a page has it, which exists as long as this.
@@ -124,9 +124,10 @@ class PictureForPage {
 
 }  // namespace
 
-std::string comparison_answer(const std::optional<Comparison>& comparison, const Words& words) {
+Document comparison_answer(const std::optional<Comparison>& comparison, const Words& words) {
     const std::string lead = words("Against the survey.");
-    if (!comparison) return paragraph(lead, words("Not compared with an observed outline (frana compare does it)."));
+    if (!comparison)
+        return Document().paragraph(lead, words("Not compared with an observed outline (frana compare does it)."));
     std::string text;
     if (const auto& f = comparison->statistics) {
         text = words(
@@ -141,34 +142,35 @@ std::string comparison_answer(const std::optional<Comparison>& comparison, const
                 words("Run-out, simulated minus observed: {1} m.",
                       {words.number(signed_number_text(*comparison->runout_difference_m))});
     if (text.empty()) text = words("The distances are in the table of the comparison.");
-    return paragraph(lead, text);
+    return Document().paragraph(lead, text);
 }
 
-std::string comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
-                               const Words& words) {
-    if (!comparison) return "";
+Document comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
+                            const Words& words) {
+    if (!comparison) return {};
     const Comparison& c = *comparison;
-    std::string html = "<h2 id=\"comparison\">" + escaped_markup(words("Comparison with the survey")) + "</h2>\n";
-    if (c.statistics && fs::exists(picture)) {
-        const std::string alt =
+    Document section;
+    section.heading("comparison", words("Comparison with the survey"));
+    if (c.statistics && fs::exists(picture))
+        section.add(Figure{
+            picture, words("Simulated against observed area"),
             words("Map of the comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
                   {words.number(grouped(c.statistics->hit_m2)), words.number(grouped(c.statistics->false_alarm_m2)),
-                   words.number(grouped(c.statistics->miss_m2))});
-        html += figure_html(picture, words("Simulated against observed area"), alt);
-    }
-    html += "<div class=\"columns\">\n<div>" + scores_table(c, words) + "</div>\n";
-    if (!c.curve.empty())
-        html += "<div><h3>" + escaped_markup(words("Scores over the depth threshold")) + "</h3>\n" +
-                score_chart(c.curve, words) + "</div>\n";
-    html += "</div>\n";
-    return c.deposit_overlap ? html + deposit_table(c, words) : html;
+                   words.number(grouped(c.statistics->miss_m2))})});
+    Document columns;
+    columns.box("", document(scores_table(c, words)));
+    if (!c.curve.empty()) columns.box(words("Scores over the depth threshold"), score_chart(c.curve, words));
+    section.columns(std::move(columns));
+    if (c.deposit_overlap) section.subheading(words("Deposit")).add(deposit_table(c, words));
+    return section;
 }
 
 bool renew_report(const std::string& folder, const Comparison& comparison, const MapSource& source) {
     return renew_page(folder, [&](const Words& words) {
         const PictureForPage picture(folder, comparison, source);
-        return std::vector<PagePart>{{k_comparison_answer, comparison_answer(comparison, words)},
-                                     {k_comparison_section, comparison_section(comparison, picture.path(), words)}};
+        return std::vector<PagePart>{
+            {k_comparison_answer, html_of(comparison_answer(comparison, words))},
+            {k_comparison_section, html_of(comparison_section(comparison, picture.path(), words))}};
     });
 }
 
@@ -179,18 +181,19 @@ std::string map_title(const ProbabilityMap& map, const Words& words) {
     return row == nullptr ? map.name : raster_title(*row, map.name, words);
 }
 
-std::string answer(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
+Document answer(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
     const ReportNumbers number(words);
-    return paragraph(words("Against the survey."),
-                     words("{1}: Brier score {2} (0: perfect), skill {3} (1: perfect, 0: as good as the mean "
-                           "everywhere), area under the ROC curve {4} (1: perfect).",
-                           {map_title(map, words), number(scores.brier, 3), number(scores.brier_skill, 3),
-                            number(scores.auroc, 3)}));
+    return Document().paragraph(
+        words("Against the survey."),
+        words(
+            "{1}: Brier score {2} (0: perfect), skill {3} (1: perfect, 0: as good as the mean "
+            "everywhere), area under the ROC curve {4} (1: perfect).",
+            {map_title(map, words), number(scores.brier, 3), number(scores.brier_skill, 3), number(scores.auroc, 3)}));
 }
 
-std::string section(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
+Document section(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
     const ReportNumbers number(words);
-    HtmlTable table;
+    Table table;
     table.number(words("Observed area"), number.grouped(scores.observed_area_m2), "m²")
         .number(words("Brier score, best 0"), number(scores.brier, 3), "")
         .number(words("Brier skill, best 1"), number(scores.brier_skill, 3), "")
@@ -198,19 +201,21 @@ std::string section(const ProbabilityScores& scores, const ProbabilityMap& map, 
                 number(scores.reliability, 3), "")
         .number(words("Resolution: how far they differ from the mean"), number(scores.resolution, 3), "")
         .number(words("Area under the ROC curve, best 1"), number(scores.auroc, 3), "");
-    std::string html = "<h2 id=\"comparison\">" + escaped_markup(words("Comparison with the survey")) + "</h2>\n";
-    html += svg_figure(
-        page_chart_svg(probability_chart(scores, map)), map_title(map, words),
-        words("Reliability of the probabilities, and their ROC curve with an area of {1}", {number(scores.auroc, 3)}));
-    return html + table.html();
+    return Document()
+        .heading("comparison", words("Comparison with the survey"))
+        .add(Figure{"", map_title(map, words),
+                    words("Reliability of the probabilities, and their ROC curve with an area of {1}",
+                          {number(scores.auroc, 3)}),
+                    page_chart_svg(probability_chart(scores, map))})
+        .add(table);
 }
 
 }  // namespace
 
 bool renew_report(const std::string& folder, const ProbabilityScores& scores, const ProbabilityMap& map) {
     return renew_page(folder, [&](const Words& words) {
-        return std::vector<PagePart>{{k_comparison_answer, answer(scores, map, words)},
-                                     {k_comparison_section, section(scores, map, words)}};
+        return std::vector<PagePart>{{k_comparison_answer, html_of(answer(scores, map, words))},
+                                     {k_comparison_section, html_of(section(scores, map, words))}};
     });
 }
 

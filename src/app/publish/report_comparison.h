@@ -7,6 +7,7 @@
 #include "app/compare/comparison.h"
 #include "app/compare/probability_comparison.h"
 #include "app/pictures/map_source.h"
+#include "app/publish/document.h"
 #include "core/words/words.h"
 
 namespace frana::app {
@@ -19,11 +20,11 @@ inline constexpr const char* k_comparison_answer = "comparison answer";
 inline constexpr const char* k_comparison_section = "comparison";
 
 /// The sentence of the first page; also if nothing was compared.
-std::string comparison_answer(const std::optional<Comparison>& comparison, const Words& words);
+Document comparison_answer(const std::optional<Comparison>& comparison, const Words& words);
 /// The section: the map (if that file exists), the scores, their curve; empty without a comparison.
 /// @param picture comparison.png, or one drawn for the page
-std::string comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
-                               const Words& words);
+Document comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
+                            const Words& words);
 
 /// Puts a comparison into report.html of a result, as renew_page.
 /// @param source that comparison.png was drawn from, if it was drawn

@@ -71,11 +71,11 @@ namespace {
 constexpr std::size_t k_most_rows = 20;  // of hundreds, the files of the result have the rest
 
 /// The separate flows of a result, if it has several.
-std::string flows_table(const std::vector<Runout>& run_outs, const Words& words) {
-    if (run_outs.size() < 2) return "";
+Document flows_table(const std::vector<Runout>& run_outs, const Words& words) {
+    if (run_outs.size() < 2) return {};
     const ReportNumbers number(words);
-    HtmlTable table({words("Flow"), words("Run-out [m]"), words("Drop [m]"), words("Angle of reach [°]"),
-                     words("Area [m²]"), words("From"), words("To")});
+    Table table({words("Flow"), words("Run-out [m]"), words("Drop [m]"), words("Angle of reach [°]"),
+                 words("Area [m²]"), words("From"), words("To")});
     const auto place = [](Point p) { return number_text(p.x, 9) + ", " + number_text(p.y, 9); };
     for (std::size_t i = 0; i < std::min(run_outs.size(), k_most_rows); ++i) {
         const Runout& one = run_outs[i];
@@ -83,44 +83,44 @@ std::string flows_table(const std::vector<Runout>& run_outs, const Words& words)
                    number(one.reach_angle_deg, 3), number.grouped(one.covered_area_m2), place(one.top),
                    place(one.tip)});
     }
-    return table.html();
+    return document(table);
 }
 
-std::string gauges_table(const ReportInput& input) {
+Document gauges_table(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
     const std::vector<GaugeAnswer> gauges = gauge_answers(input);
-    if (gauges.empty()) return "";
-    HtmlTable table({words("Gauge"), words("First arrival [s]"), words("Greatest depth [m]"), words("its error"),
-                     words("Greatest speed [m/s]"), words("its error")});
+    if (gauges.empty()) return {};
+    Table table({words("Gauge"), words("First arrival [s]"), words("Greatest depth [m]"), words("its error"),
+                 words("Greatest speed [m/s]"), words("its error")});
     for (const GaugeAnswer& one : gauges) {
         const std::string key = "gauge " + one.name + ": ";
         table.row({one.name, one.arrival ? number(*one.arrival, 3) : words("not reached"), number(one.depth, 3),
                    error_text(input.errors, key + "max_depth_m", words), number(one.speed, 3),
                    error_text(input.errors, key + "max_speed_ms", words)});
     }
-    return table.html();
+    return document(table);
 }
 
-std::string sections_table(const ReportInput& input) {
+Document sections_table(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
     const std::vector<CrossSection>& sections = input.prepared.scene.recording.sections;
-    if (sections.empty()) return "";
+    if (sections.empty()) return {};
     std::vector<double> discharge(sections.size()), volume(sections.size());
     for (const SectionRow& row : input.result.sections) {
         discharge[row.section] = std::max(discharge[row.section], std::abs(row.discharge));
         volume[row.section] = row.volume;
     }
-    HtmlTable table({words("Cross-section"), words("Greatest discharge [m³/s]"), words("its error"),
-                     words("Volume [m³]"), words("its error")});
+    Table table({words("Cross-section"), words("Greatest discharge [m³/s]"), words("its error"), words("Volume [m³]"),
+                 words("its error")});
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const std::string key = "section " + sections[i].name + ": ";
         table.row({sections[i].name, number(discharge[i], 3),
                    error_text(input.errors, key + "max_discharge_m3s", words), number.grouped(volume[i]),
                    error_text(input.errors, key + "volume_m3", words)});
     }
-    return table.html();
+    return document(table);
 }
 
 /// The scene with its files as seen from the result: a report is handed on with the folder, not with the machine.
@@ -140,10 +140,10 @@ std::string extent_in(const Bounds& box, const Words& words) {
 
 }  // namespace
 
-std::string high_values_table(const ReportInput& input) {
+Document high_values_table(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
-    HtmlTable table({"", words("greatest"), words("99.9 % of the area"), words("99 % of the area")});
+    Table table({"", words("greatest"), words("99.9 % of the area"), words("99 % of the area")});
     const PeakStatistics& high = input.facts.high;
     for (std::size_t i = 0; i < high.size(); ++i) {
         const PeakStatistic& what = k_peak_statistics[i];
@@ -152,18 +152,20 @@ std::string high_values_table(const ReportInput& input) {
                    number(std::isnan(high[i].greatest) ? 0 : high[i].greatest), value(high[i].p999),
                    value(high[i].p99)});
     }
-    return table.html() +
-           small_print(
-               words("The greatest value is that of a single cell; 99.9 % and 99 % of the area deeper than {1} m do "
-                     "not exceed the others, with the maximum over time in each cell.",
-                     {number(input.prepared.spec.output.trace_threshold)})) +
-           flows_table(input.facts.statistics.run_outs, words) + gauges_table(input) + sections_table(input);
+    return Document()
+        .add(table)
+        .small(
+            words("The greatest value is that of a single cell; 99.9 % and 99 % of the area deeper than {1} m do not "
+                  "exceed the others, with the maximum over time in each cell.",
+                  {number(input.prepared.spec.output.trace_threshold)}))
+        .add(flows_table(input.facts.statistics.run_outs, words))
+        .add(gauges_table(input))
+        .add(sections_table(input));
 }
 
-std::string ground_table(const SummaryFacts& facts, const Words& words) {
+Document ground_table(const SummaryFacts& facts, const Words& words) {
     const ReportNumbers number(words);
-    HtmlTable table(
-        {"", words("lowest [m]"), words("highest [m]"), words("mean slope [°]"), words("steepest slope [°]")});
+    Table table({"", words("lowest [m]"), words("highest [m]"), words("mean slope [°]"), words("steepest slope [°]")});
     const auto row = [&](const std::string& where, const std::optional<GroundStatistics>& ground) {
         if (!ground) return;
         table.row({where, number(ground->lowest, 5), number(ground->highest, 5), number(ground->mean_slope_deg, 3),
@@ -171,12 +173,12 @@ std::string ground_table(const SummaryFacts& facts, const Words& words) {
     };
     row(words("Release"), facts.release_ground);
     row(words("Path"), facts.path_ground);
-    return table.html();
+    return document(table);
 }
 
-std::string budget_table(const RunResult& r, const Words& words) {
+Document budget_table(const RunResult& r, const Words& words) {
     const ReportNumbers n(words);
-    HtmlTable table;
+    Table table;
     const auto volume = [&](const std::string& name, double value) { table.number(name, n.grouped(value), "m³"); };
     volume(words("Released, at the start and later"), r.volume_entered - r.volume_inflow);
     if (r.volume_inflow > 0) volume(words("Inflow"), r.volume_inflow);
@@ -199,16 +201,17 @@ std::string budget_table(const RunResult& r, const Words& words) {
     }
     volume(words("Inside at the end"), r.volume_final);
     volume(words("Left the computed ground"), r.volume_left);
-    return table.number(words("Budget error, of all volume that came in"), n(relative_volume_error(r), 2), "").html();
+    return document(
+        table.number(words("Budget error, of all volume that came in"), n(relative_volume_error(r), 2), ""));
 }
 
-std::string numerics_table(const ReportInput& input) {
+Document numerics_table(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers n(words);
     const RunResult& r = input.result;
     const GridSpec& grid = input.prepared.scene.grid;
     const HardEvents& e = r.hard_events;
-    HtmlTable table;
+    Table table;
     const auto event = [&](const std::string& name, std::int64_t count) {
         table.number(name, n.grouped(count), words("0 in a good run"));
     };
@@ -225,23 +228,23 @@ std::string numerics_table(const ReportInput& input) {
     event(words("Particles over ground without elevation"), e.entered_no_data);
     event(words("Speeds above what the fall allows"), e.impossible_speed);
     event(words("Steps with a volume error"), e.volume_drift);
-    return table.html();
+    return document(table);
 }
 
 std::string terms_note(const ReportInput& input) {
     std::vector<std::string> terms;
     for (const std::string& term : input.result.terms) terms.push_back(term_in(term, input.words));
-    return small_print(input.words("Computed: {1}", {joined(terms, "; ")}));
+    return input.words("Computed: {1}", {joined(terms, "; ")});
 }
 
-std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {
+Document accuracy_tables(const AccuracyRecord& record, const Words& words) {
     const ReportNumbers n(words);
-    HtmlTable levels({words("cells [m]"), words("particles"), words("steps"), words("time [s]"), words("problem")});
+    Table levels({words("cells [m]"), words("particles"), words("steps"), words("time [s]"), words("problem")});
     for (const AccuracyLevel& level : record.levels) {
         levels.row({n(level.cell_size), n.grouped(level.particles), n.grouped(level.steps), n(level.wall_seconds, 3),
                     level.problem});
     }
-    HtmlTable values({words("value"), "", words("estimated error"), words("trend"), words("claimed")});
+    Table values({words("value"), "", words("estimated error"), words("trend"), words("claimed")});
     for (const ValueEstimate& e : value_estimates(record)) {
         const std::string unit = " " + unit_sign(e.value.unit);
         values.row({title_in(e.value, words), n.rounded(e.value.value) + unit,
@@ -251,63 +254,68 @@ std::string accuracy_tables(const AccuracyRecord& record, const Words& words) {
                     : e.is_within() ? words("yes")
                                     : words("no")});
     }
-    return "<p>" + escaped_markup(accuracy_verdict(record, words)) + ".</p>\n" + values.html() + "<h3>" +
-           escaped_markup(words("Levels computed")) + "</h3>\n" + levels.html();
+    return Document()
+        .paragraph(accuracy_verdict(record, words) + ".")
+        .add(values)
+        .subheading(words("Levels computed"))
+        .add(levels);
 }
 
-std::string release_table(const RunResult& result, const Words& words) {
+Document release_table(const RunResult& result, const Words& words) {
     const ReportNumbers n(words);
-    HtmlTable table({words("area"), words("name"), words("start [s]"), words("area [m²]"), words("volume [m³]")});
+    Table table({words("area"), words("name"), words("start [s]"), words("area [m²]"), words("volume [m³]")});
     for (std::size_t i = 0; i < result.released.size(); ++i) {
         const ReleasedArea& area = result.released[i];
         table.row({std::to_string(i + 1), area.name.empty() ? "–" : area.name, n(area.start), n.grouped(area.area),
                    n.grouped(area.volume)});
     }
-    return table.html();
+    return document(table);
 }
 
-std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
+Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
     const ReportNumbers n(words);
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
-    HtmlTable table({words("class"), "", words("thresholds"), words("area [m²]")});
+    Table table({words("class"), "", words("thresholds"), words("area [m²]")});
     for (const HazardArea& area : areas) {
-        table.raw("<tr><td>" + std::to_string(area.kind.value) +
-                  "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) + "\"></span> " +
-                  (area.kind.name == area.kind.thresholds ? "" : escaped_markup(words(area.kind.name))) + "</td><td>" +
-                  escaped_markup(class_label(area.kind.thresholds, words)) + "</td><td class=\"n\">" +
-                  n.grouped(area.area_m2) + "</td></tr>\n");
+        Cell kind = area.kind.name == area.kind.thresholds ? "" : words(area.kind.name);
+        kind.swatch = hex(area.kind.colour);
+        table.row({std::to_string(area.kind.value),
+                   kind,
+                   class_label(area.kind.thresholds, words),
+                   {n.grouped(area.area_m2), "n"}});
     }
-    return "<p>" +
-           escaped_markup(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also "
-                                "depends on its frequency.",
-                                {scheme_title(*spec.hazard.scheme, words), words(scheme->source)})) +
-           "</p>\n" + table.html() + small_print(class_label(scheme->minimum_label(), words));
+    return Document()
+        .paragraph(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also depends on "
+                         "its frequency.",
+                         {scheme_title(*spec.hazard.scheme, words), words(scheme->source)}))
+        .add(table)
+        .small(class_label(scheme->minimum_label(), words));
 }
 
-std::string inputs_table(const Prepared& p, const Words& words) {
+Document inputs_table(const Prepared& p, const Words& words) {
     const ReportNumbers n(words);
-    HtmlTable table(
-        {words("input"), words("file"), words("content"), words("CRS"), words("operation to the working CRS")});
+    Table table({words("input"), words("file"), words("content"), words("CRS"), words("operation to the working CRS")});
     for (const UsedFile& file : p.files) {
         table.row({role_in(file, words),
                    p.result_folder.empty() ? file.path : relative_path(file.path, p.result_folder),
                    content_in(file, words), words(file.crs_label), operation_in(file, words)});
     }
-    std::string html = "<p>" +
-                       escaped_markup(words("Working CRS: {1}; extent {2}; cells without elevation: {3}, filled: {4}.",
-                                            {p.ground.crs_label, extent_in(p.scene.grid.bounds(), words),
-                                             n.grouped(p.ground.nodata_cells), n.grouped(p.ground.filled_cells)})) +
-                       "</p>\n" + table.html();
+    Document inputs;
+    inputs
+        .paragraph(words("Working CRS: {1}; extent {2}; cells without elevation: {3}, filled: {4}.",
+                         {p.ground.crs_label, extent_in(p.scene.grid.bounds(), words), n.grouped(p.ground.nodata_cells),
+                          n.grouped(p.ground.filled_cells)}))
+        .add(table);
     std::vector<std::string> remarks;
     for (const std::string& text : paragraphs_of(preset_comments(p.spec))) remarks.push_back(words(text));
     if (!remarks.empty())
-        html += "<h3>" + escaped_markup(words("Material preset {1}", {p.spec.material.preset.value_or("")})) +
-                "</h3>\n" + small_print(joined(remarks, " "));
-    return html;
+        inputs.subheading(words("Material preset {1}", {p.spec.material.preset.value_or("")}))
+            .small(joined(remarks, " "));
+    return inputs;
 }
 
-std::string parameters_table(const Prepared& p, bool only_used, const Words& words) {
-    HtmlTable table({words("key"), words("value"), words("origin"), words("meaning")});
+Document parameters_table(const Prepared& p, bool only_used, const Words& words) {
+    Table table({words("key"), words("value"), words("origin"), words("meaning")}, "keys");
     const SceneSpec shown = seen_from_result(p);
     for (const Parameter& parameter : scene_parameters()) {
         const std::string name = parameter.name();
@@ -321,7 +329,7 @@ std::string parameters_table(const Prepared& p, bool only_used, const Words& wor
         table.row({name, value, origin_text(p.spec, name, words), meaning_in(parameter, words)},
                   p.spec.origin_of(name) == Origin::default_value ? "" : "given");
     }
-    return table.html("keys");
+    return document(table);
 }
 
 }  // namespace frana::app

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "app/pictures/map_layer.h"
+#include "app/store/result_files.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "params/keys/result_rasters.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t k_warning_letters = 1000;  // of all in an answer
+
+/// Charts of studies and calibrations, by the names of their files.
+struct ChartTitle {
+    const char *name, *title;
+};
+constexpr ChartTitle k_chart_titles[] = {
+    {"exceedance", worded("exceedance")},
+    {"sensitivity", worded("sensitivity of the results")},
+    {"convergence", worded("convergence of the probabilities")},
+    {"response", worded("score over pairs of values")},
+    {"posterior", worded("values before and after the calibration")},
+    {"forecast", worded("fitted, and predicted from the other events")},
+};
+
+/// The title of a map or chart from the name of its file; names that no table has stay, with spaces.
+std::string picture_title(const std::string& name, const Words& words) {
+    const std::string layer = raster_of_map(name);
+    if (const ResultRaster* const row = find_result_raster(layer)) return raster_title(*row, layer, words);
+    for (const ChartTitle& chart : k_chart_titles)
+        if (name == chart.name) return words(chart.title);
+    std::string title = name;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    return title;
+}
+
+/// Puts no line break between the groups of a number, and between a number and its unit.
+std::string kept_together(const std::string& text) {
+    static constexpr std::string_view k_begins = "0123456789msk%P";
+    std::string together;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool in_value = text[i] == ' ' && i > 0 && i + 1 < text.size() && text[i - 1] >= '0' &&
+                              text[i - 1] <= '9' && k_begins.find(text[i + 1]) != std::string_view::npos;
+        together += in_value ? "\u00A0" : std::string(1, text[i]);
+    }
+    return together;
+}
+
+Paragraph no_warnings(const Words& words, const std::string& kind) {
+    return {{{words("The run gave no warnings.")}}, "", kind};
+}
+
+}  // namespace
+
+Table& Table::number(const std::string& name, const std::string& value, const std::string& unit,
+                     const std::vector<Cell>& more) {
+    std::vector<Cell> cells{name, {value, "n"}, {unit, "u"}};
+    cells.insert(cells.end(), more.begin(), more.end());
+    return row(std::move(cells));
+}
+
+Document& Document::paragraph(const std::string& lead, const std::string& text) {
+    return add(Paragraph{{{kept_together(text)}}, lead});
+}
+
+Document& Document::warnings(const std::vector<Sentence>& all, const Words& words) {
+    heading("warnings", words("Warnings"));
+    if (all.empty()) add(no_warnings(words, "good"));
+    for (const Sentence& warning : all) add(Paragraph{{{valid_utf8(warning.in(words))}}, "", "warning"});
+    return *this;
+}
+
+Document& Document::first_warnings(const std::vector<Sentence>& all, const Words& words) {
+    if (all.empty()) return add(no_warnings(words, ""));
+    // Half a warning may say the opposite.
+    std::size_t told = 0, letters = 0;
+    for (; told < all.size(); ++told) {
+        const std::string text = valid_utf8(all[told].in(words));
+        letters += text.size();
+        if (told > 0 && letters > k_warning_letters) break;
+        add(Paragraph{{{text}}, words("Warning:"), "warning"});
+    }
+    if (all.size() > told) paragraph(words("{1} warnings in all, see below.", {std::to_string(all.size())}));
+    return *this;
+}
+
+Document& Document::pictures(const std::vector<std::string>& paths, const std::string& kind, const std::string& folder,
+                             const Words& words) {
+    for (const std::string& path : paths) {
+        const std::string title = picture_title(fs::path(path).stem().string(), words);
+        add(Figure{drawn_for_page(folder, path), title, words.labelled(kind, title)});
+    }
+    return *this;
+}
+
+std::string drawn_for_page(const std::string& folder, const std::string& path) {
+    const fs::path stem = fs::path(folder) / k_page_folder / fs::path(path).stem();
+    for (const char* ending : {".svg", ".png"})
+        if (const std::string own = stem.string() + ending; fs::exists(own)) return own;
+    return path;
+}
+
+std::vector<std::string> pictures_in(const std::string& folder) {
+    std::vector<std::string> paths;
+    for (const fs::directory_entry& entry : folder_entries(fs::path(folder)))
+        if (entry.path().extension() == ".png") paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+}  // namespace frana::app
