@@ -26,12 +26,12 @@ constexpr Rgb k_ink{20, 20, 20}, k_grey{150, 150, 150};
 constexpr Rgb k_levels[] = {{198, 219, 239}, {158, 202, 225}, {107, 174, 214},
                             {66, 146, 198},  {33, 113, 181},  {8, 69, 148}};
 
-render::Chart page(const MapSource& source, const std::string& what, const std::string& subtitle,
-                   const std::string& file, std::size_t panels) {
-    render::Chart chart = chart_sheet(source, what, subtitle, file);
-    chart.across = panels <= 1 ? 1 : panels <= 4 ? 2 : 3;
-    return chart;
-}
+/// What the charts of a calibration show.
+struct CalibrationData {
+    const CalibrationInput& input;
+    const CalibrationRuns& runs;
+    const CalibrationResult& result;
+};
 
 /// The values of one key at places, for axes.
 class KeyAxis {
@@ -168,13 +168,13 @@ render::ChartPanel response_panel(const CalibrationInput& input, const Calibrati
     return panel;
 }
 
-void add_response(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                  const MapSource& source, std::vector<NamedChart>& charts) {
+std::optional<render::Chart> response(const CalibrationData& data, const std::string& title, const MapSource& source) {
+    const CalibrationResult& result = data.result;
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t a = 0; a < result.keys.size(); ++a)
         for (std::size_t b = a + 1; b < result.keys.size(); ++b)
             if (!result.keys[a].prior.is_nominal() && !result.keys[b].prior.is_nominal()) pairs.emplace_back(a, b);
-    if (pairs.empty()) return;
+    if (pairs.empty()) return std::nullopt;
     // Those that the surveys determine best tell most.
     const auto width = [&](const auto& pair) {
         return result.posteriors[pair.first].width + result.posteriors[pair.second].width;
@@ -182,13 +182,13 @@ void add_response(const CalibrationInput& input, const CalibrationRuns& runs, co
     std::stable_sort(pairs.begin(), pairs.end(),
                      [&](const auto& one, const auto& other) { return width(one) < width(other); });
     if (pairs.size() > k_most_panels) pairs.resize(k_most_panels);
-    render::Chart chart =
-        page(source, source.style.words("score over pairs of values"),
-             source.style.words("contours: mean score of the first members; points: the members of the posterior"),
-             "design.csv, posterior.csv", pairs.size());
+    render::Chart chart = chart_sheet(
+        source, title,
+        source.style.words("contours: mean score of the first members; points: the members of the posterior"),
+        "design.csv, posterior.csv", pairs.size());
     for (const auto& [a, b] : pairs)
-        chart.panels.push_back(response_panel(input, runs, result, a, b, source.style.words));
-    charts.push_back({"response", std::move(chart)});
+        chart.panels.push_back(response_panel(data.input, data.runs, result, a, b, source.style.words));
+    return chart;
 }
 
 std::vector<Point> staircase(const std::vector<double>& values, const std::vector<double>& weights) {
@@ -206,19 +206,22 @@ std::vector<Point> staircase(const std::vector<double>& values, const std::vecto
     return points;
 }
 
-void add_posterior(const CalibrationInput& input, const CalibrationResult& result, const MapSource& source,
-                   std::vector<NamedChart>& charts) {
+std::optional<render::Chart> posterior(const CalibrationData& data, const std::string& title, const MapSource& source) {
+    const CalibrationResult& result = data.result;
     std::vector<const study::KeySample*> keys;
     for (const study::KeySample& key : result.keys)
         if (!key.prior.is_nominal() && keys.size() < k_most_panels) keys.push_back(&key);
-    if (keys.empty()) return;
+    if (keys.empty()) return std::nullopt;
     const Words& words = source.style.words;
-    render::Chart chart = page(source, words("values before and after the calibration"),
-                               words("probability that the value is smaller"), "posterior.csv", keys.size());
+    render::Chart chart =
+        chart_sheet(source, title, words("probability that the value is smaller"), "posterior.csv", keys.size());
     for (const study::KeySample* key : keys) {
         const KeyAxis axis(*key);
-        render::ChartPanel panel{
-            column_of(input.spec(), *key), axis_label(input.spec(), *key), words("probability [-]"), {}, {0, 1}};
+        render::ChartPanel panel{column_of(data.input.spec(), *key),
+                                 axis_label(data.input.spec(), *key),
+                                 words("probability [-]"),
+                                 {},
+                                 {0, 1}};
         panel.x = axis.scale;
         render::ChartSeries prior{words("before"), k_grey, {}};
         prior.stroke = render::Stroke::dashed;
@@ -228,17 +231,18 @@ void add_posterior(const CalibrationInput& input, const CalibrationResult& resul
         panel.series.push_back({words("after"), k_colours[0], staircase(key->numbers, result.weights), 2.6});
         chart.panels.push_back(std::move(panel));
     }
-    charts.push_back({"posterior", std::move(chart)});
+    return chart;
 }
 
 /// One row for each event and kind of score: a bar from the 5 to the 95 % quantile, the score of the best values.
-void add_forecast(const CalibrationInput& input, const CalibrationResult& result, const MapSource& source,
-                  std::vector<NamedChart>& charts) {
-    if (input.events() < 2) return;
+std::optional<render::Chart> forecast(const CalibrationData& data, const std::string& title, const MapSource& source) {
+    const CalibrationInput& input = data.input;
+    const CalibrationResult& result = data.result;
+    if (input.events() < 2) return std::nullopt;
     const Words& words = source.style.words;
-    render::Chart chart = page(source, words("fitted, and predicted from the other events"),
-                               words("bar: scores of 5 to 95 % of the weight; diamond: of the best values; 1 agrees"),
-                               "calibration.json", 1);
+    render::Chart chart = chart_sheet(
+        source, title, words("bar: scores of 5 to 95 % of the weight; diamond: of the best values; 1 agrees"),
+        "calibration.json", 1);
     render::ChartPanel panel{"", words("score [-]"), "", {}};
     panel.has_rows = true;
     panel.on_x = {0, 1};
@@ -260,8 +264,15 @@ void add_forecast(const CalibrationInput& input, const CalibrationResult& result
         }
     }
     chart.panels.push_back(std::move(panel));
-    charts.push_back({"forecast", std::move(chart)});
+    return chart;
 }
+
+/// Every chart of a calibration, in the order of the page.
+constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
+    {{"forecast", worded("fitted, and predicted from the other events")}, forecast},
+    {{"posterior", worded("values before and after the calibration")}, posterior},
+    {{"response", worded("score over pairs of values")}, response},
+};
 
 }  // namespace
 
@@ -291,11 +302,11 @@ Raster smoothed_scores(const std::vector<double>& first, const std::vector<doubl
 
 std::vector<NamedChart> calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
                                            const CalibrationResult& result, const MapSource& source) {
-    std::vector<NamedChart> charts;
-    add_response(input, runs, result, source, charts);
-    add_posterior(input, result, source, charts);
-    add_forecast(input, result, source, charts);
-    return charts;
+    return charts_of(k_calibration_charts, CalibrationData{input, runs, result}, source);
+}
+
+std::vector<ChartTitle> calibration_chart_titles() {
+    return titles_of(k_calibration_charts);
 }
 
 }  // namespace frana::app

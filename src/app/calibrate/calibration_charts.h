@@ -8,10 +8,13 @@
 
 namespace frana::app {
 
-/// Returns the charts of a calibration: `response`, the score over pairs of keys; `posterior`, the distribution of each
-/// key before and after; `forecast`, the scores of each event, fitted and predicted from the others.
+/// Returns the charts of a calibration: `forecast`, the scores of each event, fitted and predicted from the others;
+/// `posterior`, the distribution of each key before and after; `response`, the score over pairs of keys.
 std::vector<NamedChart> calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
                                            const CalibrationResult& result, const MapSource& source);
+
+/// Returns those that a calibration may have, in the order of the page.
+std::vector<ChartTitle> calibration_chart_titles();
 
 /// Returns the mean score round the centres of n x n equal parts of the distributions of two keys, from the members of
 /// a stage: weighted by exp(-r^2 / (2 b^2)) over the distance r in places, b = 0.08. Row 0 has the greatest places of

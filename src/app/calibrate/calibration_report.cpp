@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "analysis/trace.h"
+#include "app/calibrate/calibration_charts.h"
 #include "app/compare/comparison.h"
 #include "app/ensemble/map_writer.h"
 #include "app/input/scene_language.h"
@@ -301,17 +302,16 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
                               const CalibrationResult& result, const CalibrationFacts& facts,
                               const ResultDirectory& directory) {
     const Words words = words_of(input.own.front().base.spec);
-    const std::vector<std::string> maps = pictures_in(directory.path("maps")),
-                                   charts = pictures_in(directory.path("charts"));
+    const std::vector<std::string> maps = pictures_in(directory.path("maps"));
     const std::string& folder = directory.folder();
     Document page = answer(input, runs, result, facts, words);
     page.end_answer().heading("maps", words("Maps"));
     if (maps.empty()) page.paragraph(words("There are no maps."));
-    page.pictures(maps, words("Map"), folder, words)
+    page.maps(maps, folder, words)
         .heading("scores", words("How well the events are explained"))
         .add(scores_table(input, result, words))
-        .add(misfits_table(input, runs, result, words));
-    if (!charts.empty()) page.heading("charts", words("Charts")).pictures(charts, words("Chart"), folder, words);
+        .add(misfits_table(input, runs, result, words))
+        .charts(calibration_chart_titles(), folder, words);
     add_inputs(input, words, page);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
     if (runs.last().failed() > 0)

@@ -37,16 +37,12 @@ namespace {
 constexpr std::size_t k_most_panels = 9;
 constexpr const auto& k_colours = render::k_chart_colours;
 
-render::Chart page(const MapSource& source, const std::string& what, const std::string& subtitle,
-                   const std::string& file, int across) {
-    render::Chart chart = chart_sheet(source, what, subtitle, file);
-    chart.across = across;
-    return chart;
-}
-
-int across_of(std::size_t panels) {
-    return panels <= 1 ? 1 : panels <= 4 ? 2 : 3;
-}
+/// What the charts of a study show.
+struct ChartData {
+    const StudyInput& input;
+    const StudyResult& result;
+    const std::vector<FigureSensitivity>& sensitivities;
+};
 
 std::string axis_label(const study::Figure& figure, const Words& words) {
     return figure_title(figure, words) + (figure.unit.empty() || figure.unit == "-" ? "" : " [" + figure.unit + "]");
@@ -67,10 +63,12 @@ std::vector<Point> exceedance_curve(const std::vector<double>& values, const std
     return points;
 }
 
-NamedChart exceedance_chart(const StudyResult& result, const MapSource& source) {
+std::optional<render::Chart> exceedance(const ChartData& data, const std::string& title, const MapSource& source) {
+    const StudyResult& result = data.result;
+    if (result.figures().empty()) return std::nullopt;
     const Words& words = source.style.words;
-    render::Chart chart = page(source, words("exceedance"), words("fraction of the members with more than the value"),
-                               "members.csv", across_of(std::min(k_most_panels, result.figures().size())));
+    render::Chart chart = chart_sheet(source, title, words("fraction of the members with more than the value"),
+                                      "members.csv", std::min(k_most_panels, result.figures().size()));
     for (std::size_t f = 0; f < result.figures().size() && chart.panels.size() < k_most_panels; ++f) {
         const study::Figure& figure = result.figures()[f];
         render::ChartPanel panel{
@@ -78,19 +76,20 @@ NamedChart exceedance_chart(const StudyResult& result, const MapSource& source) 
         panel.series.push_back({"", k_colours[0], exceedance_curve(result.figure(f), result.finished.weights), 2.4});
         chart.panels.push_back(std::move(panel));
     }
-    return {"exceedance", chart};
+    return chart;
 }
 
 /// One bar for each key, from 0 to its value, with its interval as a thin line.
-NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool by_indices,
-                             const MapSource& source) {
+std::optional<render::Chart> sensitivity(const ChartData& data, const std::string& title, const MapSource& source) {
+    if (data.sensitivities.empty()) return std::nullopt;
     const Words& words = source.style.words;
-    render::Chart chart =
-        page(source, words("sensitivity of the results"),
-             words(by_indices ? worded("bar: total Sobol' index, thin line: its interval of 95 %, circle: first order")
-                              : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
-             "sensitivity.csv", across_of(std::min(k_most_panels, figures.size())));
-    for (const FigureSensitivity& figure : figures) {
+    const bool by_indices = data.input.table.groups > 0;
+    render::Chart chart = chart_sheet(
+        source, title,
+        words(by_indices ? worded("bar: total Sobol' index, thin line: its interval of 95 %, circle: first order")
+                         : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
+        "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
+    for (const FigureSensitivity& figure : data.sensitivities) {
         if (chart.panels.size() == k_most_panels) break;
         render::ChartPanel panel{figure_title(figure.figure, words),
                                  words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
@@ -107,7 +106,7 @@ NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSe
             if (!value) continue;
             const double y = count - static_cast<double>(k);
             const Rgb colour = k_colours[k % std::size(k_colours)];
-            render::ChartSeries bar{input.table.keys[k], colour, {{0, y}, {value->value, y}}, 14};
+            render::ChartSeries bar{data.input.table.keys[k], colour, {{0, y}, {value->value, y}}, 14};
             panel.series.push_back(std::move(bar));
             panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
             if (!by_indices) continue;
@@ -117,14 +116,15 @@ NamedChart sensitivity_chart(const StudyInput& input, const std::vector<FigureSe
         }
         chart.panels.push_back(std::move(panel));
     }
-    return {"sensitivity", chart};
+    return chart;
 }
 
-NamedChart convergence_chart(const std::vector<ErrorAt>& convergence, const MapSource& source) {
+std::optional<render::Chart> convergence(const ChartData& data, const std::string& title, const MapSource& source) {
+    const std::vector<ErrorAt> errors = convergence_of(data.input, data.result);
+    if (errors.empty()) return std::nullopt;
     const Words& words = source.style.words;
-    render::Chart chart =
-        page(source, words("convergence of the probabilities"),
-             words("standard error of the probabilities of depth over the map"), words("records of the members"), 1);
+    render::Chart chart = chart_sheet(source, title, words("standard error of the probabilities of depth over the map"),
+                                      words("records of the members"), 1);
     render::ChartPanel panel{words("Standard error"), words("members"), words("standard error [-]"), {}};
     panel.x = panel.y = render::Scale::logarithmic;
     render::ChartSeries largest{words("largest"), k_colours[1], {}},
@@ -132,14 +132,21 @@ NamedChart convergence_chart(const std::vector<ErrorAt>& convergence, const MapS
     mean.stroke = render::Stroke::dashed;
     largest.marker = render::Marker::circle;
     mean.marker = render::Marker::square;
-    for (const ErrorAt& at : convergence) {
+    for (const ErrorAt& at : errors) {
         largest.points.push_back({static_cast<double>(at.members), at.error.largest});
         mean.points.push_back({static_cast<double>(at.members), at.error.mean});
     }
     panel.series = {largest, mean};
     chart.panels.push_back(std::move(panel));
-    return {"convergence", chart};
+    return chart;
 }
+
+/// Every chart of a study, in the order of the page.
+constexpr ChartRow<ChartData> k_charts[] = {
+    {{"exceedance", worded("exceedance")}, exceedance},
+    {{"sensitivity", worded("sensitivity of the results")}, sensitivity},
+    {{"convergence", worded("convergence of the probabilities")}, convergence},
+};
 
 /// The first members of a study that are independent of each other.
 study::FinishedMembers independent_members(const StudyResult& result) {
@@ -178,15 +185,8 @@ std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& 
     return all;
 }
 
-std::vector<NamedChart> study_charts(const StudyInput& input, const StudyResult& result,
-                                     const std::vector<FigureSensitivity>& sensitivities,
-                                     const std::vector<ErrorAt>& convergence, const MapSource& source) {
-    std::vector<NamedChart> charts;
-    if (!result.figures().empty()) charts.push_back(exceedance_chart(result, source));
-    if (!sensitivities.empty())
-        charts.push_back(sensitivity_chart(input, sensitivities, input.table.groups > 0, source));
-    if (!convergence.empty()) charts.push_back(convergence_chart(convergence, source));
-    return charts;
+std::vector<ChartTitle> study_charts() {
+    return titles_of(k_charts);
 }
 
 namespace {
@@ -486,7 +486,7 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
     }
     if (!output.charts || input.reading.study.per_polygon()) return good;  // of sources there is no distribution
     make_folder(written.path("charts"));
-    for (const NamedChart& one : study_charts(input, result, figures, convergence_of(input, result), source)) {
+    for (const NamedChart& one : charts_of(k_charts, ChartData{input, result, figures}, source)) {
         attempt("charts/" + one.name, [&] { write_chart(one, source.style, written.directory(), output.report); });
     }
     return good;

@@ -31,10 +31,8 @@ std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& 
 /// Returns the title of a figure of a study in a language: "run-out".
 std::string figure_title(const study::Figure& figure, const Words& words);
 
-/// Returns the charts of a study: exceedance of the figures, sensitivities, convergence.
-std::vector<NamedChart> study_charts(const StudyInput& input, const StudyResult& result,
-                                     const std::vector<FigureSensitivity>& sensitivities,
-                                     const std::vector<ErrorAt>& convergence, const MapSource& source);
+/// Returns the charts that a study may have, in the order of the page.
+std::vector<ChartTitle> study_charts();
 
 /// The ground of which a study says something: the working grid, of a region the DTM.
 Bounds computed_ground(const StudyInput& input);

@@ -387,21 +387,17 @@ Table failures_list(const StudyResult& result, const Words& words) {
     return table;
 }
 
-/// Puts the pictures of these names first, in their order.
-std::vector<std::string> with_first(const std::vector<std::string>& names, std::vector<std::string> pictures) {
-    for (auto name = names.rbegin(); name != names.rend(); ++name) {
-        const auto found = std::find_if(pictures.begin(), pictures.end(),
-                                        [&](const std::string& picture) { return fs::path(picture).stem() == *name; });
-        if (found != pictures.end()) std::rotate(pictures.begin(), found, found + 1);
-    }
-    return pictures;
-}
-
 /// The map that answers the question of the study first.
 std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDirectory& directory) {
     const std::vector<double>& depths = input.base.spec.output.depth_thresholds;
     const std::string of_runs = depths.empty() ? "" : "probability_depth_" + shortest_text(depths.front());
-    return with_first({of_runs, "hazard_degree", "union_max_depth"}, pictures_in(directory.path("maps")));
+    std::vector<std::string> maps = pictures_in(directory.path("maps"));
+    for (const std::string name : {"union_max_depth", "hazard_degree", of_runs.c_str()}) {
+        const auto found = std::find_if(maps.begin(), maps.end(),
+                                        [&](const std::string& map) { return fs::path(map).stem() == name; });
+        if (found != maps.end()) std::rotate(maps.begin(), found, found + 1);
+    }
+    return maps;
 }
 
 std::string title_of(const StudyInput& input, const Words& words) {
@@ -425,13 +421,11 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
                         const std::vector<FigureSensitivity>& figures, const StudyFacts& facts,
                         const ResultDirectory& directory) {
     const Words words = words_of(input.base.spec);
-    const std::vector<std::string> maps = maps_in_order(input, directory),
-                                   charts = with_first({"exceedance", "sensitivity", "convergence"},
-                                                       pictures_in(directory.path("charts")));
+    const std::vector<std::string> maps = maps_in_order(input, directory);
     const std::string& folder = directory.folder();
     Document page = study_answer(input, result, facts, words);
     page.add(exposure_answer(facts.exposure, exposure_reached_by(input), words));
-    if (!maps.empty()) page.pictures({maps.front()}, words("Map"), folder, words);
+    if (!maps.empty()) page.maps({maps.front()}, folder, words);
     // The first page of paper has room for a short table under its picture.
     const bool is_short = input.reading.study.per_polygon() || result.figures().size() <= k_figures_on_first_page;
     if (is_short) page.add(study_values(input, result, facts, words));
@@ -441,14 +435,14 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
         .add(exposure_section(facts.exposure, words))
         .add(slopes_section(input, result, words))
         .heading("maps", words("Maps"));
-    if (maps.size() > 1) page.pictures({maps.begin() + 1, maps.end()}, words("Map"), folder, words);
+    if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);
     if (maps.size() == 1) page.paragraph(words("The only map is on the first page."));
     if (maps.empty()) page.paragraph(words("There are no maps."));
     page.part(k_comparison_section, {});
     add_inputs(input, facts, words, page);
     if (!figures.empty())
         page.heading("sensitivity", words("Sensitivity")).add(sensitivity_table(input, figures, words));
-    if (!charts.empty()) page.heading("charts", words("Charts")).pictures(charts, words("Chart"), folder, words);
+    page.charts(study_charts(), folder, words);
     if (facts.median)
         page.heading("median", words("Median member")).add(median_paragraph(input, *facts.median, directory, words));
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);

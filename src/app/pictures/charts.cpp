@@ -19,7 +19,7 @@
 namespace frana::app {
 
 render::Chart chart_sheet(const MapSource& source, const std::string& what, const std::string& note,
-                          const std::string& file) {
+                          const std::string& file, std::size_t panels) {
     std::vector<std::string> parts{file, page_attribution(source)};
     for (std::string& line : block_lines(source.style)) parts.push_back(std::move(line));
     render::Chart chart;
@@ -28,6 +28,7 @@ render::Chart chart_sheet(const MapSource& source, const std::string& what, cons
     chart.long_subtitle = foot_line({note, scenario_line(source)});
     chart.foot = foot_line(parts);
     chart.words = source.style.words;
+    if (panels > 0) chart.across = panels == 1 ? 1 : panels <= 4 ? 2 : 3;
     return chart;
 }
 

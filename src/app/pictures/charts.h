@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/pictures/map_source.h"
@@ -14,14 +16,43 @@ namespace frana::app {
 /// Returns the page of a chart without its panels, with the texts that maps have. Below the title: `note`, then the
 /// scenario. At the foot: the chart's file, sources and author of the data; organisation, author and date.
 /// @param note about this chart; empty: none
+/// @param panels that it will have beside and below each other; 0: below each other
 render::Chart chart_sheet(const MapSource& source, const std::string& what, const std::string& note,
-                          const std::string& file);
+                          const std::string& file, std::size_t panels = 0);
 
 /// A chart with the name of its file.
 struct NamedChart {
     std::string name;  ///< "profile_flow_path"
     render::Chart chart;
 };
+
+/// A kind of chart: the name of its file and its title, in the chart and on the page.
+struct ChartTitle {
+    const char *name, *title;  ///< title: worded()
+};
+
+/// A kind of chart of a study or a calibration. `draw` returns none if there is nothing to show.
+template <class Data>
+struct ChartRow {
+    ChartTitle of;
+    std::optional<render::Chart> (*draw)(const Data& data, const std::string& title, const MapSource& source);
+};
+
+template <class Rows, class Data>
+std::vector<NamedChart> charts_of(const Rows& rows, const Data& data, const MapSource& source) {
+    std::vector<NamedChart> charts;
+    for (const auto& row : rows)
+        if (auto chart = row.draw(data, source.style.words(row.of.title), source))
+            charts.push_back({row.of.name, std::move(*chart)});
+    return charts;
+}
+
+template <class Rows>
+std::vector<ChartTitle> titles_of(const Rows& rows) {
+    std::vector<ChartTitle> titles;
+    for (const auto& row : rows) titles.push_back(row.of);
+    return titles;
+}
 
 /// Writes charts/NAME to a folder that has charts/. `for_page`: also the drawing of it in the report, whose letters are
 /// legible there.

@@ -18,25 +18,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t k_warning_letters = 1000;  // of all in an answer
 
-/// Charts of studies and calibrations, by the names of their files.
-struct ChartTitle {
-    const char *name, *title;
-};
-constexpr ChartTitle k_chart_titles[] = {
-    {"exceedance", worded("exceedance")},
-    {"sensitivity", worded("sensitivity of the results")},
-    {"convergence", worded("convergence of the probabilities")},
-    {"response", worded("score over pairs of values")},
-    {"posterior", worded("values before and after the calibration")},
-    {"forecast", worded("fitted, and predicted from the other events")},
-};
-
-/// The title of a map or chart from the name of its file; names that no table has stay, with spaces.
-std::string picture_title(const std::string& name, const Words& words) {
+/// The title of a map from the name of its file; names that no table has stay, with spaces.
+std::string map_title(const std::string& name, const Words& words) {
     const std::string layer = raster_of_map(name);
     if (const ResultRaster* const row = find_result_raster(layer)) return raster_title(*row, layer, words);
-    for (const ChartTitle& chart : k_chart_titles)
-        if (name == chart.name) return words(chart.title);
     std::string title = name;
     std::replace(title.begin(), title.end(), '_', ' ');
     return title;
@@ -92,11 +77,22 @@ Document& Document::first_warnings(const std::vector<Sentence>& all, const Words
     return *this;
 }
 
-Document& Document::pictures(const std::vector<std::string>& paths, const std::string& kind, const std::string& folder,
-                             const Words& words) {
+Document& Document::maps(const std::vector<std::string>& paths, const std::string& folder, const Words& words) {
     for (const std::string& path : paths) {
-        const std::string title = picture_title(fs::path(path).stem().string(), words);
-        add(Figure{drawn_for_page(folder, path), title, words.labelled(kind, title)});
+        const std::string title = map_title(fs::path(path).stem().string(), words);
+        add(Figure{drawn_for_page(folder, path), title, words.labelled(words("Map"), title)});
+    }
+    return *this;
+}
+
+Document& Document::charts(const std::vector<ChartTitle>& all, const std::string& folder, const Words& words) {
+    bool any = false;
+    for (const ChartTitle& chart : all) {
+        const fs::path path = fs::path(folder) / "charts" / (std::string(chart.name) + ".png");
+        if (!fs::exists(path)) continue;
+        if (!std::exchange(any, true)) heading("charts", words("Charts"));
+        const std::string title = words(chart.title);
+        add(Figure{drawn_for_page(folder, path.string()), title, words.labelled(words("Chart"), title)});
     }
     return *this;
 }

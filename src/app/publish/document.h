@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/pictures/charts.h"
 #include "core/words/sentence.h"
 #include "core/words/words.h"
 
@@ -119,10 +120,10 @@ class Document {
     /// The first warnings of an answer, as many whole sentences as leave room for it, and how many there are; or the
     /// sentence that there are none.
     Document& first_warnings(const std::vector<Sentence>& all, const Words& words);
-    /// PNG files under the titles of their rasters or charts, or their names; what was drawn for the page of a result
-    /// in a folder instead. @param kind "Map", in the page's language
-    Document& pictures(const std::vector<std::string>& paths, const std::string& kind, const std::string& folder,
-                       const Words& words);
+    /// Maps, PNG files, under the titles of their rasters; what was drawn for the page of a result's folder instead.
+    Document& maps(const std::vector<std::string>& paths, const std::string& folder, const Words& words);
+    /// A section with those charts that a result's folder has; nothing if it has none.
+    Document& charts(const std::vector<ChartTitle>& all, const std::string& folder, const Words& words);
     Document& end_answer() { return add(AnswerEnd{}); }
 
     template <class Value>
