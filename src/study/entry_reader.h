@@ -61,6 +61,12 @@ class EntryReader {
     std::set<std::string> seen_;
 };
 
+/// The keys of [study], and of [region] and [degree]; the parser, the messages and the echo follow from them.
+const std::vector<ParameterOf<StudySpec>>& study_keys();
+const std::vector<ParameterOf<StudySpec>>& region_keys();
+/// Returns a key of [study] for another section, perhaps with another meaning.
+ParameterOf<StudySpec> study_key(const std::string& key, const std::string& section, const std::string& meaning = {});
+
 /// Whether an INI has a section that begins so. Throws Error(input) as read_ini.
 bool has_section(const std::string& path, const std::string& beginning);
 

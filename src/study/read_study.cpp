@@ -75,7 +75,8 @@ StudyKey of_drawn(StudyKey key, bool also_of_tables) {
     return key;
 }
 
-/// The keys of [study]; the parser, the messages and the echo follow from them.
+}  // namespace
+
 const std::vector<StudyKey>& study_keys() {
     using namespace declare;
     static const std::vector<StudyKey> k_keys = [] {
@@ -107,7 +108,16 @@ const std::vector<StudyKey>& study_keys() {
     return k_keys;
 }
 
-/// Reads the entries of one study file.
+StudyKey study_key(const std::string& key, const std::string& section, const std::string& meaning) {
+    StudyKey copy = *find_parameter(study_keys(), "study." + key);
+    copy.section = section;
+    if (!meaning.empty()) copy.meaning = meaning;
+    return copy;
+}
+
+namespace {
+
+/// Reads the entries of one study or region.
 class StudyReader : private EntryReader {
   public:
     StudyReader(StudyReading& reading, std::string folder)
@@ -120,9 +130,12 @@ class StudyReader : private EntryReader {
     void add_setting(const std::string& key, const IniEntry& entry);
     void add_variation(const std::string& key, const IniEntry& entry);
     void add_correlation(const std::string& keys, const IniEntry& entry);
+    void add_column(const std::string& key, const IniEntry& entry);
+    void check_columns();
     void check_per_polygon();
     void check_sampling();
     [[nodiscard]] const Variation* variation_of(const std::string& key) const;
+    [[nodiscard]] bool is_region() const { return reading_.study.region.has_value(); }
 
     StudyReading& reading_;
 };
@@ -132,18 +145,37 @@ void StudyReader::add(const IniEntry& entry) {
     const auto dot = entry.name.find('.');
     const std::string section = entry.name.substr(0, dot),
                       rest = dot == std::string::npos ? "" : entry.name.substr(dot + 1);
-    if (section == "study" && !rest.empty()) {
-        const std::vector<std::string> names = names_of(study_keys());
-        if (!read(study_keys(), entry, reading_.study))
-            refuse_name("unknown key", entry.name, names, "Known are " + joined(names, ", "), entry);
-        return;
-    }
+    const auto is = [&](const char* name, bool of_region) {
+        return section == name && !rest.empty() && is_region() == of_region;
+    };
+    const std::vector<StudyKey>& keys = is_region() ? region_keys() : study_keys();
+    if (read(keys, entry, reading_.study)) return;
     if (section == "set" && !rest.empty()) return add_setting(rest, entry);
-    if (section == "vary" && !rest.empty()) return add_variation(rest, entry);
-    if (section == "correlate" && !rest.empty()) return add_correlation(rest, entry);
-    refuse("unknown key", entry, "",
-           "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana calibrate`, "
-           "also [objective] and [event NAME]");
+    if (is("columns", true)) return add_column(rest, entry);
+    if (is("vary", false)) return add_variation(rest, entry);
+    if (is("correlate", false)) return add_correlation(rest, entry);
+    const std::string all = joined(names_of(keys), ", ");
+    if (is_region() || is("study", false))
+        refuse_name("unknown key", entry.name, names_of(keys),
+                    is_region() ? "A region has the sections [region], [set], [columns] and [degree], with " + all
+                                : "Known are " + all,
+                    entry);
+    else
+        refuse("unknown key", entry, "",
+               "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana "
+               "calibrate`, also [objective] and [event NAME]");
+}
+
+void StudyReader::add_column(const std::string& key, const IniEntry& entry) {
+    const std::string name = present_name(key);
+    const Parameter* const parameter = scene_key(name, entry);
+    if (parameter == nullptr) return;
+    if (name.starts_with("release.perimeter"))
+        refuse("cannot differ from slope to slope", entry, "", "Each slope has one polygon of the perimeter");
+    else if (const auto refusal = refusal_to_vary(*parameter))
+        refuse(refusal->what, entry, "", refusal->remedy);
+    else
+        reading_.study.region->columns.push_back({name, entry.value});
 }
 
 void StudyReader::add_setting(const std::string& key, const IniEntry& entry) {
@@ -195,7 +227,8 @@ const Variation* StudyReader::variation_of(const std::string& key) const {
 void StudyReader::check() {
     const StudySpec& study = reading_.study;
     if (study.scene.empty())
-        add_problem({"is missing", where("study.scene"), "", "a scene file", "Name the scene whose keys vary"});
+        add_problem({"is missing", where(is_region() ? "region.scene" : "study.scene"), "", "a scene file",
+                     "Name the scene whose keys vary"});
     for (const Variation& one : study.vary)
         if (has_seen("set." + one.key))
             add_problem({"is also set for all members", where("vary." + one.key), "", "",
@@ -205,6 +238,7 @@ void StudyReader::check() {
     if (by_table && (has_vary || !study.correlate.empty()))
         add_problem({"gives all values: [vary] and [correlate] have no effect", where("study.sampling"), "", "",
                      "Remove the sections, or choose another sampling"});
+    if (is_region()) return check_columns();
     if (study.per_polygon()) return check_per_polygon();
     if (!by_table && !has_vary)
         add_problem({"has no key", where("vary"), "", "", "Give at least one key a distribution"});
@@ -223,6 +257,14 @@ void StudyReader::check() {
         }
     }
     check_sampling();
+}
+
+void StudyReader::check_columns() {
+    for (const RegionSpec::Column& one : reading_.study.region->columns)
+        for (const std::string& set : reading_.study.set)
+            if (set.starts_with(one.key + "="))
+                add_problem({"is also set for all slopes", where("columns." + one.key), "", "",
+                             "Keep it in one of [set] and [columns]"});
 }
 
 void StudyReader::check_per_polygon() {
@@ -271,19 +313,42 @@ bool is_study(const std::string& path) {
     return has_section(path, "study.");
 }
 
+bool is_region(const std::string& path) {
+    return has_section(path, "region.");
+}
+
+namespace {
+
+/// What is known of a study before its entries are read.
+StudyReading begun(const std::string& label) {
+    StudyReading reading;
+    reading.label = label;
+    reading.study.file = fs::absolute(label).lexically_normal().string();
+    return reading;
+}
+
+StudyReading read_entries(const std::vector<IniEntry>& entries, StudyReading reading) {
+    StudyReader reader(reading, fs::path(reading.study.file).parent_path().string());
+    for (const IniEntry& entry : entries) reader.add(entry);
+    reader.check();
+    return reading;
+}
+
+}  // namespace
+
 StudyReading read_study(const std::string& path) {
     return read_study_entries(read_ini(path), path);
 }
 
 StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std::string& label) {
-    StudyReading reading;
-    reading.label = label;
-    const fs::path absolute = fs::absolute(label).lexically_normal();
-    reading.study.file = absolute.string();
-    StudyReader reader(reading, absolute.parent_path().string());
-    for (const IniEntry& entry : entries) reader.add(entry);
-    reader.check();
-    return reading;
+    return read_entries(entries, begun(label));
+}
+
+StudyReading read_region(const std::string& path) {
+    StudyReading reading = begun(path);
+    reading.study.sampling = Sampling::polygons;
+    reading.study.region.emplace();
+    return read_entries(read_ini(path), std::move(reading));
 }
 
 // Paths in a study file: absolute where it is used, relative where it is echoed.

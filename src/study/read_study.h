@@ -25,6 +25,9 @@ struct StudyReading {
 /// Whether a file is a study: an INI with a section [study]. Throws Error(input) as read_ini.
 bool is_study(const std::string& path);
 
+/// Whether a file is a region: an INI with a section [region]. Throws Error(input) as read_ini.
+bool is_region(const std::string& path);
+
 /// Returns the value of a key with the paths in it absolute; of a value that the key does not accept, the value itself:
 /// it is refused elsewhere.
 std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder);
@@ -46,12 +49,16 @@ StudySpec seen_from(StudySpec study, const std::string& folder);
 /// file is no INI.
 StudyReading read_study(const std::string& path);
 
-/// The same from the entries of a file, which may be some of them.
+/// The same of a region file, as a study with a polygon for each member.
+StudyReading read_region(const std::string& path);
+
+/// The same from the entries of a study file, which may be some of them.
 /// @param label the file as the user named it
 StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std::string& label);
 
 /// Returns the study file with every key, its meaning and the distributions as used; reading it back gives the same.
 std::string study_text(const StudySpec& study);
+std::string region_text(const StudySpec& study);
 
 /// Returns a section of such a file: "[set]", "[vary]" or those of one event; empty without entries.
 std::string settings_text(const std::string& section, const std::vector<std::string>& set);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/read_region.h"
+#include "study/read_study.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -39,7 +39,7 @@
 #include "simulation/release.h"
 #include "simulation/simulation.h"
 #include "study/read_calibration.h"
-#include "study/read_region.h"
+#include "study/read_study.h"
 
 namespace frana::app {
 namespace {

@@ -33,7 +33,6 @@
 #include "simulation/scene.h"
 #include "simulation/simulation.h"
 #include "study/read_calibration.h"
-#include "study/read_region.h"
 #include "study/read_study.h"
 
 namespace frana::app {

@@ -33,7 +33,7 @@
 #include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "gis/vector/vector_out.h"
-#include "study/read_region.h"
+#include "study/read_study.h"
 #include "study/study_maps.h"
 
 namespace frana::app {

@@ -23,7 +23,6 @@
 #include "params/keys/scene_parameters.h"
 #include "simulation/simulation.h"
 #include "study/levels.h"
-#include "study/read_region.h"
 #include "study/read_study.h"
 
 namespace frana::app {
