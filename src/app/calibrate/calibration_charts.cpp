@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/calibrate/calibration_report.h"
 #include "app/pictures/charts.h"
 #include "app/text/number_text.h"
 #include "params/keys/scene_parameters.h"
@@ -300,9 +301,16 @@ Raster smoothed_scores(const std::vector<double>& first, const std::vector<doubl
     return smooth;
 }
 
-std::vector<NamedChart> calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
-                                           const CalibrationResult& result, const MapSource& source) {
-    return charts_of(k_calibration_charts, CalibrationData{input, runs, result}, source);
+bool draw_calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
+                             const CalibrationResult& result, const ResultDirectory& directory, RunLog& log) {
+    const SceneSpec& scene = input.own.front().base.spec;
+    if (scene.output.maps.front() == "off" || !scene.output.charts) return true;
+    MapSource source;
+    source.title = calibration_title(input);
+    source.style = calibration_style(scene);
+    directory.make_folder("charts");
+    return draw_chart_rows(k_calibration_charts, CalibrationData{input, runs, result}, source, directory.folder(),
+                           scene.output.report, log);
 }
 
 std::vector<ChartTitle> calibration_chart_titles() {

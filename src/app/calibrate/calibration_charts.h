@@ -5,13 +5,15 @@
 
 #include "app/calibrate/calibration_result.h"
 #include "app/pictures/charts.h"
+#include "app/store/result_directory.h"
 
 namespace frana::app {
 
-/// Returns the charts of a calibration: `forecast`, the scores of each event, fitted and predicted from the others;
-/// `posterior`, the distribution of each key before and after; `response`, the score over pairs of keys.
-std::vector<NamedChart> calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
-                                           const CalibrationResult& result, const MapSource& source);
+/// Draws the charts of a calibration, if the scene asks for any: `forecast`, the scores of each event, fitted and
+/// predicted from the others; `posterior`, the distribution of each key before and after; `response`, the score over
+/// pairs of keys. Returns false if one could not be drawn, with a warning.
+bool draw_calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
+                             const CalibrationResult& result, const ResultDirectory& directory, RunLog& log);
 
 /// Returns those that a calibration may have, in the order of the page.
 std::vector<ChartTitle> calibration_chart_titles();

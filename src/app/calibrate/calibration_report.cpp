@@ -126,9 +126,9 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
         MapWriter(base, directory).write_probability(name, maps.probability.front(), maps.error.front());
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
-        try {
+        good &= is_drawn("maps/" + name, log, [&] {
             const MapSource source = source_of(ground, result);
-            MapLayer layer =
+            const MapLayer layer =
                 read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
             LayerDrawer drawer(source);
             if (base.spec.output.report) {
@@ -136,11 +136,7 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
                 drawer.draw_for_page_too(directory.path(k_page_folder));
             }
             drawer.draw(layer, false, directory.path("maps/" + name));
-            log.note("drew maps/" + name);
-        } catch (const Error& error) {
-            log.warn(worded("{1} could not be drawn: {2}", {"maps/" + name, std::string(error.what())}));
-            good = false;
-        }
+        });
     }
     return good;
 }

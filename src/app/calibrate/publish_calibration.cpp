@@ -236,33 +236,6 @@ std::string calibration_summary_json(const CalibrationInput& input, const Calibr
 
 namespace {
 
-MapSource chart_source(const CalibrationInput& input) {
-    MapSource source;
-    source.title = calibration_title(input);
-    source.style = calibration_style(input.own.front().base.spec);
-    return source;
-}
-
-/// Returns false if a chart could not be drawn, with a warning.
-bool draw(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-          const ResultDirectory& directory, RunLog& log) {
-    const OutputSpec& output = input.own.front().base.spec.output;
-    if (output.maps.front() == "off" || !output.charts) return true;
-    const MapSource source = chart_source(input);
-    directory.make_folder("charts");
-    bool good = true;
-    for (const NamedChart& one : calibration_charts(input, runs, result, source)) {
-        try {
-            write_chart(one, source.style, directory.folder(), output.report);
-            log.note("drew charts/" + one.name);
-        } catch (const Error& error) {
-            log.warn(worded("{1} could not be drawn: {2}", {"charts/" + one.name, std::string(error.what())}));
-            good = false;
-        }
-    }
-    return good;
-}
-
 /// The files that the study and the scenes of its events name.
 std::vector<NamedFile> inputs_of(const CalibrationInput& input) {
     std::vector<NamedFile> files;
@@ -361,7 +334,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
     const bool mapped = publish_calibration_maps(input, runs, result, directory, log);
-    outcome.pictures_failed = !draw(input, runs, result, directory, log) || !mapped;
+    outcome.pictures_failed = !draw_calibration_charts(input, runs, result, directory, log) || !mapped;
     tell(input, result, log);
     const CalibrationFacts facts{troubles, since_start.seconds(), threads, log.warnings(), today()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);

@@ -464,15 +464,6 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
     const ResultReader written(directory.folder());
     MapSource source = written.map_source();
     source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
-    const auto attempt = [&](const std::string& what, const auto& draw) {
-        try {
-            draw();
-            log.note("drew " + what);
-        } catch (const Error& error) {
-            log.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
-            good = false;
-        }
-    };
     LayerDrawer drawer(source);
     drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
     if (output.report) {
@@ -482,14 +473,14 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
     make_folder(written.path("maps"));
     for (const std::string& name : written.drawable()) {
         if (!is_drawn_at_once(name)) continue;
-        attempt("maps/" + name, [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
+        good &= is_drawn("maps/" + name, log,
+                         [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
     }
     if (!output.charts || input.reading.study.per_polygon()) return good;  // of sources there is no distribution
     make_folder(written.path("charts"));
-    for (const NamedChart& one : charts_of(k_charts, ChartData{input, result, figures}, source)) {
-        attempt("charts/" + one.name, [&] { write_chart(one, source.style, written.directory(), output.report); });
-    }
-    return good;
+    return draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report,
+                           log) &&
+           good;
 }
 
 }  // namespace frana::app

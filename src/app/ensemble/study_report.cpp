@@ -232,7 +232,7 @@ Document degrees_table(const std::vector<HazardArea>& degrees, const Words& word
                    class_label(one.kind.name + ": " + one.kind.thresholds, words),
                    {number.grouped(one.area_m2), "n"}});
     }
-    return document(table);
+    return table;
 }
 
 /// The first page of a study's report: what fails, what varies, where it goes in how many of the runs, how

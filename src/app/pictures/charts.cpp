@@ -332,6 +332,17 @@ std::vector<std::string> draw_charts(const ResultReader& result, const MapSource
     return files;
 }
 
+bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw) {
+    try {
+        draw();
+        log.note("drew " + what);
+    } catch (const Error& error) {
+        log.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
+        return false;
+    }
+    return true;
+}
+
 void write_chart(const NamedChart& one, const MapStyle& style, const std::string& folder, bool for_page) {
     const std::filesystem::path place(folder);
     write_plain_picture(render::chart_page(one.chart, style.size.width, style.size.height), style, one.chart.title,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
+#include "app/text/run_log.h"
 #include "core/error.h"
 #include "render/chart/chart.h"
 
@@ -38,15 +40,6 @@ struct ChartRow {
     std::optional<render::Chart> (*draw)(const Data& data, const std::string& title, const MapSource& source);
 };
 
-template <class Rows, class Data>
-std::vector<NamedChart> charts_of(const Rows& rows, const Data& data, const MapSource& source) {
-    std::vector<NamedChart> charts;
-    for (const auto& row : rows)
-        if (auto chart = row.draw(data, source.style.words(row.of.title), source))
-            charts.push_back({row.of.name, std::move(*chart)});
-    return charts;
-}
-
 template <class Rows>
 std::vector<ChartTitle> titles_of(const Rows& rows) {
     std::vector<ChartTitle> titles;
@@ -60,6 +53,24 @@ void write_chart(const NamedChart& one, const MapStyle& style, const std::string
 
 /// The drawing of a chart in the report, as wide as its text.
 std::string page_chart_svg(const render::Chart& chart);
+
+/// Calls `draw` and notes it; returns false, with a warning, if `what` could not be drawn.
+bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw);
+
+/// Writes the charts of a study or a calibration to charts/ of its folder; returns false if one could not be drawn,
+/// with a warning.
+template <class Rows, class Data>
+bool draw_chart_rows(const Rows& rows, const Data& data, const MapSource& source, const std::string& folder,
+                     bool for_page, RunLog& log) {
+    bool good = true;
+    for (const auto& row : rows) {
+        auto chart = row.draw(data, source.style.words(row.of.title), source);
+        if (!chart) continue;
+        const NamedChart one{row.of.name, std::move(*chart)};
+        good &= is_drawn("charts/" + one.name, log, [&] { write_chart(one, source.style, folder, for_page); });
+    }
+    return good;
+}
 
 /// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
 /// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,

@@ -100,6 +100,9 @@ struct Block {
 
 class Document {
   public:
+    Document() = default;
+    Document(Table table) { add(std::move(table)); }
+
     /// Begins a section, named by `id`.
     Document& heading(const std::string& id, const std::string& text) { return add(Heading{text, id}); }
     Document& subheading(const std::string& text) { return add(Heading{text}); }
@@ -145,11 +148,6 @@ class Document {
 
     std::vector<Block> blocks_;
 };
-
-/// Returns a document of one table.
-inline Document document(Table table) {
-    return std::move(Document().add(std::move(table)));
-}
 
 /// Returns the drawing of a picture that was made for the page of a result in a folder, else the picture itself.
 std::string drawn_for_page(const std::string& folder, const std::string& path);

@@ -158,7 +158,7 @@ Document comparison_section(const std::optional<Comparison>& comparison, const s
                   {words.number(grouped(c.statistics->hit_m2)), words.number(grouped(c.statistics->false_alarm_m2)),
                    words.number(grouped(c.statistics->miss_m2))})});
     Document columns;
-    columns.box("", document(scores_table(c, words)));
+    columns.box("", scores_table(c, words));
     if (!c.curve.empty()) columns.box(words("Scores over the depth threshold"), score_chart(c.curve, words));
     section.columns(std::move(columns));
     if (c.deposit_overlap) section.subheading(words("Deposit")).add(deposit_table(c, words));

@@ -83,7 +83,7 @@ Document flows_table(const std::vector<Runout>& run_outs, const Words& words) {
                    number(one.reach_angle_deg, 3), number.grouped(one.covered_area_m2), place(one.top),
                    place(one.tip)});
     }
-    return document(table);
+    return table;
 }
 
 Document gauges_table(const ReportInput& input) {
@@ -99,7 +99,7 @@ Document gauges_table(const ReportInput& input) {
                    error_text(input.errors, key + "max_depth_m", words), number(one.speed, 3),
                    error_text(input.errors, key + "max_speed_ms", words)});
     }
-    return document(table);
+    return table;
 }
 
 Document sections_table(const ReportInput& input) {
@@ -120,7 +120,7 @@ Document sections_table(const ReportInput& input) {
                    error_text(input.errors, key + "max_discharge_m3s", words), number.grouped(volume[i]),
                    error_text(input.errors, key + "volume_m3", words)});
     }
-    return document(table);
+    return table;
 }
 
 /// The scene with its files as seen from the result: a report is handed on with the folder, not with the machine.
@@ -173,7 +173,7 @@ Document ground_table(const SummaryFacts& facts, const Words& words) {
     };
     row(words("Release"), facts.release_ground);
     row(words("Path"), facts.path_ground);
-    return document(table);
+    return table;
 }
 
 Document budget_table(const RunResult& r, const Words& words) {
@@ -201,8 +201,7 @@ Document budget_table(const RunResult& r, const Words& words) {
     }
     volume(words("Inside at the end"), r.volume_final);
     volume(words("Left the computed ground"), r.volume_left);
-    return document(
-        table.number(words("Budget error, of all volume that came in"), n(relative_volume_error(r), 2), ""));
+    return table.number(words("Budget error, of all volume that came in"), n(relative_volume_error(r), 2), "");
 }
 
 Document numerics_table(const ReportInput& input) {
@@ -228,7 +227,7 @@ Document numerics_table(const ReportInput& input) {
     event(words("Particles over ground without elevation"), e.entered_no_data);
     event(words("Speeds above what the fall allows"), e.impossible_speed);
     event(words("Steps with a volume error"), e.volume_drift);
-    return document(table);
+    return table;
 }
 
 std::string terms_note(const ReportInput& input) {
@@ -269,7 +268,7 @@ Document release_table(const RunResult& result, const Words& words) {
         table.row({std::to_string(i + 1), area.name.empty() ? "–" : area.name, n(area.start), n.grouped(area.area),
                    n.grouped(area.volume)});
     }
-    return document(table);
+    return table;
 }
 
 Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
@@ -329,7 +328,7 @@ Document parameters_table(const Prepared& p, bool only_used, const Words& words)
         table.row({name, value, origin_text(p.spec, name, words), meaning_in(parameter, words)},
                   p.spec.origin_of(name) == Origin::default_value ? "" : "given");
     }
-    return document(table);
+    return table;
 }
 
 }  // namespace frana::app
