@@ -27,7 +27,7 @@
 #include "core/error.h"
 #include "gis/access/network.h"
 #include "params/grammar/value_text.h"
-#include "ranks/job.h"
+#include "study/ranks/job.h"
 
 namespace frana::app {
 namespace {

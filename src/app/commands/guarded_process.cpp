@@ -21,7 +21,7 @@
 #include "core/text.h"
 #include "gis/access/network.h"
 #include "params/grammar/value_text.h"
-#include "ranks/job.h"
+#include "study/ranks/job.h"
 
 namespace frana::app {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/ensemble/member_threads.h"
 #include "app/ensemble/study_input.h"
-#include "ranks/job.h"
+#include "study/ranks/job.h"
 
 namespace frana::app {
 

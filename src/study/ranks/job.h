@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "ranks/functions.h"
+#include "study/ranks/functions.h"
 
 namespace frana::ranks {
 

@@ -5,7 +5,7 @@
 #include <mpi.h>
 
 #include "core/module.h"
-#include "ranks/functions.h"
+#include "study/ranks/functions.h"
 
 namespace frana::ranks {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ranks/job.h"
+#include "study/ranks/job.h"
 
 #include <chrono>
 #include <cstdlib>
