@@ -32,7 +32,7 @@ std::vector<std::string> Resuming::checkpoints(const std::string& result) const 
     const std::string own = place.filename().string();
     for (const auto& entry : fs::directory_iterator(place.parent_path(), ignored)) {
         const std::string name = entry.path().filename().string();
-        if (name != own && name.rfind(own + ".partial-", 0) != 0) continue;
+        if (name != own && name != own + ".partial") continue;
         for (const auto& file : fs::directory_iterator(entry.path() / "checkpoint", ignored)) {
             const std::string step = file.path().filename().string();
             if (step.starts_with("step_") && step.find(".partial") == std::string::npos) found.push_back(file.path());

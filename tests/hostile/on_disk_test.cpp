@@ -32,14 +32,14 @@ TEST_F(OnDisk, IsEveryFileOfAResultBeforeItHasItsName) {
     int files = 0;
     for (const auto& [name, content] :
          part_of(state(), [](const auto& path) { return path.rfind("out/r/", 0) == 0; })) {
-        std::string made = "out/r.partial-*/" + name.substr(std::string("out/r/").size());
+        std::string made = "out/r.partial/" + name.substr(std::string("out/r/").size());
         if (made.ends_with("/")) made.pop_back();
         if (made.ends_with("/manifest.json")) continue;  // without a name until it is complete
         EXPECT_TRUE(is_synced_before(ending.calls, made, takes_name)) << name;
         ++files;
     }
     EXPECT_GT(files, 20);
-    EXPECT_TRUE(is_synced_before(ending.calls, "out/r.partial-*", takes_name));
+    EXPECT_TRUE(is_synced_before(ending.calls, "out/r.partial", takes_name));
     EXPECT_FALSE(is_synced_before(ending.calls, "out", takes_name));  // the name itself: after that
     EXPECT_TRUE(std::any_of(ending.calls.begin(), ending.calls.end(),
                             [](const SystemCall& call) { return call.name == "fsync" && call.path == "out"; }));

@@ -49,7 +49,7 @@ TEST_F(ReadError, InOutlinesNeverRemovesThemFromAMap) {
                   "older",
                   "out/drawn/max_depth.png"},
           Drawing{{"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"},
-                  "older",
+                  "older alone",
                   "out/r/maps/max_depth.png"}}) {
         const Ending whole = draw(drawing, [](const SystemCall&) { return Answer{}; });
         ASSERT_EQ(whole.exit_code, 0) << whole.err;

@@ -8,7 +8,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/json_output.h"
 #include "app/process/terminal.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
 #include "app/text/text_table.h"
 #include "bench/accuracy/accuracy.h"
 #include "core/error.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
 #include "bench/accuracy/accuracy.h"
 #include "bench/speed/speed.h"
 #include "render/canvas/image.h"

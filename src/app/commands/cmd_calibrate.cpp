@@ -56,8 +56,8 @@ int cmd_calibrate(const Arguments& arguments) {
         for (std::string& one : input_files(event.central.scene)) inputs.push_back(std::move(one));
     std::optional<Problem> place_problem;
     if (!may_be_complete)
-        place_problem =
-            check_result_directory(place, overwrite, inputs, out ? "--out" : "the result's place", texts.problems);
+        place_problem = check_result_directory(place, overwrite ? Older::replaced : Older::refused, inputs,
+                                               out ? "--out" : "the result's place", texts.problems);
     if (!resume && !overwrite) refuse_to_discard(target, interrupted, texts.problems);
     log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.calibration.study.file + ", " +
              std::to_string(threads) + " threads");
@@ -75,7 +75,7 @@ int cmd_calibrate(const Arguments& arguments) {
     if (!left.empty()) require_same_study(input.identity, left);
 
     catch_stop_signals();
-    ResultDirectory directory(target, overwrite, left);
+    ResultDirectory directory(target, overwrite, !left.empty());
     directory.make_folder(k_record_folder);
     write_text_file(directory.path(k_record_identity), input.identity);
     if (ranks.pool) ranks.pool->start(input.identity);

@@ -310,7 +310,7 @@ int cmd_check(const Arguments& arguments) {
     const auto out = text_option(*values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));
     const std::optional<Problem> place_problem = check_result_directory(
-        directory, true, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
+        directory, Older::unknown, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
     const Stopwatch input_watch;
     const Prepared prepared = prepare(reading, place_problem, log);
     const double input_seconds = input_watch.seconds();

@@ -25,7 +25,7 @@
 #include "app/store/accuracy_record.h"
 #include "app/store/json_file.h"
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"

@@ -22,7 +22,7 @@
 #include "app/store/accuracy_record.h"
 #include "app/store/json_file.h"
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"

@@ -14,7 +14,7 @@
 #include "app/pictures/plates.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "core/error.h"

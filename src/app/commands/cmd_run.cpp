@@ -96,10 +96,10 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
 void refuse_to_discard(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
     if (const std::string study = interrupted_study(target); !study.empty())
         problems.add({"an interrupted study of it is kept in " + study, target, "", "",
-                      "`frana ensemble --resume` continues it; --overwrite replaces it at the end"});
+                      "`frana ensemble --resume` continues it; --overwrite removes it"});
     if (interrupted.beside().empty()) return;
     problems.add({"an interrupted run of it is kept in " + interrupted.beside(), target, "", "",
-                  "--resume continues it; --overwrite starts anew and replaces it at the end"});
+                  "--resume continues it; --overwrite removes it and starts anew"});
 }
 
 void log_resuming(const CheckpointFile& from, RunLog& log) {
@@ -219,10 +219,9 @@ void log_run(const RunResult& result, double end, RunLog& log) {
 int run_into(const Session& session, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
     const Prepared& prepared = session.prepared;
     const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
-    FrameWriter frames(
-        directory.path(k_frame_folder), provenance(prepared), particles,
-        from != nullptr ? from->head().frame_times : std::vector<double>{},
-        from != nullptr ? frame_records(*from, directory.path(k_frame_folder)) : std::vector<FrameRecord>{});
+    FrameWriter frames(directory.path(k_frame_folder), provenance(prepared), particles,
+                       from != nullptr ? from->head().frame_times : std::vector<double>{},
+                       from != nullptr ? from->head().frame_records : std::vector<FrameRecord>{});
     const bool has_frames = prepared.scene.time.frame_interval > 0;
     if (has_frames) directory.make_folder(k_frame_folder);
     publish_ground(prepared, directory);
@@ -252,15 +251,13 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const int code =
         stopped ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result, pictures));
     const bool finished = code == static_cast<int>(ExitCode::done);
-    const std::vector<Problem> of_the_older =
-        directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
+    directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
     if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
     // The estimate of a study applies to the scene's own cells.
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !session.accuracy)
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
     if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
-    if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     const bool refused = finished && session.strict && (motion_at_end(result).front || left_ground(result));
     if (refused) log.print_deferred_warnings();
     return refused ? static_cast<int>(ExitCode::numerical) : code;
@@ -303,9 +300,9 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     const bool is_complete = resume && !overwrite && !interrupted.any() && is_finished(target);
     std::optional<Problem> place_problem;
     if (!is_complete)
-        place_problem =
-            check_result_directory(place, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
-                                   out ? "--out" : reading.where("output.directory"), reading.problems);
+        place_problem = check_result_directory(
+            place, overwrite || (resume && interrupted.in_place()) ? Older::replaced : Older::refused,
+            input_files(reading.scene), out ? "--out" : reading.where("output.directory"), reading.problems);
     if (!resume && !overwrite) refuse_to_discard(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
@@ -345,7 +342,7 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     prepared.result_folder = target;  // also of the chosen cells
     if (from && from->head().origin) put_origin(prepared.scene, *from->head().origin);
     ResultDirectory directory(target, overwrite || (from && interrupted.in_place()),
-                              from ? folder_of(*from, target) : "");
+                              from && is_in_partial(*from, target));
     if (from) restore_files(*from, directory);
     try {
         return run_into({prepared, threads, quiet, json_progress, values.count("strict") > 0, input_seconds, earlier,

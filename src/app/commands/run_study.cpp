@@ -47,10 +47,10 @@ CommandForm study_form(const std::string& command, const std::string& meaning, c
 void refuse_to_discard(const std::string& target, const std::string& study, Problems& problems) {
     if (!study.empty())
         problems.add({"an interrupted study of it is kept in " + study, target, "", "",
-                      "--resume continues it; --overwrite starts anew and replaces it at the end"});
+                      "--resume continues it; --overwrite removes it and starts anew"});
     if (const InterruptedRun run(target); !run.beside().empty())
         problems.add({"an interrupted run of it is kept in " + run.beside(), target, "", "",
-                      "`frana run --resume` continues it; --overwrite replaces it at the end"});
+                      "`frana run --resume` continues it; --overwrite removes it"});
 }
 
 void require_same_study(const std::string& identity, const std::string& folder) {
@@ -73,11 +73,10 @@ bool is_complete(const std::string& identity, const std::string& target) {
 int publish_result(const std::string& identity, const StudyOutcome& outcome, bool strict, ResultDirectory& directory,
                    RunLog& log) {
     const bool refused = strict && outcome.has_troubles;
-    const std::vector<Problem> of_the_older = directory.publish({text_hash(identity), 0, true}, log);
+    directory.publish({text_hash(identity), 0, true}, log);
     remove_working_files(directory.target(), false, log);
     log.info("result in " + directory.target());
     if (refused || outcome.too_many_failed || outcome.pictures_failed) log.print_deferred_warnings();
-    if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     if (refused || outcome.too_many_failed) return static_cast<int>(ExitCode::numerical);
     return static_cast<int>(outcome.pictures_failed ? ExitCode::environment : ExitCode::done);
 }
@@ -183,8 +182,8 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     inputs.push_back(texts.reading.study.file);
     std::optional<Problem> place_problem;
     if (!may_be_complete)
-        place_problem = check_result_directory(place, overwrite, inputs, out ? "--out" : "the result's place",
-                                               texts.central.problems);
+        place_problem = check_result_directory(place, overwrite ? Older::replaced : Older::refused, inputs,
+                                               out ? "--out" : "the result's place", texts.central.problems);
     if (!resume && !overwrite) refuse_to_discard(target, interrupted, texts.central.problems);
     log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.study.file + ", " +
              std::to_string(threads) + " threads");
@@ -202,7 +201,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     if (!left.empty()) require_same_study(input.identity, left);
 
     catch_stop_signals();
-    ResultDirectory directory(target, overwrite, left);
+    ResultDirectory directory(target, overwrite, !left.empty());
     directory.make_folder(k_record_folder);
     write_text_file(directory.path(k_record_identity), input.identity);
     if (ranks.pool) ranks.pool->start(input.identity);

@@ -156,8 +156,8 @@ void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& fo
 Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log) {
     StudyTexts texts = read_study_texts(path, log);
     const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
-    const std::optional<Problem> place =
-        check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.central.problems);
+    const std::optional<Problem> place = check_result_directory(
+        directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.central.problems);
     const StudyInput input = prepare_study(std::move(texts), place, log);
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
@@ -287,7 +287,7 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
     CalibrationTexts texts = read_calibration_texts(path, log);
     const std::string directory = out.value_or(calibration_directory(texts.first_scene.scene));
     const std::optional<Problem> place =
-        check_result_directory(directory, true, {}, out ? "--out" : "the result's place", texts.problems);
+        check_result_directory(directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.problems);
     const CalibrationInput input = prepare_calibration(std::move(texts), place, log);
     const study::CalibrationSpec& calibration = input.spec();
     const CalibrationForecast expected = forecast(input, threads);

@@ -12,9 +12,9 @@
 #include "app/pictures/scenario.h"
 #include "app/store/accuracy_record.h"
 #include "app/store/json_file.h"
+#include "app/store/partial_folder.h"
 #include "app/store/result_files.h"
 #include "app/store/series_ends.h"
-#include "app/store/unfinished_results.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
@@ -188,10 +188,8 @@ void add_files_of(const ResultRaster& row, const std::string& folder, std::vecto
 
 ResultReader::ResultReader(std::string directory, std::optional<Language> language) : directory_(std::move(directory)) {
     while (directory_.size() > 1 && directory_.back() == '/') directory_.pop_back();
-    if (!fs::exists(directory_)) {
-        if (const auto unfinished = unfinished_results(directory_); !unfinished.empty())
-            directory_ = unfinished.front();
-    }
+    if (const std::string partial = partial_folder(directory_); !fs::exists(directory_) && is_being_built(partial))
+        directory_ = partial;
     if (!fs::is_directory(directory_))
         throw Error(ErrorKind::input,
                     Problem{"is not a folder", "RESULT_DIR", directory_, "", "Name a result directory"});

@@ -10,7 +10,7 @@
 #include "app/store/accuracy_record.h"
 #include "app/store/checkpoints.h"
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
@@ -108,20 +108,18 @@ Manifest require_list(const std::string& directory) {
         ErrorKind::input,
         Problem{"the result's manifest is missing or cannot be read, so that its completeness cannot be checked",
                 (fs::path(directory) / k_manifest_file).string(), "", "",
-                "Restore it, or compute the scene again with --overwrite, which keeps this result under another name"});
+                "Restore it, or compute the scene again into another folder"});
 }
 
 }  // namespace
 
 bool is_finished(const std::string& directory) {
     const auto manifest = read_manifest(directory);
-    if (!manifest && !is_unlisted_result(directory)) return false;
-    return manifest && manifest->finished ? *manifest->finished : checkpoints_in(directory).empty();
+    return manifest ? manifest->finished.value_or(false) : is_unlisted_result(directory);
 }
 
 bool complete_result(const Prepared& prepared, const std::string& directory, RunLog& log) {
     require_same_scene(prepared, directory);
-    const std::vector<Problem> of_the_older = clear_place_of(directory, "", log);
     const Manifest manifest = require_list(directory);
     const std::vector<std::string> missing = missing_files(manifest, directory),
                                    changed = changed_files_of(manifest, directory, false);
@@ -144,7 +142,6 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
         log.info("drew what was missing in " + directory + ": " + joined(pictures.drawn, ", "));
     }
     require_all(missing, {}, directory);
-    if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     return pictures.complete();
 }
 

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "core/error.h"

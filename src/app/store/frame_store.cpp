@@ -34,19 +34,6 @@ std::string frame_name(const FrameFile& file, std::size_t index) {
     return file.what + number + file.ending;
 }
 
-// For frames of checkpoints without records.
-std::string problem_without_records(const std::string& folder, std::size_t count) {
-    std::vector<FrameFile> wanted{k_depth_file, k_velocity_file};
-    for (const std::string& name : names_of_frames(folder, 1)) {
-        const auto place = name.rfind('_');
-        wanted.push_back({name.substr(0, place), fs::path(name).extension().string()});
-    }
-    for (std::size_t i = 0; i < count; ++i)
-        for (const FrameFile& file : wanted)
-            if (!fs::exists(frame_path(folder, file, i))) return "is missing: " + frame_path(folder, file, i);
-    return {};
-}
-
 }  // namespace
 
 ParticleFormats particle_formats(const std::vector<std::string>& formats) {
@@ -113,8 +100,7 @@ std::vector<std::string> names_of_frames(const std::string& folder, std::size_t 
     return names;
 }
 
-std::string frame_problem(const std::string& folder, std::size_t count, const std::vector<FrameRecord>& records) {
-    if (records.empty()) return problem_without_records(folder, count);
+std::string frame_problem(const std::string& folder, const std::vector<FrameRecord>& records) {
     for (const FrameRecord& record : records) {
         const std::string path = (fs::path(folder) / record.name).string();
         std::error_code error;

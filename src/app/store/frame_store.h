@@ -62,9 +62,8 @@ FrameRecord record_of(const std::string& path);
 /// Returns the files in a folder of its first `count` frames, by their names alone.
 std::vector<std::string> names_of_frames(const std::string& folder, std::size_t count);
 
-/// Returns the problem of the first `count` frames in a folder: one that is missing or differs from its record; empty:
-/// none. Without records (checkpoints up to format 4) every frame must have the files of the first one.
-std::string frame_problem(const std::string& folder, std::size_t count, const std::vector<FrameRecord>& records);
+/// Returns the problem of frames in a folder: one that is missing or differs from its record; empty: none.
+std::string frame_problem(const std::string& folder, const std::vector<FrameRecord>& records);
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
 /// time_s). A separate thread writes them while the run continues, and lists the complete ones after each; at most two

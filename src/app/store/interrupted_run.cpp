@@ -9,9 +9,9 @@
 #include "app/store/checkpoints.h"
 #include "app/store/frame_store.h"
 #include "app/store/manifest.h"
+#include "app/store/partial_folder.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
-#include "app/store/unfinished_results.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "params/grammar/value_text.h"
@@ -49,10 +49,19 @@ bool has_saved_work(const std::string& folder) {
     return !checkpoints_in(folder).empty() || !records_in(folder).empty();
 }
 
+namespace {
+
+/// The partial folder of a run that no longer exists; empty: none.
+std::string left_by_killed_run(const std::string& directory) {
+    const std::string partial = partial_folder(directory);
+    return is_being_built(partial) && !is_locked(partial) ? partial : "";
+}
+
+}  // namespace
+
 std::string interrupted_study(const std::string& directory) {
-    for (const std::string& folder : abandoned_results(directory))
-        if (!records_in(folder).empty()) return folder;
-    return {};
+    const std::string partial = left_by_killed_run(directory);
+    return partial.empty() || records_in(partial).empty() ? "" : partial;
 }
 
 namespace {
@@ -68,8 +77,7 @@ std::string obstacle(const CheckpointFile& checkpoint, const std::string& identi
     const CheckpointHead& head = checkpoint.head();
     if (head.scene != identity)
         return "is from another scene: " + joined(identity_differences(identity, head.scene), "; ");
-    const std::string problem = frame_problem(frames_of_run(result_of(checkpoint.path()).string()),
-                                              head.frame_times.size(), head.frame_records);
+    const std::string problem = frame_problem(frames_of_run(result_of(checkpoint.path()).string()), head.frame_records);
     return problem.empty() ? "" : "needs a frame that " + problem;
 }
 
@@ -96,44 +104,16 @@ void put_back_whole(const fs::path& whole, const fs::path& frames) {
     if (error) fail(whole, error);
 }
 
-// Removes files that frana wrote to an unfinished folder and that are no longer needed; other files are kept.
-void remove_unwanted(const fs::path& root, const std::string& folder,
-                     const std::function<bool(const std::string&)>& is_needed) {
-    std::error_code error;
-    std::vector<fs::path> files, folders;
-    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, error)) {
-        const std::string name = entry.path().lexically_relative(root).generic_string();
-        if (is_needed(entry.path().filename().string())) continue;
-        if (fs::is_directory(entry.symlink_status(error))) {
-            remove_unwanted(root, name, [](const std::string&) { return false; });
-            folders.push_back(entry.path());
-        } else if (existing_file(name) != nullptr) {
-            files.push_back(entry.path());
-        }
-    }
-    for (const fs::path& file : files) {
-        fs::remove(file, error);
-        if (error) fail(file, error);
-    }
-    for (const fs::path& empty : folders) fs::remove(empty, error);  // folders that contain them
-}
-
 }  // namespace
 
 InterruptedRun::InterruptedRun(const std::string& directory) {
-    std::vector<std::string> folders = abandoned_results(directory);
     const std::optional<Manifest> manifest = read_manifest(directory);
-    if (!manifest || !manifest->finished.value_or(false)) folders.push_back(directory);
-    for (const std::string& folder : folders) {
-        const std::vector<std::string> found = checkpoints_in(folder);
-        if (found.empty()) continue;
-        checkpoints_.insert(checkpoints_.end(), found.begin(), found.end());
-        if (folder == directory) {
-            in_place_ = true;
-        } else {
-            beside_ = folder;
-        }
-    }
+    const std::string partial = left_by_killed_run(directory);
+    if (!manifest || !manifest->finished.value_or(false)) checkpoints_ = checkpoints_in(directory);
+    in_place_ = !checkpoints_.empty();
+    const std::vector<std::string> found = partial.empty() ? std::vector<std::string>{} : checkpoints_in(partial);
+    if (!found.empty()) beside_ = partial;
+    checkpoints_.insert(checkpoints_.begin(), found.begin(), found.end());
     // Of two at the same step, the one in its own folder is first: it needs no links.
     std::stable_sort(checkpoints_.begin(), checkpoints_.end(), [](const std::string& a, const std::string& b) {
         return fs::path(a).filename() > fs::path(b).filename();
@@ -161,29 +141,24 @@ std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identi
     throw Error(ErrorKind::input, reasons);
 }
 
-std::string folder_of(const CheckpointFile& checkpoint, const std::string& directory) {
-    const fs::path folder = result_of(checkpoint.path());
-    return folder == fs::path(directory) || !is_being_built(folder.string()) ? "" : folder.string();
+bool is_in_partial(const CheckpointFile& checkpoint, const std::string& directory) {
+    return result_of(checkpoint.path()) == partial_folder(directory);
 }
 
 void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& directory) {
     const fs::path from = result_of(checkpoint.path()), to = directory.path("");
     const std::string name = fs::path(checkpoint.path()).filename().string();
     const std::size_t frames = checkpoint.head().frame_times.size();
-    const auto is_earlier_frame = [&](const std::string& file) {
-        const auto index = frame_index(file);
-        return index && *index < frames;
-    };
     const fs::path run_frames = frames_of_run(from.string());
     if (fs::path(directory.folder()) == from) {
         put_back_whole(run_frames, to / k_frame_folder);
-        remove_unwanted(to, "", [](const std::string& file) {
-            return file == k_checkpoint_folder || file == k_frame_folder || file == k_building_file;
+        const std::error_code error = remove_own_files(to.string(), [&](const std::string& path) {
+            const fs::path folder = fs::path(path).parent_path(), file = fs::path(path).filename();
+            const auto frame = frame_index(file);
+            return path == k_building_file || (folder == k_frame_folder && frame && *frame < frames) ||
+                   (folder == k_checkpoint_folder && file.string() <= name && !file_in_making(file));
         });
-        remove_unwanted(to, k_checkpoint_folder, [&](const std::string& file) {
-            return file <= name && file.find(".partial") == std::string::npos;
-        });
-        remove_unwanted(to, k_frame_folder, is_earlier_frame);
+        if (error) fail(to, error);
         return;
     }
     directory.make_folder(k_checkpoint_folder);
@@ -191,15 +166,6 @@ void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& dire
     for (const std::string& file : names_of_frames(run_frames.string(), frames))
         link(run_frames / file, to / k_frame_folder / file);
     link(checkpoint.path(), to / k_checkpoint_folder / name);
-}
-
-std::vector<FrameRecord> frame_records(const CheckpointFile& checkpoint, const std::string& folder) {
-    const CheckpointHead& head = checkpoint.head();
-    if (!head.frame_records.empty()) return head.frame_records;
-    std::vector<FrameRecord> records;
-    for (const std::string& name : names_of_frames(folder, head.frame_times.size()))
-        records.push_back(record_of((fs::path(folder) / name).string()));
-    return records;
 }
 
 }  // namespace frana::app

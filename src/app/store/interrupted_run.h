@@ -24,8 +24,8 @@ bool has_saved_work(const std::string& folder);
 /// Returns the folder in which a killed or stopped study left records of members for this result; empty: none.
 std::string interrupted_study(const std::string& directory);
 
-/// The remains of incomplete runs of one result: checkpoints in the result directory (stopped by a signal) and in
-/// folders beside it in which it was being built (killed).
+/// The remains of incomplete runs of one result: checkpoints in the result directory (stopped by a signal) and in the
+/// partial folder (killed).
 class InterruptedRun {
   public:
     /// Throws Error(environment) if the place cannot be read.
@@ -34,7 +34,7 @@ class InterruptedRun {
     [[nodiscard]] bool any() const noexcept { return !checkpoints_.empty(); }
     /// Whether the existing result was stopped and can be resumed.
     [[nodiscard]] bool in_place() const noexcept { return in_place_; }
-    /// An unfinished folder beside the result; empty: none.
+    /// The partial folder, if it has checkpoints; else empty.
     [[nodiscard]] const std::string& beside() const noexcept { return beside_; }
 
     /// Returns the latest checkpoint that is complete and of the same scene, with a warning for every later one that is
@@ -47,17 +47,11 @@ class InterruptedRun {
     std::string beside_;
 };
 
-/// Returns the folder beside a result in which a checkpoint's run can be resumed; empty for that of the result itself,
-/// and for one without a note that the result was being built in it (of an older frana, or a copy), which is not
-/// changed.
-std::string folder_of(const CheckpointFile& checkpoint, const std::string& directory);
+/// Whether a checkpoint is in the partial folder, where its run can be resumed.
+bool is_in_partial(const CheckpointFile& checkpoint, const std::string& directory);
 
 /// Restores a result directory to its state at a checkpoint: its frames until then and the checkpoint itself, and
 /// nothing else. Throws Error(environment).
 void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& directory);
-
-/// Returns the files of a checkpoint's frames: as recorded in it, or as they are in `folder` if it is older than such
-/// records.
-std::vector<FrameRecord> frame_records(const CheckpointFile& checkpoint, const std::string& folder);
 
 }  // namespace frana::app

@@ -62,6 +62,48 @@ class ManifestLock {
     int descriptor_;
 };
 
+/// ContentSum of bytes.
+class ContentSum {
+  public:
+    ContentSum() : state_(XXH3_createState(), &XXH3_freeState) { XXH3_128bits_reset(state_.get()); }
+    void add(std::string_view bytes) {
+        XXH3_128bits_update(state_.get(), bytes.data(), bytes.size());
+        mark_.bytes += bytes.size();
+    }
+    [[nodiscard]] FileMark mark() const {
+        const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
+        char text[33];
+        std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                      static_cast<unsigned long long>(hash.low64));
+        FileMark mark = mark_;
+        mark.checksum = text;
+        return mark;
+    }
+
+  private:
+    std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
+    FileMark mark_;
+};
+
+/// Whether a GeoPackage has its mark with an earlier header. Format of SQLite: bytes 18 and 19 are the journal mode, 24
+/// to 27 and 92 to 95 count changes, two for each time that a GIS shows the file.
+bool is_as_before_showing(const std::string& path, const FileMark& listed) {
+    constexpr std::size_t k_header = 100, k_most_changes = 64;
+    std::string all;
+    read_blocks(path, [&](std::string_view bytes) { all += bytes; });
+    if (all.size() < k_header) return false;
+    all[18] = all[19] = 1;
+    for (std::size_t change = 0; change < k_most_changes; ++change) {
+        for (const std::size_t counter : {24U, 92U})  // one less, big-endian
+            for (std::size_t byte = counter + 3; byte >= counter && all[byte]-- == 0; --byte) {
+            }
+        ContentSum sum;
+        sum.add(all);
+        if (sum.mark() == listed) return true;
+    }
+    return false;
+}
+
 /// Returns the nearest folder above a file that is a result; empty: none.
 fs::path result_around(const fs::path& file) {
     for (fs::path folder = file.parent_path();; folder = folder.parent_path()) {
@@ -116,20 +158,18 @@ std::string unescaped_name(const std::string& text) {
 }
 
 FileMark mark_of(const std::string& path) {
-    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), &XXH3_freeState);
-    XXH3_128bits_reset(state.get());
-    FileMark mark;
-    const int reason = read_blocks(path, [&](std::string_view bytes) {
-        XXH3_128bits_update(state.get(), bytes.data(), bytes.size());
-        mark.bytes += bytes.size();
-    });
-    if (reason != 0) fail("cannot be read", path, reason);
-    const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-    char text[33];
-    std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                  static_cast<unsigned long long>(hash.low64));
-    mark.checksum = text;
-    return mark;
+    ContentSum sum;
+    if (const int reason = read_blocks(path, [&](std::string_view bytes) { sum.add(bytes); }); reason != 0)
+        fail("cannot be read", path, reason);
+    return sum.mark();
+}
+
+bool is_as_listed(const std::string& path, const FileMark& listed) {
+    std::error_code error;
+    if (fs::file_size(path, error) != listed.bytes || error) return false;
+    if (mark_of(path) == listed) return true;
+    if (!path.ends_with(".gpkg")) return false;
+    return is_as_before_showing(path, listed);
 }
 
 FileMark mark_on_disk(const std::string& path) {

@@ -35,7 +35,11 @@ std::string unescaped_name(const std::string& text);
 /// Returns the mark of a file's content. Throws Error(environment) if it cannot be read.
 FileMark mark_of(const std::string& path);
 
-/// The same, after the file's bytes are synced to the disk: listed files survive a power failure.
+/// Whether a file is as it was listed. Of a GeoPackage also if a GIS only showed it: SQLite then changes the journal
+/// mode in the header and counts there. Throws Error(environment) if it cannot be read.
+bool is_as_listed(const std::string& path, const FileMark& listed);
+
+/// Returns the mark of a file's content after its bytes are synced to the disk: listed files survive a power failure.
 FileMark mark_on_disk(const std::string& path);
 
 /// Returns a folder's manifest; none if there is none, it is not readable, not frana's, or of an unknown format. Throws

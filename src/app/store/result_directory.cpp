@@ -21,11 +21,9 @@
 #include "app/store/checkpoints.h"
 #include "app/store/interrupted_run.h"
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/partial_folder.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
-#include "app/store/unfinished_results.h"
-#include "app/text/text_file.h"
 #include "core/files.h"
 
 namespace frana::app {
@@ -36,6 +34,10 @@ namespace fs = std::filesystem;
 [[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& reason) {
     throw Error(ErrorKind::environment,
                 Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
+}
+
+std::string kept_in(const std::string& partial) {
+    return "; the new result is complete in " + partial + ": the same command with --resume publishes it";
 }
 
 /// Lists every file of frana below a folder in which a result was built, and syncs each to the disk. What a killed
@@ -64,63 +66,52 @@ Manifest manifest_of(const fs::path& folder, const ResultFacts& facts) {
 
 }  // namespace
 
-ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, const std::string& left)
-    : directory_(result_path(directory)), aside_(left), overwrite_(overwrite), made_(left.empty()) {
-    if (made_) {
-        make_sibling();
-    } else {
-        // Another run's check of the lock may hold it for a moment.
-        for (int tries = 0; lock_ < 0 && tries < 10; ++tries) {
-            if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            lock_ = lock_folder(aside_, false);
-        }
-        if (lock_ < 0) refuse();
-    }
-    if (another_run_builds(directory_, aside_)) refuse();
-}
-
-void ResultDirectory::make_sibling() {
+ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, bool resumes)
+    : directory_(result_path(directory)), partial_(partial_folder(directory)), overwrite_(overwrite) {
     std::error_code error;
     fs::create_directories(fs::path(directory_).parent_path(), error);
     if (error) fail("cannot be made", fs::path(directory_).parent_path().string(), error.message());
-    std::string name = directory_ + k_building + "XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) fail("no folder can be created beside it", directory_, std::strerror(errno));
-    aside_ = name;
-    // mkdtemp restricts access; a result gets the permissions of the one before it, or of any folder of the user.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
+    // Another run's check of the lock may hold it for a moment, and one that ends may rename the folder.
+    for (int tries = 0; !lock_ || !lock_->is_of(partial_); ++tries) {
+        if (tries == 10 && lock_->reason() != EWOULDBLOCK)
+            fail("cannot be opened", partial_, std::strerror(lock_->reason()));
+        if (tries == 10) throw Error(ErrorKind::input, other_run(directory_));
+        if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        if (::mkdir(partial_.c_str(), 0777) != 0 && errno != EEXIST)
+            fail("no folder can be created beside it", directory_, std::strerror(errno));
+        lock_.emplace(partial_, false);
+    }
+    if (!resumes) take_over();
+}
+
+/// Empties the folder and notes what it is.
+void ResultDirectory::take_over() const {
+    if (const auto problem = partial_problem(partial_)) throw Error(ErrorKind::input, *problem);
+    std::error_code error = remove_own_files(partial_);
+    if (error) fail("cannot be emptied", partial_, error.message());
+    // A result gets the permissions of the one before it.
     struct stat older {};
-    const bool is_there = ::stat(directory_.c_str(), &older) == 0;
-    fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), error);
-    lock_ = lock_folder(aside_, true);  // another run's check of the lock may hold it for a moment
+    if (::stat(directory_.c_str(), &older) == 0)
+        fs::permissions(partial_, static_cast<fs::perms>(older.st_mode & 07777), error);
     try {
-        note_building(aside_, directory_);
+        note_building(partial_);
     } catch (const Error&) {
-        ::rmdir(aside_.c_str());
-        if (lock_ >= 0) ::close(lock_);
+        ::rmdir(partial_.c_str());
         throw;
     }
 }
 
-// Called by the constructor: the destructor does not run.
-void ResultDirectory::refuse() {
-    if (made_) remove_unfinished(aside_);
-    if (lock_ >= 0) ::close(lock_);
-    throw Error(ErrorKind::input, Problem{"another run is writing this result now", directory_, "", "",
-                                          "Wait for it, or choose another folder with --out"});
-}
-
 ResultDirectory::~ResultDirectory() {
     try {
-        if (!published_ && !has_saved_work(aside_)) remove_unfinished(aside_);
-    } catch (const Error&) {
-        published_ = true;  // files that cannot be read remain for the next run
+        if (published_ || !is_being_built(partial_) || has_saved_work(partial_) || !users_files(partial_).empty())
+            return;
+        if (!remove_own_files(partial_)) ::rmdir(partial_.c_str());
+    } catch (const Error&) {  // files that cannot be read remain for the next run
     }
-    if (lock_ >= 0) ::close(lock_);
 }
 
 std::string ResultDirectory::path(const std::string& name) const {
-    return (fs::path(aside_) / name).string();
+    return (fs::path(partial_) / name).string();
 }
 
 void ResultDirectory::make_folder(const std::string& name) const {
@@ -129,66 +120,35 @@ void ResultDirectory::make_folder(const std::string& name) const {
     if (error) fail("cannot be made", path(name), error.message());
 }
 
-std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
-    write_manifest(aside_, manifest_of(aside_, facts));
-    const bool replaces = has_files(directory_);
-    if (replaces && !overwrite_)  // another program was faster; the computed result is not discarded
-        keep_unpublished("another result has appeared there meanwhile", "");
-    if (replaces) {
-        try {
-            note_replaced(directory_, fs::path(aside_).filename().string());
-        } catch (const Error&) {  // only a kill in the next moments would lose it
-        }
-    }
-    // The two are exchanged atomically: a result exists at every moment.
-    const bool exchanged =
-        replaces && ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0;
-    if (!exchanged) replace_in_steps(replaces);  // not supported by the file system, or there is no older result
+void ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
+    write_manifest(partial_, manifest_of(partial_, facts));
+    if (has_files(directory_))
+        replace_older();
+    else if (std::rename(partial_.c_str(), directory_.c_str()) != 0)
+        fail("the result cannot take its name", directory_, std::strerror(errno) + kept_in(partial_));
     published_ = true;
-    std::error_code ignored;
-    fs::remove(fs::path(directory_) / k_building_file, ignored);
     sync_path(fs::path(directory_).parent_path().string());
-    ::close(std::exchange(lock_, -1));  // later changes of the manifest need the lock
-    return tidy_up(replaces, log);
+    lock_.reset();  // later changes of the manifest need it
+    remove_partial(directory_, log);
 }
 
-void ResultDirectory::replace_in_steps(bool replaces) {
-    const std::string waiting = aside_ + ".old";
+/// The two are exchanged atomically: a result exists at every moment.
+void ResultDirectory::replace_older() {
+    const FolderLock older(directory_, true);  // a command that adds pictures to it
+    const std::vector<std::string> users = users_files(directory_);
+    if (!overwrite_ || !users.empty())  // since the run began; the computed result is not discarded
+        fail(overwrite_ ? "contains " + told(users) : "another result has appeared there meanwhile", directory_,
+             kept_in(partial_));
+    note_replaced(directory_);
+    if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0) return;
+    const std::string waiting = partial_ + k_waiting;  // a file system without this operation
     std::error_code error, ignored;
-    if (replaces) {
-        fs::rename(directory_, waiting, error);
-        if (error) keep_unpublished("the older result cannot be moved away", error.message());
-    }
-    fs::rename(aside_, directory_, error);
-    if (error) {
-        if (replaces) fs::rename(waiting, directory_, ignored);
-        keep_unpublished("the result cannot take its name", error.message());
-    }
-    if (replaces) fs::rename(waiting, aside_, ignored);
-}
-
-void ResultDirectory::keep_unpublished(const std::string& what, const std::string& reason) {
-    const std::string kept = directory_ + ".kept-" + aside_.substr(aside_.rfind('-') + 1);
-    std::error_code error, ignored;
-    fs::rename(aside_, kept, error);
-    if (!error) fs::remove(fs::path(kept) / k_building_file, ignored);
-    fs::remove(fs::path(directory_) / k_replaced_file, ignored);
-    published_ = true;
-    fail(what, directory_, (reason.empty() ? "" : reason + "; ") + "the new one is kept in " + (error ? aside_ : kept));
-}
-
-std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
-    const std::size_t lines = log.lines().size();
-    const std::vector<Problem> problems = clear_place_of(directory_, replaces ? aside_ : "", log);
-    if (log.lines().size() > lines) {
-        write_text_file(final_path(k_log_file), log.text());
-        record_files({final_path(k_log_file)});
-    }
-    return problems;
-}
-
-std::string ResultDirectory::final_path(const std::string& name) const {
-    return (fs::path(directory_) / name).string();
+    fs::rename(directory_, waiting, error);
+    if (error) fail("the older result cannot be moved away", directory_, error.message() + kept_in(partial_));
+    fs::rename(partial_, directory_, error);
+    if (error) fs::rename(waiting, directory_, ignored);
+    if (error) fail("the result cannot take its name", directory_, error.message() + kept_in(partial_));
+    fs::rename(waiting, partial_, ignored);
 }
 
 namespace {
@@ -205,26 +165,6 @@ void remove_leftovers(const fs::path& result, const fs::path& folder) {
 }
 
 }  // namespace
-
-std::vector<Problem> clear_place_of(const std::string& result, const std::string& replaced, RunLog& log) {
-    std::vector<Problem> problems;
-    std::vector<std::string> older = replaced_results(result);
-    if (!replaced.empty() && std::find(older.begin(), older.end(), replaced) == older.end()) older.push_back(replaced);
-    for (const std::string& folder : older) {
-        const int mine = lock_folder(folder, false);
-        if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is processing it
-        const std::vector<Problem> more = replace_result(folder, result, log);
-        problems.insert(problems.end(), more.begin(), more.end());
-        if (mine >= 0) ::close(mine);
-    }
-    for (const std::string& folder : abandoned_results(result)) {
-        if (!remove_unfinished(folder))
-            log.info("a killed run has left " + folder + "; it contains files that frana did not write, and is kept");
-    }
-    remove_empty_siblings(result);
-    remove_note_of_building(result);
-    return problems;
-}
 
 void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
@@ -252,6 +192,7 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     }
     remove_from_manifest(result, removed);
     remove_leftovers(result, result);
+    remove_partial(result, log);
 }
 
 }  // namespace frana::app

@@ -13,9 +13,9 @@
 
 #include "app/store/checkpoints.h"
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/own_files.h"
+#include "app/store/partial_folder.h"
 #include "app/store/result_files.h"
-#include "app/store/unfinished_results.h"
 
 namespace frana::app {
 namespace {
@@ -73,7 +73,7 @@ bool is_sticky(const fs::path& path) {
 /// Returns the greatest length of a result's name: it is built beside its place under a longer name.
 long longest_name(const fs::path& path) {
     const long most = ::pathconf(existing_parent(path).c_str(), _PC_NAME_MAX);
-    return (most > 0 ? most : 255) - static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
+    return (most > 0 ? most : 255) - static_cast<long>(std::string(k_partial).size() + std::string(k_waiting).size());
 }
 
 /// SQLite, which writes the GeoPackages, opens no path of more bytes, with those of its journal; inside a result the
@@ -102,33 +102,37 @@ std::optional<Problem> broken_link(const std::string& directory, const fs::path&
         "Connect the disk or create the folder that it points to, or choose another result directory with --out"};
 }
 
-/// Files of the older result that are removed or moved must not be inputs.
-bool would_be_replaced(const fs::path& input, const fs::path& result, const std::optional<Manifest>& manifest) {
-    if (!is_inside(input, result)) return false;
-    const std::string name = input.lexically_relative(result).generic_string();
-    if (name == k_scene_file) return false;  // read before anything is written, and rewritten
-    return !manifest || manifest->files.count(name) > 0 || existing_file(name) != nullptr;
-}
+constexpr const char* k_move = "Move them to another folder, or choose another result directory with --out";
 
-void check_older(const fs::path& path, bool overwrite, const std::vector<std::string>& inputs, const std::string& where,
-                 Problems& problems) {
+void check_older(const fs::path& path, Older older, const std::string& where, Problems& problems) {
     const std::optional<Manifest> manifest = read_manifest(path.string());
-    if (!manifest && !is_unlisted_result(path.string())) {
-        problems.add({"is a folder with other files, not a result; it is never overwritten", where, path.string(), "",
-                      "Choose an empty or new folder with --out"});
-    } else if (!overwrite) {
+    if (!manifest) {
+        problems.add(
+            {"is a folder with other files, not a result (it has no manifest.json of frana's); it is never overwritten",
+             where, path.string(), "", "Choose an empty or new folder with --out"});
+    } else if (older == Older::refused) {
         problems.add({"contains a result already", where, path.string(), "",
-                      (manifest && manifest->finished.value_or(false)) || checkpoints_in(path.string()).empty()
+                      manifest->finished.value_or(false) || checkpoints_in(path.string()).empty()
                           ? "Choose another folder with --out, or add --overwrite"
                           : "It was stopped before its end: --resume continues it, --overwrite starts anew"});
+    } else if (older == Older::replaced) {
+        if (const auto users = users_files(path.string()); !users.empty())
+            problems.add({"contains " + told(users), where, path.string(), "", k_move});
     }
+}
+
+/// Inputs must not be in the result's folder, whatever their names.
+void check_inputs(const fs::path& result, const std::vector<std::string>& inputs, const std::string& where,
+                  Problems& problems) {
+    const auto would_be_replaced = [&](const std::string& place) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(place, error);
+        return !error && fs::exists(real, error) && is_inside(real, result) &&
+               real != result / k_scene_file;  // read before anything is written, and rewritten
+    };
     for (const std::string& input : inputs) {
         const std::vector<std::string> places = spellings(input);
-        if (std::any_of(places.begin(), places.end(), [&](const std::string& place) {
-                std::error_code error;
-                const fs::path real = fs::weakly_canonical(place, error);
-                return !error && fs::exists(real, error) && would_be_replaced(real, path, manifest);
-            }))
+        if (std::any_of(places.begin(), places.end(), would_be_replaced))
             problems.add({"is an input and would be replaced by the result", where, input, "", k_choose});
     }
 }
@@ -155,7 +159,22 @@ bool has_files(const std::string& folder) {
     return error || !is_empty;
 }
 
-std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
+Problem other_run(const std::string& result) {
+    return {"another run is writing this result now", result, "", "",
+            "Wait for it, or choose another folder with --out"};
+}
+
+std::optional<Problem> partial_problem(const std::string& partial) {
+    if (!has_files(partial)) return {};
+    if (!is_being_built(partial) && !is_being_replaced(partial))
+        return Problem{"was not made by frana, which builds the result in a folder of this name", partial, "", "",
+                       k_move};
+    const auto users = users_files(partial);
+    if (users.empty()) return {};
+    return Problem{"was left by a run that was killed and contains " + told(users), partial, "", "", k_move};
+}
+
+std::optional<Problem> check_result_directory(const std::string& directory, Older older,
                                               const std::vector<std::string>& inputs, const std::string& where,
                                               Problems& problems) {
     const fs::path path = result_path(directory);
@@ -180,7 +199,16 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
         problems.add({"has a path that is too long: GeoPackages in it could not be written", where,
                       std::to_string(bytes) + " bytes", "at most " + std::to_string(k_longest_path - k_room) + " bytes",
                       "Choose a folder nearer to the root with --out"});
-    if (has_files(path.string())) check_older(path, overwrite, inputs, where, problems);
+    try {
+        if (has_files(path.string())) check_older(path, older, where, problems);
+        const std::string partial = partial_folder(directory);
+        const bool is_written = is_locked(partial);
+        if (is_written && older != Older::unknown) problems.add(other_run(path.string()));
+        if (const auto problem = is_written ? std::nullopt : partial_problem(partial)) problems.add(*problem);
+    } catch (const Error& error_of_disk) {
+        return error_of_disk.problems().front();
+    }
+    check_inputs(path, inputs, where, problems);
     const fs::path parent = existing_parent(path);
     if (!fs::is_directory(parent, error)) {
         problems.add(

@@ -67,7 +67,7 @@ class Calibrate : public TinyScene {
     [[nodiscard]] std::vector<std::string> records() const {
         std::vector<std::string> names;
         for (const std::string& name : files())
-            if (name.find("/record_") != std::string::npos && name.find("out.partial-") != std::string::npos)
+            if (name.find("/record_") != std::string::npos && name.find("out.partial/") != std::string::npos)
                 names.push_back(name);
         return names;
     }

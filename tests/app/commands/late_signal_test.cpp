@@ -26,11 +26,7 @@ class Late : public Resuming {
     }
     // Whether a file exists in the folder in which a result is being built.
     [[nodiscard]] bool has_begun(const std::string& result, const std::string& file) const {
-        std::error_code ignored;
-        for (const auto& entry : fs::directory_iterator(folder_, ignored))
-            if (entry.path().filename().string().starts_with(result + ".partial-") && fs::exists(entry.path() / file))
-                return true;
-        return false;
+        return fs::exists(path(result + ".partial/" + file));
     }
     // Sends signals once a file exists.
     Outcome stop_at(const std::string& result, const std::string& file, const std::vector<int>& signals,

@@ -31,7 +31,7 @@ class Ensemble : public TinyScene {
         std::vector<std::string> names;
         try {
             for (const std::string& name : files())
-                if (name.find("/records/record_") != std::string::npos && name.find("partial-") != std::string::npos)
+                if (name.find("/records/record_") != std::string::npos && name.find("partial/") != std::string::npos)
                     names.push_back(name);
         } catch (const std::filesystem::filesystem_error&) {  // a folder went while it was read
             names.clear();

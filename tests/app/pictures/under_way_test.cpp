@@ -25,9 +25,7 @@ class UnderWay : public TinyScene {
     }
     /// The folder in which the result is being built; empty if there is none yet.
     [[nodiscard]] fs::path building() const {
-        for (const auto& entry : fs::directory_iterator(folder_))
-            if (entry.path().filename().string().starts_with("result.partial-")) return entry.path();
-        return {};
+        return fs::exists(path("result.partial")) ? fs::path(path("result.partial")) : fs::path();
     }
     [[nodiscard]] int frames() const {
         std::ifstream file(building() / "frames/frames.csv");

@@ -7,6 +7,7 @@
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
 #include "app/store/checkpoint_file.h"
+#include "app/store/partial_folder.h"
 #include "app/store/scene_identity.h"
 #include "gis/raster/raster_in.h"
 #include "params/scene/read_scene.h"
@@ -35,7 +36,8 @@ class OlderCheckpoint : public TinyScene {
 
     // Runs to the end, with a checkpoint as left by a killed run.
     Raster run_to_end(std::optional<OriginCell> told) {
-        fs::create_directories(path("result.partial-killed/checkpoint"));
+        fs::create_directories(path("result.partial/checkpoint"));
+        app::note_building(path("result.partial"));
         RunOptions options;
         options.after_step = [&](const Progress& now, const SaveState& state) {
             if (now.step != k_saved_step) return;
@@ -58,9 +60,7 @@ class OlderCheckpoint : public TinyScene {
         EXPECT_GT(result.steps, k_saved_step);
         return result.max_depth;
     }
-    [[nodiscard]] std::string file() const {
-        return path("result.partial-killed/checkpoint/step_000000000000008.frana");
-    }
+    [[nodiscard]] std::string file() const { return path("result.partial/checkpoint/step_000000000000008.frana"); }
     // --resume ends with the result of the run.
     void expect_resumes_to(const Raster& expected) {
         const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result replaces an older one: nothing of the older one is mistaken for the new, and no file of the user is lost.
+// A result replaces an older one: nothing of the older one is mistaken for the new, and users' files are in the way.
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
+#include <fstream>
 #include <map>
 
 #include "app/store/manifest.h"
+#include "app/store/partial_folder.h"
 #include "app/store/result_files.h"
-#include "app/store/unfinished_results.h"
 #include "params/keys/result_rasters.h"
 #include "result_scenes.h"
 #include "resuming.h"
@@ -22,6 +24,22 @@ class Overwrite : public ResultScenes {
   protected:
     /// Makes results of all commands that run many scenes: "range", "union", "region", "fitted", "fitted_to_two".
     void make_studies() const;
+    /// Expects that --overwrite is refused with these words, and changes nothing.
+    void expect_refused(const std::string& words, const std::string& result = "old") const {
+        const auto before = bytes_below(folder_.string());
+        const Outcome outcome = frana({"run", "scene.ini", "--out", result, "--overwrite"});
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\nin " << outcome.err;
+        EXPECT_TRUE(bytes_below(folder_.string()) == before);
+    }
+    [[nodiscard]] static std::map<std::string, std::string> bytes_below(const std::string& folder) {
+        std::map<std::string, std::string> all;
+        for (const std::string& name : files_below(folder)) {
+            const fs::path file = fs::path(folder) / name;
+            all[name] = fs::is_symlink(file) ? fs::read_symlink(file).string() : read_text(file.string());
+        }
+        return all;
+    }
 };
 
 TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
@@ -111,57 +129,87 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     }
 }
 
-TEST_F(Overwrite, KeepsTheUsersFilesInEveryFolder) {
+TEST_F(Overwrite, IsRefusedWhileUsersFilesAreInTheWay) {
     run(k_voellmy + k_entrainment + "[output]\nmap-size = 800x600\nmaps = max_depth\nanimation = off\n", "old");
-    const std::map<std::string, std::string> same_name{{"notes.txt", "a"},
-                                                       {"maps/mine.png", "b"},
-                                                       {"charts/mine.csv", "c"},
-                                                       {"frames/mine.tif", "d"},
-                                                       {"frames/depth_9999_mine.txt", "d2"},
-                                                       {"gis/deep/er.qgz", "e"},
-                                                       {"manifest.json.bak", "f"}};
-    // Changed files, and those that a GIS creates beside a raster: they would be read with the new raster.
-    const std::map<std::string, std::string> other_name{{"max_depth.qml", "max_depth.kept-1.qml"},
-                                                        {"eroded_depth.tif", "eroded_depth.kept-1.tif"},
-                                                        {"maps/max_depth.png", "maps/max_depth.kept-1.png"},
-                                                        {"max_depth.tif.aux.xml", "max_depth.tif.aux.kept-1.xml"},
-                                                        {"extent.gpkg-wal", "extent.kept-1.gpkg-wal"},
-                                                        {"hazard.tif", "hazard.kept-1.tif"},
-                                                        {"frames/depth_0001.tif", "frames/depth_0001.kept-1.tif"}};
-    for (const auto& [name, text] : same_name) {
+    const std::string one = "contains a file that frana did not write, or that was changed since: ";
+    // Of the user's own, with a name of frana's that is not listed, changed, and a journal with changes in it.
+    for (const std::string name :
+         {"notes.txt", "maps/mine.png", "frames/depth_9999_mine.txt", "gis/deep/er.qgz", "manifest.json.bak",
+          "max_depth.kept-1.sld", "hazard.tif", "max_depth.tif.aux.xml.old", "extent.gpkg-wal", "notes.txt.aux.xml"}) {
         fs::create_directories(fs::path(path("old/" + name)).parent_path());
-        write("old/" + name, text);
+        write("old/" + name, "mine");
+        expect_refused(one + name + " (value ");
+        fs::remove(path("old/" + name));
     }
-    for (const auto& [name, later] : other_name) write("old/" + name, "mine: " + name);
+    for (const std::string name :
+         {"max_depth.qml", "eroded_depth.tif", "maps/max_depth.png", "frames/depth_0001.tif"}) {
+        const std::string before = read_text(path("old/" + name));
+        for (const std::string& changed : {std::string("mine"), std::string(before.size(), 'x')}) {
+            write("old/" + name, changed);
+            expect_refused(one + name + " (changed) (value ");
+        }
+        write("old/" + name, before);
+    }
     fs::create_symlink("/nowhere", path("old/link"));
-    fs::create_directory(path("old/empty"));
-    write("old/max_depth.kept-1.sld", "of an earlier time");
-
+    expect_refused(one + "link");
+    expect_refused("Move them to another folder, or choose another result directory with --out");
+    for (int i = 0; i < 12; ++i) write("old/note_" + std::to_string(i), "mine");
+    expect_refused("contains 13 files that frana did not write, or that were changed since: link, note_0, ");
+    expect_refused("note_6, and 3 more");
+    for (int i = 0; i < 12; ++i) fs::remove(path("old/note_" + std::to_string(i)));
+    fs::remove(path("old/link"));
+    // Folders without files, and files that are missing, are no files of the user's.
+    fs::create_directories(path("old/empty/deeper"));
+    fs::remove(path("old/maps/max_depth.png"));
     run(k_voellmy + k_numbers_only, "fresh");
     run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
-    for (const auto& [name, text] : same_name) EXPECT_EQ(read_text(path("old/" + name)), text) << name;
-    for (const auto& [name, later] : other_name) EXPECT_EQ(read_text(path("old/" + later)), "mine: " + name) << name;
-    EXPECT_EQ(fs::read_symlink(path("old/link")), "/nowhere");
-    EXPECT_TRUE(fs::is_directory(path("old/empty")));
-    EXPECT_EQ(read_text(path("old/max_depth.kept-1.sld")), "of an earlier time");
-    const std::string log = read_text(path("old/log.txt"));
-    EXPECT_NE(log.find("max_depth.qml, which was changed since frana wrote it, is kept as max_depth.kept-1.qml"),
-              std::string::npos)
-        << log;
-    const auto manifest = app::read_manifest(path("old"));
-    ASSERT_TRUE(manifest);
-    EXPECT_TRUE(manifest->files.at("log.txt") == app::mark_of(path("old/log.txt")));
-    // The rest is what a fresh run writes.
-    for (const std::string& name : files_below(path("fresh")))
-        EXPECT_TRUE(lasting_bytes(path("fresh/" + name)) == lasting_bytes(path("old/" + name))) << name;
-    EXPECT_EQ(files_below(path("old")).size(),
-              files_below(path("fresh")).size() + same_name.size() + other_name.size() + 2);
-    // The second time the numbers continue.
-    write("old/max_depth.qml", "again");
+    expect_same_files(path("fresh"), path("old"));
+    EXPECT_EQ(files_below(path("old")).size(), files_below(path("fresh")).size());
+    EXPECT_FALSE(exists("old/empty"));
+    EXPECT_FALSE(exists("old.partial"));
+}
+
+/// As QGIS does to show a GeoPackage, and to change it.
+void open_as_a_gis(const std::string& file, const std::string& statement) {
+    const std::string script = "import sqlite3; c = sqlite3.connect('" + file + "', isolation_level=None); " +
+                               "[c.execute(s).fetchall() for s in ('PRAGMA journal_mode = wal', \"\"\"" + statement +
+                               "\"\"\", 'PRAGMA journal_mode = delete')]";
+    std::ofstream(file + ".py") << script;
+    ASSERT_EQ(std::system(("python3 '" + file + ".py'").c_str()), 0);
+    fs::remove(file + ".py");
+}
+
+TEST_F(Overwrite, IsNotRefusedForWhatAGisMakesToShowAResult) {
+    run(k_voellmy + k_numbers_only, "old");
+    const std::string outlines = read_text(path("old/extent.gpkg"));
+    for (int time = 0; time < 3; ++time) open_as_a_gis(path("old/extent.gpkg"), "SELECT count(*) FROM gpkg_contents");
+    EXPECT_TRUE(read_text(path("old/extent.gpkg")) != outlines);
+    for (const char* name : {"max_depth.tif.aux.xml", "extent.gpkg-shm", "result.qgz~"})
+        write("old/" + std::string(name), "of QGIS");
+    write("old/extent.gpkg-wal", "");
     run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
-    EXPECT_EQ(read_text(path("old/max_depth.kept-2.qml")), "again");
-    EXPECT_EQ(read_text(path("old/max_depth.kept-1.qml")), "mine: max_depth.qml");
-    for (const std::string& name : files()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+    for (const char* name : {"max_depth.tif.aux.xml", "extent.gpkg-shm", "result.qgz~", "extent.gpkg-wal"})
+        EXPECT_FALSE(exists("old/" + std::string(name))) << name;
+    // A changed value is a change, whatever the size of the file.
+    open_as_a_gis(path("old/extent.gpkg"), "UPDATE gpkg_contents SET description = 'mine'");
+    expect_refused("extent.gpkg (changed)");
+}
+
+TEST_F(Overwrite, OfAStudyIsRefusedWhileUsersFilesAreInTheWay) {
+    make_studies();
+    const std::map<std::string, std::vector<std::string>> commands{{"range", {"ensemble", "study.ini"}},
+                                                                   {"region", {"batch", "region.ini"}},
+                                                                   {"fitted", {"calibrate", "fitted.ini"}}};
+    for (const auto& [result, words] : commands) {
+        write(result + "/notes.txt", "mine");
+        const auto before = bytes_below(path(result));
+        const Outcome outcome = frana({words[0], words[1], "--out", result, "--quiet", "--overwrite"});
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("contains a file that frana did not write, or that was changed since: notes.txt"),
+                  std::string::npos)
+            << outcome.err;
+        EXPECT_TRUE(bytes_below(path(result)) == before);
+    }
 }
 
 // Drawing and comparing again replace their own files, and keep files changed by the user.
@@ -200,17 +248,10 @@ TEST_F(Overwrite, AnotherProgramsFolderIsNoResult) {
     EXPECT_EQ(files(), before);
 }
 
-TEST_F(Overwrite, AnOlderResultWithoutAManifestIsKeptWhole) {
+TEST_F(Overwrite, AResultWithoutItsManifestIsRefused) {
     run(k_voellmy + k_numbers_only, "old");
-    run(k_voellmy + k_numbers_only, "fresh");
-    write("old/notes.txt", "mine");
     fs::remove(path("old/manifest.json"));
-    const std::vector<std::string> before = files_below(path("old"));
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "old", "--overwrite"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("kept whole in " + path("old.kept-1")), std::string::npos) << outcome.err;
-    EXPECT_EQ(files_below(path("old.kept-1")), before);
-    expect_same_files(path("fresh"), path("old"));
+    expect_refused("not a result (it has no manifest.json of frana's); it is never overwritten");
 }
 
 // A manifest is only text: it must not lead out of the folder.
@@ -218,7 +259,6 @@ TEST_F(Overwrite, AManifestAffectsNoFileElsewhere) {
     run(k_voellmy + k_numbers_only, "old");
     fs::create_directory(path("photos"));
     write("photos/one.jpg", "a photograph");
-    fs::create_directory_symlink("../photos", path("old/album"));
     auto manifest = app::read_manifest(path("old"));
     ASSERT_TRUE(manifest);
     for (const std::string name : {"../photos/one.jpg", "album/one.jpg"})
@@ -226,68 +266,82 @@ TEST_F(Overwrite, AManifestAffectsNoFileElsewhere) {
     app::write_manifest(path("old"), *manifest);
     run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
     EXPECT_EQ(read_text(path("photos/one.jpg")), "a photograph");
-    EXPECT_EQ(fs::read_symlink(path("old/album")), "../photos");
+    manifest = app::read_manifest(path("old"));
+    manifest->files["album/one.jpg"] = app::mark_of(path("photos/one.jpg"));
+    app::write_manifest(path("old"), *manifest);
+    fs::create_directory_symlink("../photos", path("old/album"));
+    expect_refused("album");
 }
 
-// Folders beside the result belong to frana only if they have a note with their own name.
+// Only the partial folder with a note that has its own name is frana's.
 TEST_F(Overwrite, FoldersBesideTheResultAreKept) {
     run(k_voellmy + k_numbers_only, "old");
     copy("old", "old.partial-backup");
-    fs::create_directories(path("old.partial-Ab12Cd/maps"));
-    write("old.partial-Ab12Cd/maps/mine.png", "x");
-    const std::vector<std::string> backup = files_below(path("old.partial-backup"));
+    copy("old", "old.old");
     run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
-    EXPECT_EQ(files_below(path("old.partial-backup")), backup);
-    EXPECT_TRUE(exists("old.partial-Ab12Cd/maps/mine.png"));
+    EXPECT_TRUE(exists("old.partial-backup/summary.json"));
+    EXPECT_TRUE(exists("old.old/summary.json"));
+    fs::rename(path("old.old"), path("old.partial"));
+    expect_refused("old.partial: was not made by frana");
+    app::note_building(path("old.partial-backup"));
+    write("old.partial/being_built.json", read_text(path("old.partial-backup/being_built.json")));
+    expect_refused("old.partial: was not made by frana");
 }
 
-// A run killed after the results were exchanged, and before the user's files were moved.
+// A run killed after the results were exchanged, and before the older one was removed.
 TEST_F(Overwrite, TheNextRunCompletesWhatAKilledOneLeft) {
-    run(k_voellmy + k_entrainment + k_numbers_only, "old");
+    const std::string older = k_voellmy + k_entrainment + k_numbers_only;
     run(k_voellmy + k_numbers_only, "fresh");
-    copy("fresh", "new");
-    write("old/notes.txt", "mine");
-    write("old/max_depth.qml", "my style");
-    app::note_replaced(path("old"), "result.partial-Ab12Cd");
-    fs::rename(path("old"), path("result.partial-Ab12Cd"));
-    fs::rename(path("new"), path("result"));
-    copy("result.partial-Ab12Cd", "result.partial-backup");
-    run(k_voellmy + k_numbers_only, "result", {"--overwrite"});
-    EXPECT_EQ(read_text(path("result/notes.txt")), "mine");
-    EXPECT_EQ(read_text(path("result/max_depth.kept-1.qml")), "my style");
-    EXPECT_FALSE(exists("result/eroded_depth.tif"));
-    EXPECT_FALSE(exists("result.partial-Ab12Cd"));
-    EXPECT_TRUE(exists("result.partial-backup/notes.txt"));
-    EXPECT_EQ(files_below(path("result")).size(), files_below(path("fresh")).size() + 2);
+    for (const std::string option : {"--overwrite", "--resume"}) {
+        SCOPED_TRACE(option);
+        run(older, "result");
+        copy("fresh", "result.partial");
+        app::note_building(path("result.partial"));
+        app::note_replaced(path("result"));
+        fs::rename(path("result"), path("waiting"));
+        fs::rename(path("result.partial"), path("result"));
+        fs::rename(path("waiting"), path("result.partial"));
+        write("result.partial/notes.txt", "mine");
+        expect_refused("result.partial: was left by a run that was killed and contains a file", "result");
+        fs::remove(path("result.partial/notes.txt"));
+        run(k_voellmy + k_numbers_only, "result", {option});
+        EXPECT_FALSE(exists("result.partial"));
+        expect_same_files(path("fresh"), path("result"));
+        EXPECT_EQ(files_below(path("result")).size(), files_below(path("fresh")).size());
+        fs::remove_all(path("result"));
+    }
 }
 
-// One that cannot be exchanged, as on some file systems or if another folder was put there.
-TEST_F(Overwrite, AResultThatCannotBeRenamedIsKeptBesideIt) {
-    write("scene.ini",
-          "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[time]\n"
-          "end = 60\nstop-when-still = off\n" +
-              k_voellmy + k_numbers_only);
-    StartedProgram program(folder_.string(), {"run", "scene.ini", "--out", "result", "--quiet"});
-    ASSERT_TRUE(program.wait_until([&] {
-        const auto names = files();
-        return std::any_of(names.begin(), names.end(), [](const std::string& name) {
-            return name.starts_with("result.partial-") && name.ends_with("extent.gpkg");
-        });
-    }));
-    fs::create_directory(path("result"));
-    write("result/notes.txt", "mine");
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-    const auto at = outcome.err.find("the new one is kept in ");
-    ASSERT_NE(at, std::string::npos) << outcome.err;
-    EXPECT_EQ(files_below(path("result")), std::vector<std::string>{"notes.txt"});
-    int kept = 0;
-    for (const std::string& name : files()) {
-        kept += name.starts_with("result.kept-") && name.ends_with("/manifest.json") ? 1 : 0;
-        EXPECT_EQ(name.find("partial"), std::string::npos) << name;
-        EXPECT_EQ(name.find("being_"), std::string::npos) << name;
+// Files that come into the older result, or to the result's place, while the new one is computed.
+TEST_F(Overwrite, AResultWhosePlaceIsNoLongerFreeIsKeptBesideIt) {
+    const std::string scene =
+        "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[time]\n"
+        "end = 60\nstop-when-still = off\n" +
+        k_voellmy + k_numbers_only;
+    for (const bool has_older : {false, true}) {
+        SCOPED_TRACE(has_older);
+        if (has_older) run(k_voellmy + k_numbers_only, "result");
+        write("scene.ini", scene);
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", "result", "--quiet"};
+        if (has_older) arguments.emplace_back("--overwrite");
+        StartedProgram program(folder_.string(), arguments);
+        ASSERT_TRUE(program.wait_until([&] { return exists("result.partial/extent.gpkg"); }));
+        fs::create_directories(path("result"));
+        write("result/notes.txt", "mine");
+        const auto before = bytes_below(path("result"));
+        const Outcome outcome = program.wait();
+        EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+        EXPECT_NE(outcome.err.find("the new result is complete in " + path("result.partial")), std::string::npos)
+            << outcome.err;
+        EXPECT_TRUE(bytes_below(path("result")) == before);
+        EXPECT_TRUE(exists("result.partial/manifest.json"));
+        fs::remove(path("result/notes.txt"));
+        arguments.emplace_back("--resume");
+        const Outcome resumed = frana(arguments);
+        EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+        EXPECT_FALSE(exists("result.partial"));
+        fs::remove_all(path("result"));
     }
-    EXPECT_EQ(kept, 1);
 }
 
 // With every output, of either model.
@@ -303,12 +357,7 @@ TEST_F(Overwrite, AResumedRunWritesTheFilesOfAFreshOne) {
         std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
         arguments.insert(arguments.end(), longer.begin(), longer.end());
         StartedProgram program(folder_.string(), arguments);
-        ASSERT_TRUE(program.wait_until([&] {
-            const auto names = files();
-            return std::any_of(names.begin(), names.end(), [&](const std::string& one) {
-                return one.starts_with(result + ".partial-") && one.ends_with("depth_0001.tif");
-            });
-        }));
+        ASSERT_TRUE(program.wait_until([&] { return exists(result + ".partial/frames/depth_0001.tif"); }));
         program.send(SIGINT);
         ASSERT_EQ(program.wait().exit_code, 130);
         arguments.push_back("--resume");
@@ -320,26 +369,23 @@ TEST_F(Overwrite, AResumedRunWritesTheFilesOfAFreshOne) {
 
 class LeftBehind : public Resuming {};
 
-TEST_F(LeftBehind, ACopyOrAUsersFileSavesTheFolderOfAKilledRun) {
+TEST_F(LeftBehind, AUsersFileInTheFolderOfAKilledRunIsInTheWay) {
     interrupt("result");
-    std::string left;
-    for (const auto& entry : fs::directory_iterator(folder_))
-        if (entry.path().filename().string().starts_with("result.partial-")) left = entry.path().filename().string();
-    ASSERT_NE(left, "");
-    fs::copy(path(left), path("result.partial-backup"), fs::copy_options::recursive);
-    write(left + "/notes.txt", "mine");
-    const std::vector<std::string> killed = files_below(path(left)),
-                                   backup = files_below(path("result.partial-backup"));
-    const Outcome outcome = frana(run("result", {"--overwrite"}));
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find(left + "; it contains files that frana did not write, and is kept"), std::string::npos)
-        << outcome.err;
-    EXPECT_EQ(files_below(path(left)), killed);
-    EXPECT_EQ(files_below(path("result.partial-backup")), backup);
-    fs::remove(path(left + "/notes.txt"));
+    write("result.partial/notes.txt", "mine");
+    const std::vector<std::string> killed = files_below(path("result.partial"));
+    for (const char* option : {"--overwrite", "--resume"}) {
+        const Outcome outcome = frana(run("result", {option}));
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(
+            outcome.err.find("result.partial: was left by a run that was killed and contains a file that frana did "
+                             "not write, or that was changed since: notes.txt"),
+            std::string::npos)
+            << outcome.err;
+        EXPECT_EQ(files_below(path("result.partial")), killed);
+    }
+    fs::remove(path("result.partial/notes.txt"));
     ASSERT_EQ(frana(run("result", {"--overwrite"})).exit_code, 0);
-    EXPECT_FALSE(fs::exists(path(left)));
-    EXPECT_EQ(files_below(path("result.partial-backup")), backup);
+    EXPECT_FALSE(fs::exists(path("result.partial")));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "app/store/manifest.h"
-#include "app/store/replace_result.h"
+#include "app/store/partial_folder.h"
 #include "app/store/result_place.h"
 #include "same_result.h"
 #include "support/tiny_scene.h"
@@ -65,11 +65,9 @@ TEST_F(Place, ASymbolicLinkIsKeptAndTheResultIsBuiltAtItsTarget) {
     }
     EXPECT_TRUE(is_result("disk/empty"));
     EXPECT_TRUE(is_result("disk/new"));
-    write("disk/empty/notes.txt", "mine");
     EXPECT_EQ(run("to_link").exit_code, 2);
     ASSERT_EQ(run("to_link", {"--overwrite", "--set", "release.thickness=1"}).exit_code, 0);
     EXPECT_NEAR(json_number(read_text(path("disk/empty/summary.json")), "initial_m3"), 2000, 1e-6);
-    EXPECT_EQ(read_text(path("disk/empty/notes.txt")), "mine");
     EXPECT_EQ(fs::read_symlink(path("to_link")), "to_empty");
     EXPECT_EQ(fs::read_symlink(path("to_empty")), "disk/empty");
     EXPECT_EQ(fs::read_symlink(path("to_nothing_yet")), path("disk/new"));
@@ -132,7 +130,7 @@ TEST_F(Place, OfAnotherOwnerOrWithoutPermissionIsRefused) {
     ASSERT_EQ(::chmod(path("").c_str(), 0755), 0);
     const auto refusal = [&](const std::string& directory) -> std::string {
         Problems problems;
-        const auto problem = app::check_result_directory(path(directory), true, {}, "--out", problems);
+        const auto problem = app::check_result_directory(path(directory), app::Older::replaced, {}, "--out", problems);
         EXPECT_TRUE(problems.empty());
         return problem ? describe(*problem) : "";
     };
@@ -215,55 +213,46 @@ TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
     EXPECT_EQ(files(), before);
 }
 
-// A second name of a result's file, and a user's own file in its folder, are read and still exist.
+// A second name of a result's file is read and still exists.
 TEST_F(Place, InputsThatTheResultDoesNotReplaceAreReadAndKept) {
     ASSERT_EQ(run("result").exit_code, 0);
     const std::string ground = read_text(path("result/dtm.tif"));
     fs::create_hard_link(path("result/dtm.tif"), path("second.tif"));
-    fs::copy_file(path("second.tif"), path("result/mine.tif"));
-    for (const std::string dtm : {"second.tif", "result/mine.tif"}) {
-        const Outcome outcome = run("result", {"--overwrite", "--set", "terrain.dtm=" + dtm});
-        EXPECT_EQ(outcome.exit_code, 0) << dtm << ": " << outcome.err;
-        for (const char* name : {"second.tif", "result/mine.tif"})
-            EXPECT_TRUE(read_text(path(name)) == ground) << dtm << ": " << name;
-    }
+    const Outcome outcome = run("result", {"--overwrite", "--set", "terrain.dtm=second.tif"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(read_text(path("second.tif")) == ground);
+    EXPECT_EQ(run("result", {"--overwrite"}).exit_code, 0);
 }
 
-// What could not be read, moved or removed is reported, and still exists.
+// What could not be read or removed is reported, and still exists.
 TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
-    for (const char* name : {"older", "older/frames", "older/private", "other", "other/frames", "result"}) {
+    for (const char* name : {"result", "result.partial", "result.partial/frames"}) {
         fs::create_directories(path(name));
         ASSERT_EQ(::chmod(path(name).c_str(), 0777), 0);
     }
     ASSERT_EQ(::chmod(path("").c_str(), 0777), 0);
     app::Manifest manifest;
     for (const std::string name : {"max_depth.tif", "frames/depth_0000.tif"}) {
-        for (const std::string folder : {"older/", "other/"}) write(folder + name, "raster");
-        manifest.files[name] = app::mark_of(path("older/" + name));
+        write("result.partial/" + name, "raster");
+        manifest.files[name] = app::mark_of(path("result.partial/" + name));
     }
-    for (const char* folder : {"older", "other"}) app::write_manifest(path(folder), manifest);
-    write("older/private/notes.txt", "mine");
-    ASSERT_EQ(::chmod(path("older/frames").c_str(), 0755), 0);
-    ASSERT_EQ(::chmod(path("older/private").c_str(), 0700), 0);
-    fs::create_directory(path("result/private"));
-    ASSERT_EQ(::chmod(path("other/frames").c_str(), 0755), 0);
-    const std::vector<std::string> before = files_below(path("older"));
+    app::write_manifest(path("result.partial"), manifest);
+    app::note_replaced(path("result"));
+    fs::rename(path("result/being_replaced.json"), path("result.partial/being_replaced.json"));
+    ASSERT_EQ(::chmod(path("result.partial/frames").c_str(), 0755), 0);
     app::RunLog log(true);
-    std::vector<Problem> unseen, seen;
     {
         const AsNobody nobody;
         if (!nobody.is()) GTEST_SKIP() << "only root can change the user";
-        unseen = app::replace_result(path("older"), path("result"), log);
-        seen = app::replace_result(path("other"), path("result"), log);
+        app::remove_partial(path("result"), log);
     }
-    ASSERT_EQ(unseen.size(), 1U);
-    EXPECT_NE(describe(unseen[0]).find(path("older/private")), std::string::npos) << describe(unseen[0]);
-    EXPECT_EQ(files_below(path("older")), before);  // nothing is removed if something could not be read
-    EXPECT_TRUE(seen.empty());
     ASSERT_EQ(log.warnings().size(), 1U);
-    EXPECT_NE(log.warnings()[0].text().find("what is left of it is in " + path("other")), std::string::npos)
+    EXPECT_NE(log.warnings()[0].text().find("what is left of it is in " + path("result.partial")), std::string::npos)
         << log.warnings()[0].text();
-    EXPECT_TRUE(fs::exists(path("other/frames/depth_0000.tif")));
+    for (const char* name : {"frames/depth_0000.tif", "manifest.json", "being_replaced.json"})
+        EXPECT_TRUE(fs::exists(path(std::string("result.partial/") + name))) << name;
+    app::remove_partial(path("result"), log);
+    EXPECT_FALSE(fs::exists(path("result.partial")));
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
 
     def add_overwrite(self) -> None:
         self.add_box("OVERWRITE", "Replace an existing result",
-                     "Replaces a result of frana in this folder. Files that are not frana's are never removed.")
+                     "Replaces a result of frana in this folder. If it contains other files, or files that were changed, the run "
+                     "is refused and names them.")
 
     def add_load(self) -> None:
         self.add_box("LOAD", "Load the whole result into the project",
