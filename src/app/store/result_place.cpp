@@ -108,8 +108,8 @@ void check_older(const fs::path& path, Older older, const std::string& where, Pr
     const std::optional<Manifest> manifest = read_manifest(path.string());
     if (!manifest) {
         problems.add(
-            {"is a folder with other files, not a result (it has no manifest.json of frana's); it is never overwritten",
-             where, path.string(), "", "Choose an empty or new folder with --out"});
+            {"is a folder with other files, not a result; it is never overwritten", where, path.string(), "",
+             "Choose an empty or new folder with --out (a result without its manifest.json counts as such a one)"});
     } else if (older == Older::refused) {
         problems.add({"contains a result already", where, path.string(), "",
                       manifest->finished.value_or(false) || checkpoints_in(path.string()).empty()

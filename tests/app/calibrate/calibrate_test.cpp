@@ -389,11 +389,13 @@ TEST_F(Calibrate, AResultIsReplacedOnlyWhenAsked) {
     EXPECT_EQ(run().exit_code, 2);
     write("out/notes.txt", "mine");
     write_study("samples = 8\nrefine = 5\n", k_jaccard + k_two_keys);
-    EXPECT_EQ(run({"--resume"}).exit_code, 2);  // it is complete, and of another study
+    EXPECT_EQ(run({"--resume"}).exit_code, 2);     // it is complete, and of another study
+    EXPECT_EQ(run({"--overwrite"}).exit_code, 2);  // a file of the user's is in the way
     EXPECT_EQ(read_text(path("out/posterior.csv")), first);
+    EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
+    fs::remove(path("out/notes.txt"));
     ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
     EXPECT_EQ(table("out/posterior.csv").size(), 5U);
-    EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
 }
 
 // What was computed before the disk was full is kept, and is not computed again.

@@ -173,11 +173,15 @@ TEST_F(RunCommand, AnExistingResultIsKeptWithoutOverwrite) {
     EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
     EXPECT_EQ(read_text(path("result/summary.json")), before);
 
-    const Outcome replaced =
-        frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=2"});
+    const std::vector<std::string> overwrite{"run",         "scene.ini", "--out", "result",
+                                             "--overwrite", "--quiet",   "--set", "time.end=2"};
+    EXPECT_EQ(frana(overwrite).exit_code, 2) << "a file of the user's is in the way";
+    EXPECT_EQ(read_text(path("result/notes.txt")), "mine");
+    EXPECT_EQ(read_text(path("result/summary.json")), before);
+    fs::remove(path("result/notes.txt"));
+    const Outcome replaced = frana(overwrite);
     EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
-    EXPECT_EQ(read_text(path("result/notes.txt")), "mine");
     // An invalid scene does not remove the older result either.
     EXPECT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "numerics.cfl=9"}).exit_code, 2);
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);

@@ -222,11 +222,13 @@ TEST_F(Ensemble, AResultIsReplacedOnlyWhenAsked) {
     EXPECT_NE(refused.err.find("contains a result already"), std::string::npos) << refused.err;
     write("out/notes.txt", "mine");
     write_study("samples = 3\n", k_two_keys);
-    EXPECT_EQ(run({"--resume"}).exit_code, 2);  // it is complete, and of another study
+    EXPECT_EQ(run({"--resume"}).exit_code, 2);     // it is complete, and of another study
+    EXPECT_EQ(run({"--overwrite"}).exit_code, 2);  // a file of the user's is in the way
     EXPECT_EQ(read_text(path("out/members.csv")), first);
+    EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
+    fs::remove(path("out/notes.txt"));
     ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
     EXPECT_EQ(members().size(), 3U);
-    EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
 }
 
 TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {

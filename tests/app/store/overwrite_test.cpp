@@ -251,7 +251,7 @@ TEST_F(Overwrite, AnotherProgramsFolderIsNoResult) {
 TEST_F(Overwrite, AResultWithoutItsManifestIsRefused) {
     run(k_voellmy + k_numbers_only, "old");
     fs::remove(path("old/manifest.json"));
-    expect_refused("not a result (it has no manifest.json of frana's); it is never overwritten");
+    expect_refused("not a result; it is never overwritten");
 }
 
 // A manifest is only text: it must not lead out of the folder.
