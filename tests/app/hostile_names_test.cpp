@@ -112,8 +112,11 @@ TEST_F(HostileNames, ControlCharactersAndMarksOfDirectionInNoPictureOrPage) {
         "[output]\nmaps = max_depth\nmap-size = 800x600\nmap-formats = png, svg\nanimation = off\nframes = off\n"
         "profiles = profiles.geojson\ngauges = gauges.geojson\ncross-sections = sections.geojson\n"
         "title = ev\u202Eent\n");
-    const Outcome outcome = run();
+    const Outcome check = frana({"check", "scene.ini"});
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string& shown : {check.out, check.err, outcome.err})
+        for (const char* mark : {"\x1b", "\x01", "\u202e"}) EXPECT_EQ(shown.find(mark), std::string::npos) << shown;
     int pages = 0;
     for (const std::string& file : files()) {
         if (!file.starts_with("result/") || !(file.ends_with(".svg") || file.ends_with(".html"))) continue;

@@ -309,8 +309,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
     if (troubles.open > 0) {
-        const Sentence told = headline(troubles);
-        log.warn(told);
+        log.warn_first(headline(troubles));
         const bool in_posterior = troubles_of(runs.last().runs(), false).open > 0;
         if (in_posterior)
             log.warn(

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/ensemble/region_input.h"
+#include "app/input/prepare_release.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
@@ -28,6 +29,10 @@ SlopePlan plan_of(const StudyInput& input, std::size_t member) {
         RunLog silent(true);
         SceneReading reading = input.member(member);
         cut_terrain(*input.reading.study.region, reading, silent);
+        Problems problems;
+        std::vector<UsedFile> files;
+        prepare_release(reading, nullptr, files, silent, problems);  // its own columns
+        problems.throw_if_any();
         plan.window = reading.scene.terrain.bounds;
     } catch (const Error& error) {
         plan.problem = describe(error.problems().front());

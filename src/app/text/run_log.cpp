@@ -14,11 +14,20 @@ void RunLog::note(const std::string& text) {
     lines_.push_back(stamp + text);
 }
 
-void RunLog::warn(const Sentence& warning) {
+void RunLog::tell(const Sentence& warning) {
     const std::string text = warning.text();
     note("WARNING: " + text);
+    if (!quiet_) std::cerr << "frana: warning: " << shown_text(text) << '\n';
+}
+
+void RunLog::warn(const Sentence& warning) {
     warnings_.push_back(warning);
-    if (!quiet_) std::cerr << "frana: warning: " << text << '\n';
+    tell(warning);
+}
+
+void RunLog::warn_first(const Sentence& warning) {
+    warnings_.insert(warnings_.begin(), warning);
+    tell(warning);
 }
 
 void RunLog::warn_of(const Sentence& thing, const std::vector<Sentence>& warnings) {
@@ -27,12 +36,12 @@ void RunLog::warn_of(const Sentence& thing, const std::vector<Sentence>& warning
 
 void RunLog::info(const std::string& text) {
     note(text);
-    if (!quiet_) std::cerr << "frana: " << text << '\n';
+    if (!quiet_) std::cerr << "frana: " << shown_text(text) << '\n';
 }
 
 void RunLog::print_deferred_warnings() const {
     if (!quiet_) return;
-    for (const Sentence& warning : warnings_) std::cerr << "frana: warning: " << warning.text() << '\n';
+    for (const Sentence& warning : warnings_) std::cerr << "frana: warning: " << shown_text(warning.text()) << '\n';
 }
 
 void RunLog::continue_from(const std::vector<std::string>& earlier) {

@@ -17,6 +17,8 @@ class RunLog {
     void note(const std::string& text);
     /// Logs a fact that the user must know before relying on the result.
     void warn(const Sentence& warning);
+    /// The same for what must be read before all other warnings, although it was found after some of them.
+    void warn_first(const Sentence& warning);
     /// Logs such facts about one thing: "DTM: ...".
     void warn_of(const Sentence& thing, const std::vector<Sentence>& warnings);
     /// Writes a line to the terminal and the log.
@@ -34,6 +36,8 @@ class RunLog {
     [[nodiscard]] std::string text() const;
 
   private:
+    void tell(const Sentence& warning);
+
     bool quiet_;
     Stopwatch since_start_;
     std::vector<std::string> lines_;

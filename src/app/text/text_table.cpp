@@ -86,7 +86,7 @@ std::size_t bytes_within(std::string_view text, std::size_t columns) {
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t columns) {
     std::vector<std::string> lines;
-    std::istringstream paragraphs(text);
+    std::istringstream paragraphs(shown_text(text));  // a name in a file must not steer the terminal
     for (std::string paragraph; std::getline(paragraphs, paragraph);) {
         std::istringstream words(paragraph);
         std::string line;

@@ -320,10 +320,13 @@ TEST_F(Region, OneTextInAColumnFailsThatSlopeAloneByItsNumberInTheFile) {
     write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nwindow = 90\n");
     write("scene.ini",
           std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1"), "thickness = attribute:THICK"));
+    const Outcome check = frana({"check", "region.ini", "--json"});
+    const auto foreseen = nlohmann::json::parse(check.out).at("slopes");
     const Outcome outcome = batch();
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
     const Rows rows = members();
     ASSERT_EQ(rows.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(foreseen.at(i).at("problem").is_null(), i % 2 == 0) << i;
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rows[i].at("status"), i % 2 == 0 ? "finished" : "failed") << i;
     EXPECT_NE(rows[1].at("reason").find("THICK"), std::string::npos) << rows[1].at("reason");
     EXPECT_NE(rows[3].at("reason").find("feature 3 of slopes"), std::string::npos) << rows[3].at("reason");
