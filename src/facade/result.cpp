@@ -97,7 +97,7 @@ std::shared_ptr<const Result::Data> result_data(RunResult result, const EngineSc
     data->notes.insert(data->notes.end(), result.notes.begin(), result.notes.end());
     data->result = std::move(result);
     // Read of the caller's memory while that is as it was; of a large map only where the flow came.
-    const CellValues& bed = data->result.bed.values;
+    const CellValues& bed = data->result.raster("bed").values;
     if (static_cast<std::int64_t>(bed.size()) <= CellValues::k_most_dense) static_cast<void>(bed.dense());
     return data;
 }
@@ -105,13 +105,12 @@ std::shared_ptr<const Result::Data> result_data(RunResult result, const EngineSc
 std::vector<RasterInfo> Result::rasters() const {
     std::vector<RasterInfo> list;
     for (const ResultRaster& row : result_rasters())
-        if (raster_of_row(data_->result, row) != nullptr) list.push_back(info_of(row.name));
+        if (data_->result.find_raster(row.name) != nullptr) list.push_back(info_of(row.name));
     return list;
 }
 
 Raster Result::raster(const std::string& name) const {
-    const ResultRaster* const row = find_result_raster(name);
-    const frana::Raster* const raster = row == nullptr ? nullptr : raster_of_row(data_->result, *row);
+    const frana::Raster* const raster = data_->result.find_raster(name);
     if (raster == nullptr) refuse_name(name, rasters());
     return raster_of(name, *raster, data_->grid, data_);
 }

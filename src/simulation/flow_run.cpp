@@ -166,19 +166,19 @@ double density_of(const Scene&, const StructuredFlow& flow) {
     return flow.density();
 }
 
-Raster pressure_of(const Scene& scene, const Flow& flow, const RunResult& result) {
-    return pressure_kpa(result.max_velocity, density_of(scene, flow));
+Raster pressure_of(const Scene& scene, const Flow& flow, const Raster& max_velocity) {
+    return pressure_kpa(max_velocity, density_of(scene, flow));
 }
 
-Raster pressure_of(const Scene&, const StructuredFlow& flow, const RunResult& result) {
-    return flow.max_pressure_where(result.max_velocity);
+Raster pressure_of(const Scene&, const StructuredFlow& flow, const Raster& max_velocity) {
+    return flow.max_pressure_where(max_velocity);
 }
 
 void add_exchanges_to(const Scene& scene, const Flow& flow, RunResult& result) {
     result.exchanges = scene.entrainment.active();
     if (!result.exchanges) return;
-    result.eroded_depth = flow.eroded_depth();
-    result.deposited_depth = flow.deposited_depth();
+    result.add("eroded_depth", flow.eroded_depth());
+    result.add("deposited_depth", flow.deposited_depth());
     result.volume_eroded = flow.exchanged().eroded;
     result.volume_deposited = flow.exchanged().deposited;
     result.momentum_deposited =
@@ -196,7 +196,7 @@ void add_jumps_to(const Scene& scene, const Flow& flow, RunResult& result) {
                     jumps.way / jumps.volume,
                     scene.grid.map_from_local(jumps.from),
                     scene.grid.map_from_local(jumps.to)};
-    result.jump_height = flow.jump_height();
+    result.add("jump_height", flow.jump_height());
 }
 
 void add_jumps_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its material stays on the bed
@@ -229,7 +229,8 @@ double volume_of(const Raster& depth) {
 
 void make_normal(std::vector<NamedRaster>& rasters, const Raster& bed) {
     for (NamedRaster& raster : rasters)
-        if (find_result_raster(raster.name)->is_flow_depth) raster.values = normal_depth(raster.values, bed);
+        if (find_result_raster(raster.name)->is_flow_depth || raster.name == "max_flux")  // depth times speed
+            raster.values = normal_depth(raster.values, bed);
 }
 
 double pressure_factor(const Flow& flow) {
@@ -422,37 +423,32 @@ RunResult FlowRun<AnyFlow>::finish() {
     if (finite) flow_.synchronise();
     if (finite) flow_.record_present();
     const Maxima& maxima = flow_.maxima();
-    result.max_depth = flow_.to_raster(maxima.depth);
-    result.max_velocity = flow_.to_raster(maxima.speed);
-    result.arrival_time = flow_.to_raster(maxima.arrival_plus_1, 1);
-    result.final_depth = flow_.snapshot().depth;
-    result.more = more_of(flow_);
+    Raster velocity = flow_.to_raster(maxima.speed);
+    result.add("max_depth", flow_.to_raster(maxima.depth));
     // A cell that was reached but never moved has speed zero, not "no data".
-    result.max_depth.values.for_each_stored([&](std::size_t cell, double depth) {
-        double& speed = result.max_velocity.values[cell];
+    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+        double& speed = velocity.values[cell];
         if (!std::isnan(depth) && std::isnan(speed)) speed = 0;
     });
-    for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
-        hide_walls(scene_, *raster);
-    for (NamedRaster& raster : result.more) hide_walls(scene_, raster.values);
+    result.add("arrival_time", flow_.to_raster(maxima.arrival_plus_1, 1));
+    result.add("final_depth", flow_.snapshot().depth);
+    for (NamedRaster& raster : more_of(flow_)) result.rasters.push_back(std::move(raster));
+    hide_walls(scene_, velocity);
+    for (NamedRaster& raster : result.rasters) hide_walls(scene_, raster.values);
+    if (!finite) hide_non_finite(velocity);
+    result.add("max_pressure", pressure_of(scene_, flow_, velocity));
+    result.add("max_velocity", std::move(velocity));
     recorder_.move_to(flow_, result);
-    if (!finite) {
-        for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth,
-                               &result.max_flux, &result.max_head})
-            hide_non_finite(*raster);
-        for (NamedRaster& raster : result.more) hide_non_finite(raster.values);
-    }
-    result.max_pressure = pressure_of(scene_, flow_, result);
+    add_exchanges_to(scene_, flow_, result);
+    add_jumps_to(scene_, flow_, result);
+    if (!finite)
+        for (NamedRaster& raster : result.rasters) hide_non_finite(raster.values);
     read_ground_under(flow_.nodes(), scene_.terrain, release_.bed);
-    result.bed = std::move(release_.bed);
-    result.release = std::move(release_.depth);
-    result.volume_shown = volume_of(result.final_depth);
+    result.volume_shown = volume_of(result.raster("final_depth"));
     result.depth_is_normal = scene_.recording.normal_depth;
-    if (result.depth_is_normal) {
-        for (Raster* raster : {&result.max_depth, &result.final_depth, &result.max_flux})
-            if (!raster->values.empty()) *raster = normal_depth(*raster, result.bed);
-        make_normal(result.more, result.bed);
-    }
+    if (result.depth_is_normal) make_normal(result.rasters, release_.bed);
+    result.add("bed", std::move(release_.bed));
+    result.add("release", std::move(release_.depth));
     for (const InflowSource& source : arrivals_.sources())
         for (const Point place : source.places()) result.inflow_places.push_back(scene_.grid.map_from_local(place));
     result.settling = settling_.last();
@@ -468,8 +464,6 @@ RunResult FlowRun<AnyFlow>::finish() {
     if constexpr (requires { flow_.phase_budget(); }) result.phases = flow_.phase_budget();
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
-    add_exchanges_to(scene_, flow_, result);
-    add_jumps_to(scene_, flow_, result);
     if (finite) add_claims_to(scene_, flow_, result);
     engine_.stop();
     result.engine_seconds = engine_.seconds();

@@ -164,15 +164,16 @@ void Recorder::move_to(const AnyFlow& flow, RunResult& result) {
     result.gauges = std::move(gauge_rows_);
     result.sections = std::move(section_rows_);
     if (!intensity_) return;
-    result.max_flux = flow.to_raster(flux_);
-    result.max_head = flow.to_raster(head_);
+    Raster fluxes = flow.to_raster(flux_), heads = flow.to_raster(head_);
     // A cell reached without motion has a flux of zero, not "no data"; a head is at least the depth.
-    result.max_depth.values.for_each_stored([&](std::size_t cell, double depth) {
+    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;
-        double &flux = result.max_flux.values[cell], &head = result.max_head.values[cell];
+        double &flux = fluxes.values[cell], &head = heads.values[cell];
         if (std::isnan(flux)) flux = 0;
         if (!(head >= depth)) head = depth;
     });
+    result.add("max_flux", std::move(fluxes));
+    result.add("max_head", std::move(heads));
 }
 
 template void Recorder::record(const Flow&, double, double);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/archive.h"
@@ -38,9 +39,9 @@ void serialise(Archive& archive, SeriesRow& row) {
     archive(time, step, dt, volume, left, entered, inflow, eroded, deposited, depth, speed, front, energy, area);
 }
 
-/// A raster that only some models produce, by the name of its file.
+/// A raster by its name in result_rasters() (params/keys/result_rasters.h), which is that of its file.
 struct NamedRaster {
-    std::string name;  ///< "fluid_velocity"
+    std::string name;  ///< "max_depth"
     Raster values;
 };
 
@@ -217,17 +218,16 @@ struct ClaimedCell {
 
 /// The result of a run: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
-    Raster bed;                        ///< sliding surface [m]
-    Raster release;                    ///< vertical thickness released, averaged over each cell [m]
+    /// All that the run made: the table of rasters describes each. Maxima are updated at every step.
+    std::vector<NamedRaster> rasters;
+    /// Returns null if the run made none of this name.
+    [[nodiscard]] const Raster* find_raster(const std::string& name) const noexcept;
+    /// Returns one that every run makes: bed, release, max_depth, max_velocity, max_pressure, arrival_time,
+    /// final_depth. Throws std::out_of_range for another that this run did not make.
+    [[nodiscard]] const Raster& raster(const std::string& name) const;
+    void add(std::string name, Raster values) { rasters.push_back({std::move(name), std::move(values)}); }
+
     std::vector<Point> inflow_places;  ///< where material flows in, map coordinates
-    Raster max_depth;                  ///< [m], updated at every step
-    Raster max_velocity;               ///< along the bed [m/s], updated at every step
-    Raster max_pressure;               ///< density times speed squared [kPa], updated at every step
-    Raster arrival_time;               ///< first time deeper than the minimum depth [s]
-    Raster final_depth;                ///< [m]
-    Raster max_flux;                   ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
-    Raster max_head;                   ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
-    std::vector<NamedRaster> more;     ///< further rasters of the model at the end, with the names of Frame::more
     /// Depths of rasters and frames, and depth times speed, are measured normal to the bed, not vertically.
     bool depth_is_normal = false;
     std::vector<SeriesRow> series;
@@ -246,10 +246,9 @@ struct RunResult {
     double volume_entered = 0;                                     ///< total: initial, released later, flowed in [m3]
     double volume_inflow = 0;                                      ///< of which flowed in through lines [m3]
     double volume_shown = 0;                                       ///< of the vertical depths of final_depth [m3]
-    std::optional<PhaseBudget> phases;     ///< of solids and fluid in the structured model; none without solids
-    std::vector<ReleasedArea> released;    ///< in the order of Scene::release
-    bool exchanges = false;                ///< whether the scene erodes or deposits; the next lines are empty otherwise
-    Raster eroded_depth, deposited_depth;  ///< vertical [m], NaN where none
+    std::optional<PhaseBudget> phases;   ///< of solids and fluid in the structured model; none without solids
+    std::vector<ReleasedArea> released;  ///< in the order of Scene::release
+    bool exchanges = false;              ///< whether the scene erodes or deposits; the next lines are 0 otherwise
     double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
     double momentum_deposited = 0;                   ///< of the deposits, magnitude of the sum [kg m/s]
     double thin_fraction = 0;          ///< greatest fraction of the volume thinner than the minimum depth at any time
@@ -264,7 +263,6 @@ struct RunResult {
         Point from, to;      ///< of the longest, in map coordinates
     };
     std::optional<Jumps> jumps;  ///< none if nothing flew
-    Raster jump_height;          ///< greatest height above the ground [m], NaN where nothing flew; empty without jumps
     /// Greatest rise of energy not explained by gravity and dissipation (EnergyWatch); none if unknown.
     std::optional<double> energy_error;
     /// The cell with the greatest share of those deeper than k_claimed_depth; none without such cells, or with solids.

@@ -23,15 +23,16 @@ Raster part_inside(Raster raster, const Raster& inside) {
 }  // namespace
 
 RunStatistics run_statistics(const RunResult& result, double threshold, const Raster& inside) {
-    const Raster depth = part_inside(result.max_depth, inside);
+    const Raster depth = part_inside(result.raster("max_depth"), inside);
     const Raster trace = trace_mask(depth, threshold);
-    return {high_values(depth, trace), high_values(part_inside(result.max_velocity, inside), trace), masked_area(trace),
-            runouts(separate_flows(result), result.bed, result.release, trace).front().horizontal_m,
+    return {high_values(depth, trace), high_values(part_inside(result.raster("max_velocity"), inside), trace),
+            masked_area(trace),
+            runouts(separate_flows(result), result.raster("bed"), result.raster("release"), trace).front().horizontal_m,
             result.volume_final > 0 ? result.volume_shown / result.volume_final : k_no_data};
 }
 
 SeparateFlows separate_flows(const RunResult& result) {
-    return {result.release, result.max_depth, result.inflow_places};
+    return {result.raster("release"), result.raster("max_depth"), result.inflow_places};
 }
 
 namespace {
@@ -49,7 +50,7 @@ void add_peak_statistics(Json& json, const PeakStatistics& high) {
 /// Where the greatest values are and, of those in the series, when.
 void add_peak_places(Json& json, const RunResult& result) {
     for (const PeakStatistic& what : k_peak_statistics) {
-        const Raster& raster = *raster_of_row(result, what.row());
+        const Raster& raster = result.raster(what.name);
         std::optional<std::size_t> highest;
         raster.values.for_each_stored([&](std::size_t cell, double value) {
             if (!std::isnan(value) && (!highest || value > raster.values[*highest])) highest = cell;
@@ -58,7 +59,7 @@ void add_peak_places(Json& json, const RunResult& result) {
         const std::int64_t columns = raster.grid.columns, cell = static_cast<std::int64_t>(*highest);
         const Point place = raster.grid.cell_centre(cell / columns, cell % columns);
         const double SeriesRow::*const over_time =
-            &raster == &result.max_depth ? &SeriesRow::max_depth : &SeriesRow::max_speed;
+            &raster == &result.raster("max_depth") ? &SeriesRow::max_depth : &SeriesRow::max_speed;
         const auto row = std::max_element(
             result.series.begin(), result.series.end(),
             [over_time](const SeriesRow& a, const SeriesRow& b) { return a.*over_time < b.*over_time; });
@@ -108,13 +109,13 @@ void add_ground(Json& json, const char* where, const std::optional<GroundStatist
 }  // namespace
 
 TraceFigures trace_figures(const RunResult& result, const Raster& terrain, double threshold) {
-    const Raster trace = trace_mask(result.max_depth, threshold);
+    const Raster trace = trace_mask(result.raster("max_depth"), threshold);
     TraceFigures figures;
     figures.threshold = threshold;
     figures.covered_area_m2 = masked_area(trace);
-    figures.run_outs = runouts(separate_flows(result), result.bed, result.release, trace);
+    figures.run_outs = runouts(separate_flows(result), result.raster("bed"), result.raster("release"), trace);
     if (Runout& first = figures.run_outs.front(); first.horizontal_m > 0)
-        first.path_m = length(flow_path(result.max_depth, first.top, first.tip));
+        first.path_m = length(flow_path(result.raster("max_depth"), first.top, first.tip));
     figures.high = peak_statistics(result, trace);
     figures.path_ground = ground_where(terrain, trace, 0);
     return figures;

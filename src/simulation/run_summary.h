@@ -81,7 +81,7 @@ using PeakStatistics = std::array<PeakValues, k_peak_statistics.size()>;
 inline PeakStatistics peak_statistics(const RunResult& result, const Raster& trace) {
     PeakStatistics high;
     for (std::size_t i = 0; i < high.size(); ++i)
-        high[i] = high_values(*raster_of_row(result, k_peak_statistics[i].row()), trace);
+        high[i] = high_values(result.raster(k_peak_statistics[i].name), trace);
     return high;
 }
 

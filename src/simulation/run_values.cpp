@@ -3,41 +3,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <stdexcept>
 #include <string>
 
 #include "simulation/run_summary.h"
 
 namespace frana {
 
-Raster intensity_classes(const RunResult& result, const HazardScheme& scheme) {
-    // For a scheme without flux or head none is recorded; depth is passed instead and not read.
-    const bool recorded = !result.max_flux.values.empty();
-    return hazard_classes(scheme,
-                          {result.max_depth, result.max_velocity, recorded ? result.max_flux : result.max_depth,
-                           recorded ? result.max_head : result.max_depth, result.max_pressure, result.final_depth});
+const Raster* RunResult::find_raster(const std::string& name) const noexcept {
+    const auto found =
+        std::find_if(rasters.begin(), rasters.end(), [&](const NamedRaster& one) { return one.name == name; });
+    return found == rasters.end() ? nullptr : &found->values;
 }
 
-const Raster* raster_of_row(const RunResult& result, const ResultRaster& row) {
-    static const std::map<std::string, Raster RunResult::*> k_members{{"max_depth", &RunResult::max_depth},
-                                                                      {"max_velocity", &RunResult::max_velocity},
-                                                                      {"final_depth", &RunResult::final_depth},
-                                                                      {"arrival_time", &RunResult::arrival_time},
-                                                                      {"max_pressure", &RunResult::max_pressure},
-                                                                      {"release", &RunResult::release},
-                                                                      {"bed", &RunResult::bed},
-                                                                      {"max_flux", &RunResult::max_flux},
-                                                                      {"max_head", &RunResult::max_head},
-                                                                      {"eroded_depth", &RunResult::eroded_depth},
-                                                                      {"deposited_depth", &RunResult::deposited_depth},
-                                                                      {"jump_height", &RunResult::jump_height}};
-    if (const auto member = k_members.find(row.name); member != k_members.end()) {
-        const Raster& raster = result.*member->second;
-        return raster.values.empty() ? nullptr : &raster;
-    }
-    for (const NamedRaster& raster : result.more)
-        if (raster.name == row.name) return &raster.values;
-    return nullptr;
+const Raster& RunResult::raster(const std::string& name) const {
+    const Raster* const found = find_raster(name);
+    if (found == nullptr) throw std::out_of_range("the run made no raster " + name);
+    return *found;
+}
+
+Raster intensity_classes(const RunResult& result, const HazardScheme& scheme) {
+    // For a scheme without flux or head none is recorded; depth is passed instead and not read.
+    const Raster& depth = result.raster("max_depth");
+    const auto recorded = [&](const char* name) -> const Raster& {
+        const Raster* const found = result.find_raster(name);
+        return found ? *found : depth;
+    };
+    return hazard_classes(scheme, {depth, result.raster("max_velocity"), recorded("max_flux"), recorded("max_head"),
+                                   result.raster("max_pressure"), result.raster("final_depth")});
 }
 
 namespace {
@@ -106,7 +99,7 @@ std::vector<RunValue> reported_values(const RunResult& result, const Scene& scen
         const double value = row.of(statistics);
         const bool is_run_out = std::string_view(row.key) == k_run_out_key;
         values.push_back({row.key, row.title, row.unit, std::isnan(value) ? 0 : value,
-                          is_run_out ? result.max_depth.grid.cell_size : 0, 0});
+                          is_run_out ? result.raster("max_depth").grid.cell_size : 0, 0});
     }
     add_gauges(result, scene, values);
     add_sections(result, scene, values);

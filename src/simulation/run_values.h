@@ -15,9 +15,6 @@ namespace frana {
 /// Returns the class of intensity of every cell that a run reached, NaN elsewhere.
 Raster intensity_classes(const RunResult& result, const HazardScheme& scheme);
 
-/// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
-const Raster* raster_of_row(const RunResult& result, const ResultRaster& row);
-
 /// A value of a run whose error numerics.accuracy estimates.
 struct RunValue {
     std::string key;    ///< "covered_area_m2", "gauge bridge: max_depth_m"

@@ -63,15 +63,15 @@ std::vector<float> values_at(const MemberRecord& record, const Raster& map) {
 
 void add_cells(const RunResult& result, MemberRecord& record) {
     const auto number = [](double value) { return static_cast<float>(value); };
-    result.max_depth.values.for_each_stored([&](std::size_t cell, double depth) {
+    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;
         if (record.runs.empty() || record.runs.back().first + record.runs.back().count != cell)
             record.runs.push_back({cell, 0});
         ++record.runs.back().count;
         record.depth.push_back(number(depth));
-        record.arrival.push_back(number(result.arrival_time.values[cell]));
+        record.arrival.push_back(number(result.raster("arrival_time").values[cell]));
     });
-    record.velocity = values_at(record, result.max_velocity);
+    record.velocity = values_at(record, result.raster("max_velocity"));
 }
 
 }  // namespace
@@ -149,11 +149,12 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     record.engine_seconds = result.engine_seconds;
     record.particle_steps = result.particle_steps;
     add_cells(result, record);
-    if (extras.pressure) record.pressure = values_at(record, result.max_pressure);
+    if (extras.pressure) record.pressure = values_at(record, result.raster("max_pressure"));
     if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
     if (extras.final_depth)
-        record.final_depth = values_at(
-            record, result.depth_is_normal ? vertical_depth(result.final_depth, result.bed) : result.final_depth);
+        record.final_depth = values_at(record, result.depth_is_normal
+                                                   ? vertical_depth(result.raster("final_depth"), result.raster("bed"))
+                                                   : result.raster("final_depth"));
     return record;
 }
 

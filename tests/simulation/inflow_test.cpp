@@ -88,7 +88,7 @@ TEST(Inflow, GivesTheUniformFlowOfItsDischarge) {
     // decayed: one per cent. Without the rows' pressure it would be six.
     for (std::int64_t c = 21; c < 40; ++c) {
         for (std::int64_t r = 1; r < 9; ++r) {
-            EXPECT_NEAR(result.final_depth.at(r, c), 1, 0.01) << "column " << c;
+            EXPECT_NEAR(result.raster("final_depth").at(r, c), 1, 0.01) << "column " << c;
             EXPECT_NEAR(velocity.at(r, c), speed, 0.01 * speed) << "column " << c;
         }
     }
@@ -106,8 +106,8 @@ TEST(Inflow, SeriesAndThreadsAgree) {
     const RunResult one = run(scene, options);
     options.threads = 3;
     const RunResult three = run(scene, options);
-    EXPECT_EQ(std::memcmp(one.final_depth.values.data(), three.final_depth.values.data(),
-                          one.final_depth.values.size() * sizeof(double)),
+    EXPECT_EQ(std::memcmp(one.raster("final_depth").values.data(), three.raster("final_depth").values.data(),
+                          one.raster("final_depth").values.size() * sizeof(double)),
               0);
     EXPECT_NEAR(one.volume_entered, 0.5 * 90 * 6 + 20 * 12, 1e-12 * one.volume_entered);
     EXPECT_TRUE(one.released[0].failed);

@@ -42,11 +42,11 @@ TEST(LateRelease, EntersCompletelyAtItsTime) {
     }
     EXPECT_NEAR(result.volume_initial, first, 1e-12 * first);
     EXPECT_NEAR(result.volume_entered, first + second, 1e-12 * second);
-    EXPECT_GE(result.arrival_time.at(15, 10), 3);  // in the middle of the second area
-    EXPECT_LT(result.arrival_time.at(35, 10), 1);
+    EXPECT_GE(result.raster("arrival_time").at(15, 10), 3);  // in the middle of the second area
+    EXPECT_LT(result.raster("arrival_time").at(35, 10), 1);
     // The bed is below both, by their thicknesses.
-    EXPECT_NEAR(scene.terrain.at(15, 10) - result.bed.at(15, 10), 3, 1e-9);
-    EXPECT_NEAR(result.release.at(15, 10), 3, 1e-9);
+    EXPECT_NEAR(scene.terrain.at(15, 10) - result.raster("bed").at(15, 10), 3, 1e-9);
+    EXPECT_NEAR(result.raster("release").at(15, 10), 3, 1e-9);
     EXPECT_TRUE(result.released[1].failed);
     scene.time.end = 2;
     const RunResult shorter = run(scene, {});
@@ -135,9 +135,9 @@ TEST(Walls, StopTheFlow) {
     EXPECT_TRUE(result.hard_events.none());
     for (std::int64_t r = 0; r < scene.grid.rows; ++r) {
         for (std::int64_t c = 50; c < scene.grid.columns; ++c)
-            EXPECT_TRUE(std::isnan(result.max_depth.at(r, c))) << r << " " << c;
+            EXPECT_TRUE(std::isnan(result.raster("max_depth").at(r, c))) << r << " " << c;
     }
-    EXPECT_GT(result.max_depth.at(25, 49), 3);  // it piles up before the wall
+    EXPECT_GT(result.raster("max_depth").at(25, 49), 3);  // it piles up before the wall
     EXPECT_NEAR(result.volume_final, result.volume_entered, 1e-12 * result.volume_entered);
     scene.release = {{{box(96, 10, 104, 90)}, 3}};
     EXPECT_THROW(make_release(scene), Error);

@@ -39,7 +39,7 @@ class AtTheDam : public ::testing::Test {
             recorder.record(flow, began, dt);
         }
         flow.record_present();
-        result_.max_depth = flow.to_raster(flow.maxima().depth);
+        result_.add("max_depth", flow.to_raster(flow.maxima().depth));
         recorder.move_to(flow, result_);
     }
     [[nodiscard]] Point dam(double offset_y) const { return {grid_.west + 500, grid_.south() + offset_y}; }
@@ -91,7 +91,8 @@ TEST_F(AtTheDam, GreatestFluxIsThatOfTheDamAndRowsKeepTheInterval) {
     // q(x, t) has its maximum 8/27 h c at x = 0.
     const double exact = 8.0 / 27 * 10 * std::sqrt(98.1);
     const Point place{grid_.west + 520, grid_.south() + width() / 2};
-    const double there = result_.max_flux.at(1, static_cast<std::int64_t>((place.x - grid_.west) / grid_.cell_size));
+    const double there =
+        result_.raster("max_flux").at(1, static_cast<std::int64_t>((place.x - grid_.west) / grid_.cell_size));
     // After 20 s: xi = x / (c t) = 0.105, q = h u = (2 - xi)^2 (1 + xi) 2/27 h c = 0.992 of the greatest.
     EXPECT_NEAR(there, 0.992 * exact, 0.02 * exact);
 }
@@ -108,23 +109,23 @@ TEST(Recorder, FluxAndHeadAreWithinTheBoundsOfTheMaximaAndChangeNothingElse) {
     scene.material.friction_coefficient = 0.3;
     scene.time.end = 8;
     const RunResult plain = run(scene, {});
-    EXPECT_TRUE(plain.max_flux.values.empty());
+    EXPECT_EQ(plain.find_raster("max_flux"), nullptr);
     EXPECT_TRUE(plain.gauges.empty());
     scene.recording.intensity = true;
     scene.recording.sections = {{"toe", {{600100, 5000000}, {600100, 5000120}}}};
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.steps, plain.steps);
     EXPECT_EQ(static_cast<std::int64_t>(result.sections.size()), result.steps);
-    for (std::size_t i = 0; i < plain.max_depth.values.size(); ++i) {
-        const double depth = result.max_depth.values[i], speed = result.max_velocity.values[i];
-        EXPECT_EQ(std::isnan(depth), std::isnan(result.max_flux.values[i]));
-        EXPECT_EQ(std::isnan(depth), std::isnan(result.max_head.values[i]));
+    for (std::size_t i = 0; i < plain.raster("max_depth").values.size(); ++i) {
+        const double depth = result.raster("max_depth").values[i], speed = result.raster("max_velocity").values[i];
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.raster("max_flux").values[i]));
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.raster("max_head").values[i]));
         if (std::isnan(depth)) continue;
-        EXPECT_EQ(depth, plain.max_depth.values[i]);
-        EXPECT_EQ(speed, plain.max_velocity.values[i]);
-        EXPECT_LE(result.max_flux.values[i], depth * speed * (1 + 1e-12));
-        EXPECT_GE(result.max_head.values[i], depth);
-        EXPECT_LE(result.max_head.values[i], (depth + speed * speed / (2 * 9.81)) * (1 + 1e-12));
+        EXPECT_EQ(depth, plain.raster("max_depth").values[i]);
+        EXPECT_EQ(speed, plain.raster("max_velocity").values[i]);
+        EXPECT_LE(result.raster("max_flux").values[i], depth * speed * (1 + 1e-12));
+        EXPECT_GE(result.raster("max_head").values[i], depth);
+        EXPECT_LE(result.raster("max_head").values[i], (depth + speed * speed / (2 * 9.81)) * (1 + 1e-12));
     }
 }
 

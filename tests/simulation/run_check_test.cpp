@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "simulation/flow.h"
 #include "simulation/run_check.h"
@@ -100,14 +101,16 @@ TEST(RunProblem, WaterHigherThanTheReleaseIsNone) {
     const RunResult result = run(scene, {});
     EXPECT_TRUE(result.run_problems.empty()) << describe(result.run_problems.front());
     double fastest = 0;
-    for (const double v : result.max_velocity.values) fastest = v > fastest ? v : fastest;  // NaN where it was dry
-    EXPECT_GT(fastest, 5);  // the release alone could do sqrt(2 g 0.1) + 2 sqrt(g 0.1) = 3.4 m/s
+    for (const double v : result.raster("max_velocity").values)
+        fastest = v > fastest ? v : fastest;  // NaN where it was dry
+    EXPECT_GT(fastest, 5);                    // the release alone could do sqrt(2 g 0.1) + 2 sqrt(g 0.1) = 3.4 m/s
 }
 
 // A mass that starts at 1e200 m/s: the first step overflows.
 TEST_P(AnyMaterial, NonFiniteValuesEndTheRunAtTheirStep) {
     Scene scene = slope(GetParam());
     scene.release[0].speed = 1e200;
+    scene.recording.intensity = true;
     std::vector<RunProblem> seen;
     int frames = 0;
     RunOptions options;
@@ -129,8 +132,19 @@ TEST_P(AnyMaterial, NonFiniteValuesEndTheRunAtTheirStep) {
     EXPECT_LE(result.steps, 2);
     ASSERT_TRUE(seen[0].place);
     EXPECT_TRUE(inside_release(*seen[0].place)) << describe(seen[0]);
-    for (const auto raster : {&RunResult::max_depth, &RunResult::max_velocity, &RunResult::final_depth})
-        EXPECT_TRUE(finite_or_no_data(result.*raster));
+    for (const NamedRaster& raster : result.rasters) EXPECT_TRUE(finite_or_no_data(raster.values)) << raster.name;
+}
+
+// A bed that gives way without end: the rasters of the exchange with it contain it as well.
+TEST(RunProblem, NonFiniteValuesOfEveryRasterAreHidden) {
+    Scene scene = slope(Of::mass);
+    scene.release[0].speed = 5;
+    scene.entrainment.erosion = "growth";
+    scene.entrainment.growth_rate = scene.entrainment.erodible_depth = std::numeric_limits<double>::infinity();
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::non_finite);
+    ASSERT_NE(result.find_raster("eroded_depth"), nullptr);
+    for (const NamedRaster& raster : result.rasters) EXPECT_TRUE(finite_or_no_data(raster.values)) << raster.name;
 }
 
 double bound_of(const Scene& scene) {

@@ -44,16 +44,17 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
         EXPECT_LT(times[i], 2.0 * static_cast<double>(i) + 0.5) << "a step at most";
     }
     double seen = 0;
-    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
-        const double depth = result.max_depth.values[i];
-        EXPECT_EQ(std::isnan(depth), std::isnan(result.arrival_time.values[i]));
-        EXPECT_EQ(std::isnan(depth), std::isnan(result.max_velocity.values[i]));
+    for (std::size_t i = 0; i < result.raster("max_depth").values.size(); ++i) {
+        const double depth = result.raster("max_depth").values[i];
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.raster("arrival_time").values[i]));
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.raster("max_velocity").values[i]));
         if (std::isnan(depth)) continue;
         seen = std::max(seen, depth);
-        if (!std::isnan(result.final_depth.values[i])) {
-            EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
+        if (!std::isnan(result.raster("final_depth").values[i])) {
+            EXPECT_LE(result.raster("final_depth").values[i], depth + 1e-12);
         }
-        EXPECT_NEAR(result.max_pressure.values[i], 2000 * std::pow(result.max_velocity.values[i], 2) / 1000, 1e-9);
+        EXPECT_NEAR(result.raster("max_pressure").values[i],
+                    2000 * std::pow(result.raster("max_velocity").values[i], 2) / 1000, 1e-9);
     }
     EXPECT_GE(seen, 1.9);
     EXPECT_LT(seen, 4);
@@ -91,7 +92,7 @@ TEST(Run, NothingMovesBelowTheFrictionBound) {
     scene.material.friction_coefficient = 2;
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::still);
-    for (const double v : result.max_velocity.values) {
+    for (const double v : result.raster("max_velocity").values) {
         if (!std::isnan(v)) {
             EXPECT_EQ(v, 0);
         }
@@ -175,7 +176,7 @@ TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
     EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial + result.volume_eroded,
                 1e-12 * result.volume_final);
     double sum = 0, deepest = 0;
-    for (const double depth : result.eroded_depth.values) {
+    for (const double depth : result.raster("eroded_depth").values) {
         if (std::isnan(depth)) continue;
         sum += depth * scene.grid.cell_area();
         deepest = std::max(deepest, depth);

@@ -7,7 +7,7 @@ namespace {
 
 double area_over(const Scene& scene, const RunResult& result) {
     double cells = 0;
-    for (const double depth : result.max_depth.values) cells += depth >= scene.time.trace_threshold;
+    for (const double depth : result.raster("max_depth").values) cells += depth >= scene.time.trace_threshold;
     return cells * scene.grid.cell_area();
 }
 
@@ -42,7 +42,7 @@ TEST_P(Settles, WithTheValuesOfAMuchLongerRun) {
     const RunResult longer = run(scene, {});
     EXPECT_GT(longer.steps, 2 * settled.steps);
     EXPECT_NEAR(area_over(scene, longer), area_over(scene, settled), 0.01 * area_over(scene, longer));
-    EXPECT_LT(apart(longer.final_depth, settled.final_depth), 0.02 * longer.volume_entered);
+    EXPECT_LT(apart(longer.raster("final_depth"), settled.raster("final_depth")), 0.02 * longer.volume_entered);
 }
 
 INSTANTIATE_TEST_SUITE_P(, Settles, testing::Values(false), [](const auto&) { return "Mass"; });

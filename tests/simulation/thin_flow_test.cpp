@@ -53,7 +53,7 @@ TEST_P(ThinFlow, AWideFilmIsRefusedWithTheKeyThatShowsIt) {
     double farthest = 0;
     for (std::int64_t r = 0; r < scene.grid.rows; ++r)
         for (std::int64_t c = 0; c < scene.grid.columns; ++c)
-            if (result.max_depth.at(r, c) > 0) farthest = std::max(farthest, static_cast<double>(c));
+            if (result.raster("max_depth").at(r, c) > 0) farthest = std::max(farthest, static_cast<double>(c));
     EXPECT_GT(farthest, 26) << "released up to column 25";
 }
 

@@ -91,7 +91,7 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     const Sentence size = numeral(number_text(level.cell_size));
     for (const Sentence& warning : log.warnings())
         level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning}));
-    level.depth = std::move(result.max_depth);
+    level.depth = std::move(result.raster("max_depth"));
     return level;
 }
 

@@ -57,9 +57,10 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     trial.particle_steps = steps * squared * factor * rest;
     trial.steps = static_cast<double>(result.steps) * factor * rest;
     trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
-    trial.path = ground_where(prepared.scene.terrain, result.max_depth, reading.scene.output.trace_threshold);
-    result.max_depth.values.for_each_stored(
-        [&](std::size_t, double depth) { trial.reached_cells += std::isnan(depth) ? 0 : squared; });
+    trial.path = ground_where(prepared.scene.terrain, result.raster("max_depth"), reading.scene.output.trace_threshold);
+    result.raster("max_depth").values.for_each_stored([&](std::size_t, double depth) {
+        trial.reached_cells += std::isnan(depth) ? 0 : squared;
+    });
     trial.seconds = result.engine_seconds;
     trial.seconds_per_particle_step = result.engine_seconds / steps;
     return trial;

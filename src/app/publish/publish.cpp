@@ -92,11 +92,10 @@ bool shows_reached_only(const Prepared& prepared) {
 std::optional<CellWindow> reached_window(const Prepared& prepared, const RunResult& result) {
     const bool finished = result.stop_reason != StopReason::requested && result.run_problems.empty();
     if (!finished || !shows_reached_only(prepared)) return std::nullopt;
-    const GridSpec& grid = result.max_depth.grid;
+    const GridSpec& grid = result.raster("max_depth").grid;
     Box box(grid);
-    for (const Raster* raster :
-         {&result.max_depth, &result.release, &result.eroded_depth, &result.deposited_depth, &result.jump_height})
-        box.include(*raster);
+    for (const char* name : {"max_depth", "release", "eroded_depth", "deposited_depth", "jump_height"})
+        if (const Raster* const raster = result.find_raster(name)) box.include(*raster);
     if (prepared.scar) {
         for (const PolygonFeature& feature : prepared.scar->features) box.include(grid, bounds(feature.parts));
     }
@@ -109,11 +108,7 @@ std::optional<CellWindow> reached_window(const Prepared& prepared, const RunResu
 /// A window of all rasters of a result.
 RunResult cut_to(const RunResult& result, const CellWindow& window) {
     RunResult part = result;
-    for (Raster* raster : {&part.bed, &part.release, &part.max_depth, &part.max_velocity, &part.max_pressure,
-                           &part.arrival_time, &part.final_depth, &part.max_flux, &part.max_head, &part.eroded_depth,
-                           &part.deposited_depth, &part.jump_height})
-        *raster = frana::cut_to(*raster, window);
-    for (NamedRaster& raster : part.more) raster.values = frana::cut_to(raster.values, window);
+    for (NamedRaster& raster : part.rasters) raster.values = frana::cut_to(raster.values, window);
     return part;
 }
 
@@ -132,12 +127,13 @@ constexpr double k_claimed_share = 2;      // of a deep cell at the end, without
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
     if (input.survey.empty()) return input;
-    input.depth = run.result.max_depth;
-    input.bed = run.result.bed;
-    input.release = run.result.release;
+    input.depth = run.result.raster("max_depth");
+    input.bed = run.result.raster("bed");
+    input.release = run.result.raster("release");
     input.inflows = run.result.inflow_places;
-    input.final_depth =
-        run.result.depth_is_normal ? vertical_depth(run.result.final_depth, run.result.bed) : run.result.final_depth;
+    input.final_depth = run.result.depth_is_normal
+                            ? vertical_depth(run.result.raster("final_depth"), run.result.raster("bed"))
+                            : run.result.raster("final_depth");
     return input;
 }
 
@@ -199,7 +195,7 @@ void warn_of_motion(const Prepared& prepared, const RunResult& result, RunLog& l
 void warn_of_thin_flow(const Prepared& prepared, const RunResult& result, RunLog& log) {
     if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = prepared.scene.numerics.minimum_depth;
-    const bool was_visible = maximum(result.max_depth) > 0;
+    const bool was_visible = maximum(result.raster("max_depth")) > 0;
     log.warn(worded(
         was_visible
             ? worded("at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
@@ -213,7 +209,7 @@ void warn_of_thin_flow(const Prepared& prepared, const RunResult& result, RunLog
 
 /// Warns of flow on maps that is not in outlines and run-out.
 void warn_of_empty_trace(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    const double threshold = prepared.spec.output.trace_threshold, deepest = maximum(result.max_depth);
+    const double threshold = prepared.spec.output.trace_threshold, deepest = maximum(result.raster("max_depth"));
     if (!(deepest > 0) || deepest > threshold) return;
     log.warn(worded(
         "the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, deposit and covered area "
@@ -255,10 +251,11 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
     const auto& layer = prepared.extra.exposure;
     if (!layer) return std::nullopt;
     const Raster& terrain = prepared.scene.terrain;
-    const bool is_known = !terrain.values.is_tiled() && terrain.grid.same_cells(result.max_depth.grid);
-    const ExposureRasters rasters{&result.max_depth, &result.max_velocity, &result.max_pressure, &result.arrival_time,
+    const bool is_known = !terrain.values.is_tiled() && terrain.grid.same_cells(result.raster("max_depth").grid);
+    const ExposureRasters rasters{&result.raster("max_depth"), &result.raster("max_velocity"),
+                                  &result.raster("max_pressure"), &result.raster("arrival_time"),
                                   is_known ? &terrain : nullptr};
-    const auto cells = exposed_cells(*layer, result.max_depth.grid);
+    const auto cells = exposed_cells(*layer, result.raster("max_depth").grid);
     return write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
                           prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
 }
@@ -373,7 +370,7 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     warn_of_motion(prepared, result, log);
     warn_of_thin_flow(prepared, result, log);
     warn_of_empty_trace(prepared, result, log);
-    warn_of_release(result.bed, result.release, result.released, result.particles_initial, log);
+    warn_of_release(result.raster("bed"), result.raster("release"), result.released, result.particles_initial, log);
     warn_of_energy(result, log);
     warn_of_claims(result, log);
     const double shown = result.volume_shown;

@@ -49,10 +49,10 @@ void add_thickness(const ReleaseArea& area, const ReleasedArea& released, const 
     double normal = area.thickness * released.scaled;
     if (area.thickness_raster || !area.normal_to_bed) {
         double cosines = 0, cells = 0;
-        gis::visit_cells(area.outline, result.bed.grid, gis::Cover::centres,
+        gis::visit_cells(area.outline, result.raster("bed").grid, gis::Cover::centres,
                          [&](std::int64_t row, std::int64_t column) {
-                             if (!(result.release.at(row, column) > 0)) return;
-                             cosines += bed_cosine(result.bed, row, column);
+                             if (!(result.raster("release").at(row, column) > 0)) return;
+                             cosines += bed_cosine(result.raster("bed"), row, column);
                              cells += 1;
                          });
         normal = vertical * (cells > 0 ? cosines / cells : k_no_data);
@@ -68,10 +68,10 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     MultiPolygon parts = gis::polygonise(mask);
     if (parts.empty()) return {name, {}};
     PolygonFeature area = feature(std::move(parts), threshold);
-    const Raster vertical = result.depth_is_normal ? vertical_depth(depth, result.bed) : depth;
+    const Raster vertical = result.depth_is_normal ? vertical_depth(depth, result.raster("bed")) : depth;
     double volume = 0;
     mask.values.for_each_stored([&](std::size_t cell, double inside) {
-        if (inside != 0) volume += vertical.values[cell] * result.bed.grid.cell_area();
+        if (inside != 0) volume += vertical.values[cell] * result.raster("bed").grid.cell_area();
     });
     area.numbers["volume_m3"] = volume;
     const PeakValues high = high_values(depth, mask);
@@ -94,7 +94,7 @@ PolygonFeature release_outline(const ReleaseArea& area, std::size_t index) {
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const std::map<std::string, std::string> origin = provenance(prepared);
     for (const ResultRaster& row : result_rasters())
-        if (const Raster* raster = find_raster(result, row))
+        if (const Raster* raster = result.find_raster(row.name))
             write(directory, row, *raster, origin, prepared.spec.output, words_of(prepared.spec));
 }
 
@@ -129,14 +129,15 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
         layers[0].features.push_back(std::move(release));
     }
     const double threshold = prepared.spec.output.trace_threshold;
-    layers.push_back(outline("trace", result.max_depth, threshold, result, run_out));
-    const Raster deposit = trace_mask(result.final_depth, threshold);
-    layers.push_back(outline("deposit", result.final_depth, threshold, result,
-                             runouts(flows, result.bed, result.release, deposit).front()));
+    layers.push_back(outline("trace", result.raster("max_depth"), threshold, result, run_out));
+    const Raster deposit = trace_mask(result.raster("final_depth"), threshold);
+    layers.push_back(outline("deposit", result.raster("final_depth"), threshold, result,
+                             runouts(flows, result.raster("bed"), result.raster("release"), deposit).front()));
     for (PolygonFeature& trace : layers[1].features) {
         // The volume over the trace is that released; depths at different times do not add up.
         trace.numbers["volume_m3"] = result.volume_initial;
-        const PeakValues speed = high_values(result.max_velocity, trace_mask(result.max_depth, threshold));
+        const PeakValues speed =
+            high_values(result.raster("max_velocity"), trace_mask(result.raster("max_depth"), threshold));
         trace.numbers["max_velocity_ms"] = speed.greatest;
         trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }

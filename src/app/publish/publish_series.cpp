@@ -84,14 +84,15 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
     const auto origin = provenance(prepared);
     const std::string name =
         std::string(k_peak_folder) + "/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
-    const Raster thickness = result.depth_is_normal ? result.max_depth : normal_depth(result.max_depth, result.bed);
-    const bool large = result.max_depth.values.is_tiled(), text_files = has_format(prepared.spec, "ascii");
+    const Raster thickness = result.depth_is_normal ? result.raster("max_depth")
+                                                    : normal_depth(result.raster("max_depth"), result.raster("bed"));
+    const bool large = result.raster("max_depth").values.is_tiled(), text_files = has_format(prepared.spec, "ascii");
     if (text_files && large)
         log.warn(worded(
             "the AvaFrame rasters are written as GeoTIFF: an ASCII grid would hold all {1} cells of the map, reached "
             "or not",
-            {numeral(grouped(result.max_depth.grid.cell_count()))}));
-    const Raster* const values_of[] = {&result.max_pressure, &thickness, &result.max_velocity};
+            {numeral(grouped(result.raster("max_depth").grid.cell_count()))}));
+    const Raster* const values_of[] = {&result.raster("max_pressure"), &thickness, &result.raster("max_velocity")};
     static_assert(std::size(values_of) == std::size(k_peak_files));
     for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
         const auto& [kind, text, unit, like] = k_peak_files[i];
@@ -133,14 +134,15 @@ struct Column {
 };
 
 std::vector<Column> columns_of(const RunResult& result) {
-    std::vector<Column> columns{{"bed_m", &result.bed}, {"release_m", &result.release}};
-    for (const ResultRaster& row : main_rasters()) columns.push_back({row.name, find_raster(result, row)});
+    std::vector<Column> columns{{"bed_m", &result.raster("bed")}, {"release_m", &result.raster("release")}};
+    for (const ResultRaster& row : main_rasters()) columns.push_back({row.name, result.find_raster(row.name)});
     return columns;
 }
 
 std::vector<gis::NamedLine> profile_lines(const Prepared& prepared, const RunResult& result, const Runout& run_out) {
     std::vector<gis::NamedLine> lines;
-    if (run_out.horizontal_m > 0) lines.push_back({k_flow_path, flow_path(result.max_depth, run_out.top, run_out.tip)});
+    if (run_out.horizontal_m > 0)
+        lines.push_back({k_flow_path, flow_path(result.raster("max_depth"), run_out.top, run_out.tip)});
     lines.insert(lines.end(), prepared.extra.profiles.begin(), prepared.extra.profiles.end());
     return lines;
 }

@@ -208,7 +208,8 @@ Document release_sentences(const ReportInput& input) {
         volume += one.volume;
         area += one.area;
     }
-    r.release.values.for_each_stored([&](std::size_t, double value) { thickest = std::max(thickest, value); });
+    r.raster("release").values.for_each_stored(
+        [&](std::size_t, double value) { thickest = std::max(thickest, value); });
     const auto grouped_number = [&](double value) { return words.number(grouped(value)); };
     std::vector<std::string> told;
     if (!r.released.empty()) {
@@ -293,7 +294,7 @@ std::string strength_sentence(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
     const auto& [depth, speed] = std::pair(input.facts.high[0], input.facts.high[1]);
-    const auto cell = deepest_cell(input.result.max_depth, input.result.bed);
+    const auto cell = deepest_cell(input.result.raster("max_depth"), input.result.raster("bed"));
     if (!cell || std::isnan(depth.p999) || std::isnan(speed.p999))
         return words("The greatest depth is {1} m, the greatest speed {2} m/s.",
                      {number(greatest(depth), 3), number(greatest(speed), 3)});
@@ -469,7 +470,7 @@ Document answer_sentences(const ReportInput& input) {
         .add(material_sentences(input))
         .add(where_sentences(input))
         .add(exposure_answer(input.facts.exposure, ReachedBy::the_flow, words))
-        .add(Paragraph{{{cell_error_sentence(input.errors, input.result.max_depth.grid.cell_size, words), k_cell_error},
+        .add(Paragraph{{{cell_error_sentence(input.errors, input.result.raster("max_depth").grid.cell_size, words), k_cell_error},
                         {balance_sentence(input) + " " + end_sentences(input)}},
                        words("How sure.")})
         .part(k_comparison_answer, comparison_answer(input.comparison, words))

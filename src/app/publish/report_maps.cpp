@@ -28,7 +28,7 @@ std::string range_text(const ReportInput& input, const ResultRaster& row) {
             areas.push_back(words(area.kind.name) + " " + words.number(grouped(area.area_m2)) + " m²");
         return joined(areas, ", ");
     }
-    const Raster* const raster = find_raster(input.result, row);
+    const Raster* const raster = input.result.find_raster(row.name);
     if (raster == nullptr || raster->values.size() == 0) return "";
     double greatest = -std::numeric_limits<double>::infinity();
     raster->values.for_each_stored([&](std::size_t, double value) {

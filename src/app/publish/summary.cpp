@@ -13,7 +13,7 @@ namespace frana::app {
 namespace {
 
 void add_grid_and_particles(Json& json, const RunResult& result, const SummaryFacts& facts) {
-    const GridSpec& grid = result.max_depth.grid;
+    const GridSpec& grid = result.raster("max_depth").grid;
     json["grid"] = {{"columns", grid.columns},
                     {"rows", grid.rows},
                     {"cell_size", grid.cell_size},

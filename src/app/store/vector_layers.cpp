@@ -51,10 +51,6 @@ std::vector<double> progressive_classes(double maximum) {
 
 }  // namespace
 
-const Raster* find_raster(const RunResult& result, const ResultRaster& row) {
-    return raster_of_row(result, row);
-}
-
 std::vector<ResultRaster> main_rasters() {
     std::vector<ResultRaster> rows = result_rasters();
     std::erase_if(rows,

@@ -15,9 +15,6 @@
 
 namespace frana::app {
 
-/// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
-const Raster* find_raster(const RunResult& result, const ResultRaster& row);
-
 /// Returns the rasters that every run produces from the flow.
 std::vector<ResultRaster> main_rasters();
 

@@ -58,7 +58,7 @@ class OlderCheckpoint : public TinyScene {
         };
         const RunResult result = run(prepared_.scene, options);
         EXPECT_GT(result.steps, k_saved_step);
-        return result.max_depth;
+        return result.raster("max_depth");
     }
     [[nodiscard]] std::string file() const { return path("result.partial/checkpoint/step_000000000000008.frana"); }
     // --resume ends with the result of the run.

@@ -37,12 +37,12 @@ Scene slope() {
 // Returns the result of a run, all cells equal except one that is deeper.
 RunResult result_of(const Scene& scene, double depth, double speed) {
     RunResult result;
-    result.bed = scene.terrain;
-    result.release = Raster(scene.grid, k_no_data);
-    result.release.at(8, 5) = 2;
-    result.max_depth = result.final_depth = Raster(scene.grid, depth);
-    result.max_velocity = Raster(scene.grid, speed);
-    result.max_depth.at(3, 3) = 2 * depth;
+    result.raster("bed") = scene.terrain;
+    result.raster("release") = Raster(scene.grid, k_no_data);
+    result.raster("release").at(8, 5) = 2;
+    result.raster("max_depth") = result.raster("final_depth") = Raster(scene.grid, depth);
+    result.raster("max_velocity") = Raster(scene.grid, speed);
+    result.raster("max_depth").at(3, 3) = 2 * depth;
     result.volume_shown = depth * static_cast<double>(scene.grid.cell_count()) * 25;
     result.volume_final = 1.25 * depth * static_cast<double>(scene.grid.cell_count()) * 25;
     result.steps = 7;

@@ -43,12 +43,12 @@ void budget_closes(const RunResult& result) {
     EXPECT_NEAR(result.volume_initial, k_released, 1e-9 * k_released);
     EXPECT_LT(relative_volume_error(result), 1e-12);
     EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
-    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
-        const double depth = result.max_depth.values[i];
-        EXPECT_EQ(std::isnan(depth), std::isnan(result.arrival_time.values[i]));
-        EXPECT_EQ(std::isnan(depth), std::isnan(result.max_velocity.values[i]));
-        if (std::isnan(depth) || std::isnan(result.final_depth.values[i])) continue;
-        EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
+    for (std::size_t i = 0; i < result.raster("max_depth").values.size(); ++i) {
+        const double depth = result.raster("max_depth").values[i];
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.raster("arrival_time").values[i]));
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.raster("max_velocity").values[i]));
+        if (std::isnan(depth) || std::isnan(result.raster("final_depth").values[i])) continue;
+        EXPECT_LE(result.raster("final_depth").values[i], depth + 1e-12);
     }
 }
 
@@ -75,15 +75,15 @@ TEST(StructuredRun, FluidGivesMaximaArrivalSeriesAndBudget) {
         EXPECT_GE(times[i], static_cast<double>(i) - 1e-9);
         EXPECT_LT(times[i], static_cast<double>(i) + 0.2);
     }
-    ASSERT_NE(named(result.more, "fluid_velocity"), nullptr);
+    ASSERT_NE(named(result.rasters, "fluid_velocity"), nullptr);
     // Water falls 30 m: less than 2 sqrt(g H), more than a slow creep.
     double fastest = 0;
-    for (const double v : result.max_velocity.values) fastest = std::max(fastest, std::isnan(v) ? 0 : v);
+    for (const double v : result.raster("max_velocity").values) fastest = std::max(fastest, std::isnan(v) ? 0 : v);
     EXPECT_GT(fastest, 5);
     EXPECT_LT(fastest, 2 * std::sqrt(9.81 * 32));
     // Where the water stood at the start it arrived at time 0, under the wall of its edge later.
-    EXPECT_EQ(result.arrival_time.at(30, 20), 0);
-    EXPECT_GT(result.arrival_time.at(30, 60), 1);
+    EXPECT_EQ(result.raster("arrival_time").at(30, 20), 0);
+    EXPECT_GT(result.raster("arrival_time").at(30, 60), 1);
 }
 
 TEST(StructuredRun, SolidsAndFluidShowTheirPhasesAndLoseNothing) {
@@ -95,13 +95,13 @@ TEST(StructuredRun, SolidsAndFluidShowTheirPhasesAndLoseNothing) {
     EXPECT_GT(result.particles_initial, 1000);
     EXPECT_GT(result.particle_steps, result.particles_initial);
     EXPECT_EQ(phases, 8u);
-    const Raster* solids = named(result.more, "solid_depth");
+    const Raster* solids = named(result.rasters, "solid_depth");
     ASSERT_NE(solids, nullptr);
     double volume = 0;
     for (const double d : solids->values) volume += std::isnan(d) ? 0 : d * 4;
     EXPECT_NEAR(volume, 0.5 * k_released, 0.01 * k_released);  // but for cells under a centimetre
     for (const char* fraction : {"cohesion_ratio", "solid_fraction"}) {
-        const Raster* raster = named(result.more, fraction);
+        const Raster* raster = named(result.rasters, fraction);
         ASSERT_NE(raster, nullptr) << fraction;
         for (const double value : raster->values) EXPECT_TRUE(std::isnan(value) || (value >= 0 && value <= 1 + 1e-12));
     }
@@ -116,8 +116,8 @@ TEST(StructuredRun, SameBitsForAnyNumberOfThreads) {
         options.threads = 3;
         const RunResult three = run(scene, options);
         EXPECT_EQ(one.steps, three.steps);
-        for (const auto raster : {&RunResult::max_depth, &RunResult::max_velocity, &RunResult::final_depth}) {
-            const auto &a = (one.*raster).values, &b = (three.*raster).values;
+        for (const char* raster : {"max_depth", "max_velocity", "final_depth"}) {
+            const auto &a = one.raster(raster).values, &b = three.raster(raster).values;
             EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << solids;
         }
     }
@@ -151,7 +151,7 @@ TEST(StructuredRun, FluidFailsLaterAndFlowsIn) {
     EXPECT_NEAR(result.volume_entered, k_released + 80, 1e-6);
     EXPECT_LT(relative_volume_error(result), 1e-12);
     EXPECT_TRUE(result.released[0].failed);
-    EXPECT_GE(result.arrival_time.at(30, 20), 2);
+    EXPECT_GE(result.raster("arrival_time").at(30, 20), 2);
 }
 
 // A gauge and a section across the run-out: what passed is what lies beyond and what left.
@@ -164,7 +164,7 @@ TEST(StructuredRun, SectionCountsWhatPasses) {
     double beyond = result.volume_left;
     for (std::int64_t r = 0; r < 60; ++r)
         for (std::int64_t c = 75; c < 120; ++c) {
-            const double d = result.final_depth.at(r, c);
+            const double d = result.raster("final_depth").at(r, c);
             beyond += std::isnan(d) ? 0 : d * 4;
         }
     ASSERT_FALSE(result.sections.empty());
