@@ -24,6 +24,50 @@ TEST(SourceFiles, NoFileIsTooLong) {
         EXPECT_LE(lines_of(file).size(), k_most_lines) << file << " is to be split";
 }
 
+std::size_t lines_in(const std::string& folder) {
+    std::size_t lines = 0;
+    for (const std::string& file : source_files({folder}, {".h", ".cpp"})) lines += lines_of(file).size();
+    return lines;
+}
+
+struct Room {
+    const char* folder;
+    std::size_t lines;
+};
+
+// How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
+constexpr Room k_rooms[] = {
+    {"src/core", 3200},         {"src/params", 4700},        {"src/physics", 900},       {"src/particles", 1550},
+    {"src/mpm", 3900},          {"src/models", 4700},        {"src/simulation", 6600},   {"src/analysis", 2900},
+    {"src/study", 4200},        {"src/ranks", 250},          {"src/facade", 1500},       {"src/python", 500},
+    {"src/bench", 5300},        {"src/app/process", 350},    {"src/app/text", 700},      {"src/app/input", 4300},
+    {"src/app/store", 4850},    {"src/app/pictures", 3000},  {"src/app/compare", 1000},  {"src/app/publish", 4250},
+    {"src/app/ensemble", 3950}, {"src/app/calibrate", 2050}, {"src/app/commands", 6450}, {"gis", 7600},
+    {"render", 7750},
+};
+
+TEST(SourceFiles, RoomsKeepTheirBudgetOfLines) {
+    std::size_t in_rooms = 0;
+    for (const Room& room : k_rooms) {
+        const std::size_t lines = lines_in(room.folder);
+        in_rooms += lines;
+        EXPECT_LE(lines, room.lines * 105 / 100) << room.folder << " has outgrown its budget of " << room.lines;
+        EXPECT_GE(lines, room.lines * 90 / 100) << room.folder << " has shrunk: lower its budget of " << room.lines;
+    }
+    // Nothing of the product is outside a room, but for the program's main file.
+    EXPECT_EQ(in_rooms + lines_of("src/app/main.cpp").size(), lines_in("src") + lines_in("gis") + lines_in("render"));
+}
+
+// Many small files cost a reader more than their lines.
+TEST(SourceFiles, HalfOfTheFilesAreNotShort) {
+    constexpr std::size_t k_median = 75;
+    std::vector<std::size_t> lengths;
+    for (const std::string& file : source_files({"src", "gis", "render"}, {".h", ".cpp"}))
+        lengths.push_back(lines_of(file).size());
+    std::sort(lengths.begin(), lengths.end());
+    EXPECT_GE(lengths[lengths.size() / 2], k_median) << lengths.size() << " files";
+}
+
 // A test is in the folder of the part of the product that it tests (ARCHITECTURE.md), except those of all libraries.
 TEST(SourceFiles, TestsAreInFoldersOfTheProduct) {
     const std::vector<std::string> across{"arch", "fuzz", "hostile", "properties", "qgis", "support", "validation"};

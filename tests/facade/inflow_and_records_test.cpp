@@ -71,9 +71,9 @@ class InflowAndRecords : public TinyScene {
     void expect_same(const app::Prepared& prepared, const facade::Scene& scene) const {
         const RunResult expected = run(prepared.scene, {});
         const facade::Result result = facade::run(scene, {.threads = 2});
-        for (const auto& [name, raster] : {std::pair{"max_depth", &expected.max_depth},
-                                           {"max_velocity", &expected.max_velocity},
-                                           {"arrival_time", &expected.arrival_time}}) {
+        for (const auto& [name, raster] : {std::pair{"max_depth", &expected.raster("max_depth")},
+                                           {"max_velocity", &expected.raster("max_velocity")},
+                                           {"arrival_time", &expected.raster("arrival_time")}}) {
             const auto cells = result.raster(name).cells;
             const auto dense = std::as_const(raster->values).dense();
             ASSERT_EQ(cells.size(), dense.size());

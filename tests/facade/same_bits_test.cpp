@@ -79,12 +79,12 @@ TEST(SameBits, AsTheEngineOfFranaRun) {
     }
     EXPECT_EQ(count, frames.size());
     const facade::Result result = run.result();
-    for (const auto& [name, raster] : {std::pair{"max_depth", &expected.max_depth},
-                                       {"max_velocity", &expected.max_velocity},
-                                       {"arrival_time", &expected.arrival_time},
-                                       {"final_depth", &expected.final_depth},
-                                       {"max_pressure", &expected.max_pressure},
-                                       {"release", &expected.release}})
+    for (const auto& [name, raster] : {std::pair{"max_depth", &expected.raster("max_depth")},
+                                       {"max_velocity", &expected.raster("max_velocity")},
+                                       {"arrival_time", &expected.raster("arrival_time")},
+                                       {"final_depth", &expected.raster("final_depth")},
+                                       {"max_pressure", &expected.raster("max_pressure")},
+                                       {"release", &expected.raster("release")}})
         EXPECT_TRUE(same_bits(result.raster(name).cells, std::as_const(raster->values).dense())) << name;
 }
 
