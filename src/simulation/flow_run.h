@@ -37,30 +37,33 @@ class EnergyWatch {
         lowest_ = std::min(lowest_, balance_);
         rise_ = std::max(rise_, balance_ - lowest_);
         turned_over_ = std::max(turned_over_, statistics.energy_moving + dissipated_);
+        greatest_volume_ = std::max(greatest_volume_, volume);
         energy_ = now;
         half_dissipated_ = half;
         volume_ = volume;
         known_ = true;
     }
-    /// None if nothing moved, or if the model does not report energy.
+    /// None if nothing moved, or hardly (all work of gravity would give the whole flow less than k_hardly: of a pile
+    /// that settles, a fraction of almost nothing), or if the model does not report energy.
     [[nodiscard]] std::optional<double> error() const {
-        if (!(turned_over_ > 0)) return std::nullopt;
+        if (!(turned_over_ > 0.5 * greatest_volume_ * k_hardly * k_hardly)) return std::nullopt;
         return rise_ / turned_over_;
     }
 
     template <class Archive>
     void serialise(Archive& archive) {
-        auto& [known, energy, half, volume, balance, lowest, rise, dissipated, turned] = *this;
-        archive(known, energy, half, volume, balance, lowest, rise, dissipated, turned);
+        auto& [known, energy, half, volume, balance, lowest, rise, dissipated, turned, greatest] = *this;
+        archive(known, energy, half, volume, balance, lowest, rise, dissipated, turned, greatest);
     }
 
   private:
     static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
+    static constexpr double k_hardly = 0.1;      ///< [m/s]
 
     bool known_ = false;
     double energy_ = 0, half_dissipated_ = 0, volume_ = 0;  ///< of the previous step
     double balance_ = 0, lowest_ = 0, rise_ = 0;            ///< of E, relative to the start [m5/s2]
-    double dissipated_ = 0, turned_over_ = 0;
+    double dissipated_ = 0, turned_over_ = 0, greatest_volume_ = 0;
 };
 
 // Conditions that end a run before its end time.

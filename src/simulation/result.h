@@ -278,8 +278,6 @@ struct RunEstimate {
     std::int64_t particles = 0;
     double volume = 0;              ///< released [m3]
     double inflow = 0;              ///< through lines until the end [m3]
-    double thin_fraction = 0;       ///< of the release, in cells thinner than the minimum depth
-    double untraced_fraction = 0;   ///< of the release, in cells thinner than the trace's threshold
     std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
     /// Cells of the map stored in each raster: all of them or, for terrain read on demand, approximately those reached
     /// by a flow of usual spreading.

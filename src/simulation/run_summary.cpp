@@ -167,6 +167,18 @@ MotionAtEnd motion_at_end(const RunResult& result) noexcept {
                          result.settling && result.settling->front_is_final);
 }
 
+GapContact gap_contact(const RunResult& result, const Scene& scene) {
+    GapContact gap;
+    const Raster& deepest = result.raster("max_depth");
+    if (scene.numerics.nodata != NodataPolicy::stop || !deepest.grid.same_cells(scene.terrain.grid)) return gap;
+    deepest.values.for_each_stored([&](std::size_t cell, double depth) {
+        if (!(depth > scene.time.trace_threshold) || !std::isnan(scene.terrain.values[cell])) return;
+        ++gap.cells;
+        gap.depth = std::max(gap.depth, depth);
+    });
+    return gap;
+}
+
 double left_fraction(const RunResult& result) noexcept {
     return result.volume_entered > 0 ? result.volume_left / result.volume_entered : 0;
 }

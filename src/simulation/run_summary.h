@@ -113,6 +113,14 @@ struct MotionAtEnd {
 MotionAtEnd motion_at_end(bool at_end_time, double fastest, double moving_fraction, bool front_is_final) noexcept;
 MotionAtEnd motion_at_end(const RunResult& result) noexcept;
 
+/// Flow in cells without elevation, deeper than the trace's threshold, where such cells should have stopped the run
+/// (NodataPolicy::stop): only particles that enter one do, while nodes at its edge hold the others back.
+struct GapContact {
+    std::int64_t cells = 0;
+    double depth = 0;  ///< greatest [m]
+};
+GapContact gap_contact(const RunResult& result, const Scene& scene);
+
 /// Fraction of the volume through the edges of the computed ground from which a run-out is not the full one.
 inline constexpr double k_left_ground = 1e-3;
 /// Fraction of the volume that left.

@@ -113,15 +113,6 @@ RunEstimate estimate(const Scene& scene, int threads) {
     Arrivals arrivals(scene, std::exchange(release.later, {}));
     RunEstimate e;
     e.volume = release.volume;
-    const auto fraction_below = [&](double limit) {
-        double thin = 0;
-        release.depth.values.for_each_stored([&](std::size_t, double depth) {
-            if (depth < limit) thin += depth * scene.grid.cell_area();
-        });
-        return release.volume > 0 ? thin / release.volume : 0;
-    };
-    e.thin_fraction = fraction_below(scene.numerics.minimum_depth);
-    e.untraced_fraction = fraction_below(scene.time.trace_threshold);
     e.terms = list_terms(scene);
     const std::size_t arriving = arrivals.particles_left();
     const Arrivals::Arrived rest = arrivals.collect(scene.time.end);

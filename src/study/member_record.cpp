@@ -144,6 +144,7 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
                   motion_at_end(result).front,
                   result.moving_fraction_limit,
                   left_fraction(result),
+                  gap_contact(result, scene).cells > 0,
                   result.energy_error.value_or(k_no_data),
                   {}};
     record.engine_seconds = result.engine_seconds;

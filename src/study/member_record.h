@@ -55,18 +55,19 @@ struct MemberEnd {
     bool is_cut = false;         ///< the front still moved at time.end (motion_at_end)
     double moving_fraction = 0;  ///< of the volume
     double left_fraction = 0;    ///< of the volume, through the edges of the computed ground
+    bool is_held = false;        ///< by cells without elevation (gap_contact)
     double energy_error = 0;     ///< NaN: not known
     std::vector<Sentence> warnings;
 
     /// Whether the full run-out is not known.
     [[nodiscard]] bool left() const noexcept { return left_fraction > k_left_ground; }
     /// Whether what it reached is a lower bound of what it would have.
-    [[nodiscard]] bool is_open() const noexcept { return is_cut || left(); }
+    [[nodiscard]] bool is_open() const noexcept { return is_cut || is_held || left(); }
 };
 
 template <class Archive>
 void serialise(Archive& archive, MemberEnd& end) {
-    archive(end.stop_reason, end.is_cut, end.moving_fraction, end.left_fraction, end.energy_error, end.warnings);
+    archive(end.stop_reason, end.is_cut, end.moving_fraction, end.left_fraction, end.is_held, end.energy_error, end.warnings);
 }
 
 /// All that is kept of a member.

@@ -82,7 +82,7 @@ EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs
     return ground;
 }
 
-MapSource source_of(const EventGround& ground, const CalibrationResult& result) {
+MapSource source_of(const EventGround& ground, const CalibrationResult& result, const Troubles& troubles) {
     const Prepared& base = ground.study.base;
     const OutputSpec& output = base.spec.output;
     MapSource source;
@@ -92,6 +92,10 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
     source.subtitle = source.style.words("{1} runs weighted by the surveys, effective number {2}",
                                          {std::to_string(ground.members.size()), number(result.effective)});
     source.notes = {source.style.words("Deeper than {1} m counts", {number(ground.threshold)})};
+    if (troubles.are_first())
+        source.scenario = headline(troubles).in(source.style.words);
+    else if (troubles.any())
+        source.notes.push_back(headline(troubles).in(source.style.words));
     source.terrain = part_of(base.scene.terrain, ground.window);
     const GridSpec& grid = source.terrain.grid;
     source.crs_label = gis::crs_name(grid.crs_wkt);
@@ -114,7 +118,8 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result) 
 }  // namespace
 
 bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
-                              const CalibrationResult& result, const ResultDirectory& directory, RunLog& log) {
+                              const CalibrationResult& result, const Troubles& troubles,
+                              const ResultDirectory& directory, RunLog& log) {
     bool good = true;
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventGround ground = ground_of(input, runs, result, e);
@@ -127,7 +132,7 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
         good &= is_drawn("maps/" + name, log, [&] {
-            const MapSource source = source_of(ground, result);
+            const MapSource source = source_of(ground, result, troubles);
             const MapLayer layer =
                 read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
             LayerDrawer drawer(source);

@@ -15,7 +15,8 @@ namespace frana::app {
 /// threshold of the survey, with its standard error as second band. The map of it shows the surveyed outline and the
 /// trace of the best member. Returns false if a map could not be drawn, with a warning. Throws Error(environment).
 bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
-                              const CalibrationResult& result, const ResultDirectory& directory, RunLog& log);
+                              const CalibrationResult& result, const Troubles& troubles,
+                              const ResultDirectory& directory, RunLog& log);
 
 /// Returns the title of a calibration's charts and report.
 std::string calibration_title(const CalibrationInput& input);

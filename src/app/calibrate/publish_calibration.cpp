@@ -308,8 +308,8 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const std::vector<RunOfStudy> all = runs_of(runs);
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
+    if (troubles.any()) log.warn_first(headline(troubles));
     if (troubles.open > 0) {
-        log.warn_first(headline(troubles));
         const bool in_posterior = troubles_of(runs.last().runs(), false).open > 0;
         if (in_posterior)
             log.warn(
@@ -332,7 +332,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
             write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
-    const bool mapped = publish_calibration_maps(input, runs, result, directory, log);
+    const bool mapped = publish_calibration_maps(input, runs, result, troubles, directory, log);
     outcome.pictures_failed = !draw_calibration_charts(input, runs, result, directory, log) || !mapped;
     tell(input, result, log);
     const CalibrationFacts facts{troubles, since_start.seconds(), threads, log.warnings(), today()};

@@ -332,11 +332,7 @@ int cmd_check(const Arguments& arguments) {
         std::fflush(stdout);
     }
     compare_volumes(prepared.release.file_volume, expected.volume, log);
-    warn_of_thin_release(expected, prepared.scene, log);
-    if (!prepared.scene.release.empty()) {
-        const Release release = make_release(prepared.scene);
-        warn_of_release(release.bed, release.depth, release.areas, expected.particles, log);
-    }
+    warn_of_release(prepared.scene, log);
     if (trial && trial->path) warn_of_path_ground(*trial->path, log);
     if (const auto& exposed = prepared.extra.exposure)
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);

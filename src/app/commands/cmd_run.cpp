@@ -258,7 +258,8 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
     if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
-    const bool refused = finished && session.strict && (motion_at_end(result).front || left_ground(result));
+    const bool refused = finished && session.strict && (motion_at_end(result).front || left_ground(result) ||
+                                                         gap_contact(result, session.prepared.scene).cells > 0);
     if (refused) log.print_deferred_warnings();
     return refused ? static_cast<int>(ExitCode::numerical) : code;
 }
@@ -319,7 +320,6 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     const std::int64_t in_use = resident_memory();
     const RunEstimate expected = estimate(prepared.scene, threads);
     refuse_run_beyond_memory(reading, prepared, in_use, expected, threads);
-    warn_of_thin_release(expected, prepared.scene, log);
     const double input_seconds = since_start.seconds();
     const std::unique_ptr<CheckpointFile> from =
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;

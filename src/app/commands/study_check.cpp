@@ -167,6 +167,7 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
         print_region(input, plans, forecast, threads, result_path(directory));
     else if (print)
         print_study(input, forecast, threads, directory);
+    warn_of_release(input.base.scene, log);
     if (const auto& exposed = input.base.extra.exposure)
         warn_of_unknown_exposure(*exposed, computed_ground(input), study.region ? nullptr : &input.base.scene.terrain,
                                  log);

@@ -353,7 +353,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     facts.troubles = troubles_of(runs, is_region);
     facts.troubles.on_levels = !input.levels.empty();
     outcome.has_troubles = facts.troubles.any();
-    if (facts.troubles.are_told()) log.warn_first(headline(facts.troubles));
+    if (facts.troubles.any()) log.warn_first(headline(facts.troubles));
     outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
     for (const Sentence& kind : kinds_of_warnings(runs, log.warnings())) log.warn(kind);
     const study::StudySpec echoed = seen_from(input.reading.study, directory.target());

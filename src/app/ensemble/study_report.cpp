@@ -132,8 +132,11 @@ Document reached_by_sources(const StudyInput& input, const StudyResult& result, 
         const std::vector<double> values = result.figure(*place);
         const auto farthest = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
         text = words(
-            "The farthest run-out is {1} m in map view, from source {2}; half of the sources come more than "
-            "{3} m far.",
+            facts.troubles.make_lower_bounds()
+                ? worded("The farthest run-out is at least {1} m in map view, from source {2}; half of the sources "
+                         "come more than {3} m far.")
+                : worded("The farthest run-out is {1} m in map view, from source {2}; half of the sources come more "
+                         "than {3} m far."),
             {number.grouped(values[farthest]), source_name(input, result.members[result.finished_at[farthest]].member),
              number.grouped(figure_quantile(values, result.finished.weights, 0.5))});
     }
@@ -286,14 +289,23 @@ std::string figure_text(const MemberResult& member, const ShownFigure& shown, co
     return "";
 }
 
+std::string why_open(const study::MemberEnd& end, const Words& words) {
+    if (end.is_cut) return words("it still moved at the end");
+    if (end.left()) return words("it left the computed ground");
+    return end.is_held ? words("cells without elevation held it") : "";
+}
+
 /// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
 /// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     if (input.slopes.empty()) return {};
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
+    const bool has_open = std::any_of(result.members.begin(), result.members.end(),
+                                      [](const MemberResult& member) { return member.end.is_open(); });
     std::vector<std::string> heads{"", words("Slope")};
     if (has_scenarios) heads.push_back(words("Scenario"));
     for (const ShownFigure& shown : k_figures) heads.push_back(words(shown.title));
+    if (has_open) heads.push_back(words("Lower bounds, since"));
     if (has_failures) heads.push_back(words("Why it failed"));
     Table table(heads);
     for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
@@ -304,8 +316,9 @@ Document slopes_section(const StudyInput& input, const StudyResult& result, cons
         // The figures of a run that failed are those of another event.
         for (const ShownFigure& shown : k_figures)
             cells.push_back(member.failure.empty() ? figure_text(member, shown, words) : "");
+        if (has_open) cells.push_back(member.failure.empty() ? why_open(member.end, words) : "");
         if (has_failures) cells.push_back(member.failure);
-        table.row(cells, member.failure.empty() ? "" : "warning");
+        table.row(cells, member.failure.empty() && !member.end.is_open() ? "" : "warning");
     }
     Document section;
     section.heading("slopes", words("Slopes")).add(table);

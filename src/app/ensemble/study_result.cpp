@@ -42,6 +42,7 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
     for (const RunOfStudy& run : runs) {
         all.failed += run.failure.empty() ? 0 : 1;
         all.warned += run.end.warnings.empty() ? 0 : 1;
+        all.held += run.failure.empty() && run.end.is_held ? 1 : 0;
         all.open += run.failure.empty() && run.end.is_open() ? 1 : 0;
         if (run.end.is_cut) {
             ++all.cut;

@@ -18,16 +18,23 @@
 
 namespace frana::app {
 
-void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log) {
-    const auto warn = [&](double fraction, const char* key, double depth, const char* then) {
+void warn_of_thin_release(const Raster& release, const Scene& scene, RunLog& log) {
+    const auto warn = [&](const char* key, double depth, const char* then) {
+        double thin = 0, all = 0;
+        release.values.for_each_stored([&](std::size_t, double metres) {
+            if (!(metres > 0)) return;
+            all += metres;
+            if (metres < depth) thin += metres;
+        });
+        const double fraction = all > 0 ? thin / all : 0;
         if (fraction <= k_thin_fraction) return;
         log.warn(worded("{1} % of the release is thinner than {2} = {3} m: {4}",
                         {numeral(number_text(100 * fraction, 2)), key, shortest_text(depth), then}));
     };
-    warn(expected.thin_fraction, "numerics.minimum-depth", scene.numerics.minimum_depth,
+    warn("numerics.minimum-depth", scene.numerics.minimum_depth,
          worded("maps and results do not include it; set the key to about a hundredth of the usual flow depth"));
     if (scene.time.trace_threshold > scene.numerics.minimum_depth)
-        warn(expected.untraced_fraction, "output.trace-threshold", scene.time.trace_threshold,
+        warn("output.trace-threshold", scene.time.trace_threshold,
              worded(
                  "outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow "
                  "depth"));
@@ -300,6 +307,15 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     check_map_scale(reading, outlines, problems);
     check_difference(reading, ground, release, cover, log, problems);
     check_overlap(release, ground.terrain.grid, log);
+}
+
+void warn_of_release(const Scene& scene, RunLog& log) {
+    if (scene.release.empty()) return;
+    const Release release = make_release(scene);
+    warn_of_thin_release(release.depth, scene, log);
+    std::size_t particles = release.particles.size();
+    for (const Entry& entry : release.later) particles += entry.particles.size();
+    warn_of_release(release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles), log);
 }
 
 void warn_of_release(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,

@@ -14,7 +14,7 @@ inline constexpr double k_thin_fraction =
 
 /// Warns, before anything is computed, if maps and values, or outlines and run-out, omit a substantial part of a
 /// release.
-void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log);
+void warn_of_thin_release(const Raster& release, const Scene& scene, RunLog& log);
 
 /// Returns the tangent of the slope up to which the bed's friction holds material everywhere; 0 where places differ,
 /// and where no law at the bed resists with it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
@@ -42,6 +42,8 @@ inline constexpr const char* k_few_particles_warning = worded(
 /// Warns of a release that no slope has, or that is too small for its cells.
 /// @param release vertical thickness on the grid of `bed` [m]
 /// @param particles at the start; 0: it fails later
+void warn_of_release(const Scene& scene, RunLog& log);
+/// The same of a release that was made.
 void warn_of_release(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
                      std::int64_t particles, RunLog& log);
 

@@ -57,7 +57,7 @@ void ResultReader::add_study(MapSource& source) const {
             source.scenario =
                 words_("If the slope fails: fraction of {1} runs; varied: {2}", {std::to_string(*finished), keys});
         const auto troubles = troubles_in(*summary);
-        if (troubles && troubles->are_told()) {
+        if (troubles && troubles->any()) {
             const std::string told = headline(*troubles).in(words_);
             if (troubles->are_first())
                 source.scenario = told + ". " + scenario_line(source);

@@ -171,6 +171,16 @@ Sentence volume_that_moved(double fraction) {
     return worded("all of the volume changed cell, {1} times over", {numeral(number_text(fraction, 2))});
 }
 
+/// Warns of cells without elevation in which the flow lay: what came to their edge went no farther.
+void warn_of_gaps(const Prepared& prepared, const RunResult& result, RunLog& log) {
+    const GapContact gap = gap_contact(result, prepared.scene);
+    if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
+    log.warn(worded("the flow came into {1} cells without elevation, up to {2} m deep: they hold it back as a wall "
+                    "would, and its run-out may be too short; use a DTM without gaps, or set terrain.nodata-policy to "
+                    "wall or fill",
+                    {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}));
+}
+
 /// At the end time: the moving volume, and how fast the main results still grow.
 void warn_of_motion(const Prepared& prepared, const RunResult& result, RunLog& log) {
     const RunEnd end = run_end(result);
@@ -188,7 +198,12 @@ void warn_of_motion(const Prepared& prepared, const RunResult& result, RunLog& l
                         {motion, numeral(number_text(s.window, 2)), numeral(number_text(s.runout, 3)), percent(s.area),
                          volume_that_moved(s.deposit)});
     }
-    log.warn(worded("{1}. Final depth and run-out are not those of the deposit: raise time.end", {motion}));
+    const bool front_rests = result.settling && result.settling->front_is_final;
+    log.warn(worded(front_rests
+                        ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: "
+                                 "raise time.end")
+                        : worded("{1}. Final depth and run-out are not those of the deposit: raise time.end"),
+                    {motion}));
 }
 
 /// Warns of flow not shown on maps.
@@ -367,7 +382,9 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     if (!result.hard_events.none())
         log.warn(worded(
             "the computation had numerical events that do not occur in a good run; see hard_events in summary.json"));
+    warn_of_gaps(prepared, result, log);
     warn_of_motion(prepared, result, log);
+    warn_of_thin_release(result.raster("release"), prepared.scene, log);
     warn_of_thin_flow(prepared, result, log);
     warn_of_empty_trace(prepared, result, log);
     warn_of_release(result.raster("bed"), result.raster("release"), result.released, result.particles_initial, log);
@@ -376,9 +393,13 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     const double shown = result.volume_shown;
     if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
         log.warn(worded(
-            "the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are crowded, in "
-            "gullies narrower than a few cells, the depths shown are too small. Choose smaller cells, or take deposit "
-            "volumes from summary.json",
+            shown < result.volume_final
+                ? worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are "
+                         "crowded, in gullies narrower than a few cells, the depths shown are too small. Choose "
+                         "smaller cells, or take deposit volumes from summary.json")
+                : worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: at edges and walls the "
+                         "depths shown are too great. Choose smaller cells, or take deposit volumes from "
+                         "summary.json"),
             {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
     }
     if (result.volume_left > 0) {

@@ -26,18 +26,20 @@ Sentence percent(double fraction) {
 }  // namespace
 
 bool Troubles::are_first() const noexcept {
-    if (on_levels) return unfinished() > 0;
-    return open > 0 && (each_counts || static_cast<double>(open) > k_many * static_cast<double>(runs));
+    if (on_levels || each_counts) return unfinished() > 0;
+    return static_cast<double>(unfinished()) > k_many * static_cast<double>(runs);
 }
 
 Sentence headline(const Troubles& t) {
     std::vector<Sentence> parts;
     if (t.cut > 0)
-        parts.push_back(worded("{1} of {2} runs were cut while their front still moved (up to {3} % of the volume)",
+        parts.push_back(worded("{1} of {2} runs were cut while they still moved (up to {3} % of the volume)",
                                {count(t.cut), count(t.runs), percent(t.most_moving)}));
     if (t.left > 0)
         parts.push_back(worded("{1} of {2} runs left the computed ground (up to {3} % of the volume)",
                                {count(t.left), count(t.runs), percent(t.most_left)}));
+    if (t.held > 0)
+        parts.push_back(worded("{1} of {2} runs were held by cells without elevation", {count(t.held), count(t.runs)}));
     if (t.failed > 0) parts.push_back(worded("{1} of {2} runs failed", {count(t.failed), count(t.runs)}));
     // A sum of differences: what coarser runs of a pair did not reach raises it.
     if (t.on_levels)
@@ -50,6 +52,7 @@ Json json_of(const Troubles& t) {
     return {{"all", t.runs},
             {"cut", t.cut},
             {"left_ground", t.left},
+            {"held_by_no_data", t.held},
             {"failed", t.failed},
             {"warned", t.warned},
             {"lower_bounds", t.open},
@@ -71,6 +74,7 @@ std::optional<Troubles> troubles_in(const Json& summary) {
                     whole("failed"),
                     whole("warned"),
                     whole("lower_bounds"),
+                    whole("held_by_no_data"),
                     value_in<double>(summary, "/run_troubles/greatest_moving_fraction").value_or(0),
                     value_in<double>(summary, "/run_troubles/greatest_left_domain_fraction").value_or(0),
                     value_in<bool>(summary, "/run_troubles/each_counts").value_or(false),

@@ -12,29 +12,27 @@
 
 namespace frana::app {
 
-/// How many runs of a study were cut, left the ground, failed or warned, and by how much at most. Maps read it from
+/// How many runs of a study were cut, held, left the ground, failed or warned, and by how much at most. Maps read it from
 /// summary.json.
 struct Troubles {
     std::size_t runs = 0, cut = 0, left = 0, failed = 0, warned = 0;
-    std::size_t open = 0;                   ///< that were cut or left the ground, each once
+    std::size_t open = 0;                   ///< that were cut, held or left the ground, each once
+    std::size_t held = 0;                   ///< by cells without elevation
     double most_moving = 0, most_left = 0;  ///< fractions of the volume, of the runs that were cut, that left
     bool each_counts = false;               ///< of a region: every slope is somebody's
     bool on_levels = false;                 ///< of a multilevel study: a coarser run of a pair counts negatively
 
-    /// Whether a run was cut, left the ground or failed: what --strict makes an error.
-    [[nodiscard]] bool any() const noexcept { return cut + left + failed > 0; }
-    /// Whether so many runs were cut or left the ground that the study's first line says so: over 5 %, of a region
-    /// any, on levels any, and any that failed.
+    /// Whether a run was cut, held, left the ground or failed: what --strict makes an error, and the headline tells.
+    [[nodiscard]] bool any() const noexcept { return unfinished() > 0; }
+    /// Whether they are so many that the study's first line says so: over 5 %, of a region any, on levels any.
     [[nodiscard]] bool are_first() const noexcept;
-    /// Whether the headline is told, first or among others.
-    [[nodiscard]] bool are_told() const noexcept { return open > 0 || are_first(); }
     /// Whether the study's numbers are lower bounds: on levels they may be too large as well.
     [[nodiscard]] bool make_lower_bounds() const noexcept { return unfinished() > 0 && !on_levels; }
     /// Runs whose reach is not known: cut, gone or failed.
     [[nodiscard]] std::size_t unfinished() const noexcept { return open + failed; }
 };
 
-/// "Extent, run-out and probabilities are lower bounds: 12 of 12 runs were cut while their front still moved (up to 70
+/// "Extent, run-out and probabilities are lower bounds: 12 of 12 runs were cut while they still moved (up to 70
 /// % of the volume); ...", or on levels "... may be too small or too large, without bounds: ...".
 Sentence headline(const Troubles& troubles);
 
