@@ -11,6 +11,7 @@
 #include "app/commands/region_check.h"
 #include "app/ensemble/study_files.h"
 #include "app/input/check_ground.h"
+#include "app/input/check_release.h"
 #include "app/input/memory_bound.h"
 #include "app/process/machine_memory.h"
 #include "app/store/result_place.h"
