@@ -108,8 +108,8 @@ inline Scene paper() {
 
 inline Scene earth_pressure() {
     Scene scene = hillside();
-    scene.material.plane_stress = PlaneStressLaw::earth_pressure;
-    scene.material.internal_friction_coefficient = 0.6;
+    scene.material.in_plane_stress = EarthPressureStress::word;
+    scene.material.internal_friction_angle = 31;
     scene.numerics.curvature = true;
     scene.zones.friction_coefficient = Raster(scene.grid, 0.3);
     return scene;

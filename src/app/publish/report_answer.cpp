@@ -159,7 +159,7 @@ std::vector<std::string> values_told(const ReportInput& input, const Words& word
         if (text.empty() || (is_default && name != "material.density")) continue;
         std::string value = name_of(name, words) + " " + value_of(key, spec, words);
         if (name == "material.friction-angle")
-            value += " (μ = " + words.number(number_text(friction_coefficient(spec.material), 3)) + ")";
+            value += " (μ = " + words.number(number_text(spec.material.bed_friction_coefficient(), 3)) + ")";
         told.push_back(value + " (" + origin_text(spec, name, words) + ")");
     }
     return told;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/text.h"
+#include "core/number_range.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -35,25 +35,6 @@ struct ValueProblem {
 
 /// Maps a path to another.
 using FileMap = std::function<std::string(const std::string&)>;
-
-/// Limits of a number.
-struct NumberRange {
-    double lowest = 0;
-    double highest = 0;
-    bool lowest_excluded = false, highest_excluded = false;
-
-    [[nodiscard]] bool has(double value) const {
-        return (lowest_excluded ? value > lowest : value >= lowest) &&
-               (highest_excluded ? value < highest : value <= highest);
-    }
-    [[nodiscard]] std::string text() const {
-        return (lowest_excluded ? "greater than " : "") + shortest_text(lowest) +
-               (highest_excluded  ? ", less than "
-                : lowest_excluded ? ", at most "
-                                  : " to ") +
-               shortest_text(highest);
-    }
-};
 
 /// One key of a file, as a member of what is read from it: of a scene, in scene_parameters.cpp, of a study, a region or
 /// a calibration in `src/study`. Declared once; the parser, --set, `frana params`, the echo and every message about the

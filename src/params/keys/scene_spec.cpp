@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
@@ -20,11 +19,6 @@ double round_up(double value) {
 }
 
 }  // namespace
-
-double friction_coefficient(const MaterialSpec& material) {
-    if (material.friction_coefficient) return *material.friction_coefficient;
-    return std::tan(material.friction_angle.value_or(0) * std::numbers::pi / 180);
-}
 
 std::string slope_correction(const NumericsSpec& numerics) {
     if (numerics.slope_correction != "auto") return numerics.slope_correction;
@@ -49,9 +43,8 @@ bool well_balanced(const NumericsSpec& numerics) {
 }
 
 double courant_number(const SceneSpec& scene) {
-    const MaterialSpec& material = scene.material;
-    const bool is_bingham =
-        in_plane_stress(material) == "bingham" && (material.viscosity > 0 || material.yield_stress > 0);
+    const Material& material = scene.material;
+    const bool is_bingham = in_plane_stress(material) == BinghamStress::word && material.has_bingham_stress();
     return scene.numerics.cfl.value_or(
         default_courant(scene.numerics.scheme != "paper" && material.model != "structured" && !is_bingham));
 }
