@@ -25,16 +25,10 @@ struct ShearStressDeposition {
         std::optional<double> deposition_rate, deposition_shear;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::deposition_rate,
-                                 "entrainment.deposition-rate",
-                                 "m/s",
-                                 {0, 10, true},
-                                 "Deposition rate at zero shear stress."},
-                          LawKey{&Values::deposition_shear,
-                                 "entrainment.deposition-shear-stress",
-                                 "Pa",
-                                 {0, 1e6, true},
-                                 "Shear stress above which there is no deposition."}};
+        return std::tuple{law_key(&Values::deposition_rate, "entrainment.deposition-rate", "", "m/s", {0, 10, true},
+                                  "Deposition rate at zero shear stress."),
+                          law_key(&Values::deposition_shear, "entrainment.deposition-shear-stress", "", "Pa",
+                                  {0, 1e6, true}, "Shear stress above which there is no deposition.")};
     }
     static Law row() { return {.sentence = worded("deposition under a critical shear stress")}; }
     template <class Entrainment>

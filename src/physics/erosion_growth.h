@@ -20,8 +20,8 @@ struct GrowthErosion {
         std::optional<double> growth_rate;
     };
     static auto keys() {
-        return std::tuple{LawKey{
-            &Values::growth_rate, "entrainment.growth-rate", "1/m", {0, 1, true}, "Volume growth rate per distance."}};
+        return std::tuple{law_key(&Values::growth_rate, "entrainment.growth-rate", "", "1/m", {0, 1, true},
+                                  "Volume growth rate per distance.")};
     }
     static Law row() {
         return {.sentence = worded("erosion by exponential growth"), .needs = {"entrainment.erodible-depth"}};

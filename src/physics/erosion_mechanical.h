@@ -30,29 +30,15 @@ struct MechanicalErosion {
     };
     static auto keys() {
         const MechanicalErosion law;
-        return std::tuple{LawKey{&Values::bed_friction_angle,
-                                 "entrainment.bed-friction-angle",
-                                 "degrees",
-                                 {0, 60},
-                                 "Friction angle of the bed's material."},
-                          LawKey{&Values::bed_cohesion,
-                                 "entrainment.bed-cohesion",
-                                 "Pa",
-                                 {0, 1e6},
-                                 "Cohesion of the bed's material.",
-                                 shortest_text(law.bed_cohesion)},
-                          LawKey{&Values::bed_pore_pressure_ratio,
-                                 "entrainment.bed-pore-pressure-ratio",
-                                 "",
-                                 {0, 1},
-                                 "Pore pressure over total normal stress in the bed.",
-                                 shortest_text(law.bed_pore_pressure)},
-                          LawKey{&Values::velocity_ratio,
-                                 "entrainment.velocity-ratio",
-                                 "",
-                                 {0, 1.5, true},
-                                 "Velocity at the base over mean velocity.",
-                                 shortest_text(law.velocity_ratio)}};
+        return std::tuple{
+            law_key(&Values::bed_friction_angle, "entrainment.bed-friction-angle", "", "degrees", {0, 60},
+                    "Friction angle of the bed's material."),
+            law_key(&Values::bed_cohesion, "entrainment.bed-cohesion", "", "Pa", {0, 1e6},
+                    "Cohesion of the bed's material.", shortest_text(law.bed_cohesion)),
+            law_key(&Values::bed_pore_pressure_ratio, "entrainment.bed-pore-pressure-ratio", "", "", {0, 1},
+                    "Pore pressure over total normal stress in the bed.", shortest_text(law.bed_pore_pressure)),
+            law_key(&Values::velocity_ratio, "entrainment.velocity-ratio", "", "", {0, 1.5, true},
+                    "Velocity at the base over mean velocity.", shortest_text(law.velocity_ratio))};
     }
     static Law row() { return {.sentence = worded("mechanical erosion"), .needs = {"entrainment.erodible-depth"}}; }
     template <class Entrainment>

@@ -30,24 +30,14 @@ struct ShearStressErosion {
     };
     static auto keys() {
         const ShearStressErosion law;
-        return std::tuple{LawKey{&Values::erosion_rate,
-                                 "entrainment.erosion-rate",
-                                 "m/s",
-                                 {0, 10, true},
-                                 "Erosion rate.",
-                                 shortest_text(law.rate)},
-                          LawKey{&Values::critical_shear,
-                                 "entrainment.critical-shear-stress",
-                                 "Pa",
-                                 {0, 1e6},
-                                 "Shear stress above which the bed erodes.",
-                                 shortest_text(law.critical_shear)},
-                          LawKey{&Values::erosion_depth_per_kpa,
-                                 "entrainment.erosion-depth-per-stress",
-                                 "m/kPa",
-                                 {0, 100, true},
-                                 "Maximum eroded depth per kPa of shear stress above critical-shear-stress.",
-                                 shortest_text(1e3 * law.potential_depth)}};
+        return std::tuple{
+            law_key(&Values::erosion_rate, "entrainment.erosion-rate", "", "m/s", {0, 10, true}, "Erosion rate.",
+                    shortest_text(law.rate)),
+            law_key(&Values::critical_shear, "entrainment.critical-shear-stress", "", "Pa", {0, 1e6},
+                    "Shear stress above which the bed erodes.", shortest_text(law.critical_shear)),
+            law_key(&Values::erosion_depth_per_kpa, "entrainment.erosion-depth-per-stress", "", "m/kPa", {0, 100, true},
+                    "Maximum eroded depth per kPa of shear stress above critical-shear-stress.",
+                    shortest_text(1e3 * law.potential_depth))};
     }
     static Law row() {
         return {.sentence = worded("erosion by excess shear stress"), .needs = {"entrainment.erodible-depth"}};

@@ -20,7 +20,7 @@ struct ChezyFriction {
         std::optional<double> chezy;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::chezy, "material.chezy", "m^(1/2)/s", {0.1, 1000}, "Chezy's C."}};
+        return std::tuple{law_key(&Values::chezy, "material.chezy", "Chezy C", "m^(1/2)/s", {0.1, 1000}, "Chezy's C.")};
     }
     static Law row() { return {.sentence = worded("Chezy bed resistance")}; }
     template <class Builder>

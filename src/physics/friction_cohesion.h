@@ -20,7 +20,8 @@ struct CohesiveFriction {
         std::optional<double> cohesion;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::cohesion, "material.cohesion", "Pa", {0, 1e6}, "Cohesion to the bed."}};
+        return std::tuple{law_key(&Values::cohesion, "material.cohesion", worded("cohesion"), "Pa", {0, 1e6},
+                                  "Cohesion to the bed.")};
     }
     static Law row() { return {.sentence = worded("cohesion at the bed")}; }
     template <class Builder>

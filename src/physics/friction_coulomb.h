@@ -34,35 +34,18 @@ struct CoulombFriction {
     };
     static auto keys() {
         return std::tuple{
-            LawKey{&Values::friction_angle,
-                   "material.friction-angle",
-                   "degrees",
-                   {0, 60},
-                   "Bed friction angle phi; this or friction-coefficient.",
-                   "required, or friction-coefficient"},
-            LawKey{&Values::friction_coefficient,
-                   "material.friction-coefficient",
-                   "",
-                   {0, 2},
-                   "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
-                   "required, or friction-angle"},
-            LawKey{&Values::pore_pressure_ratio,
-                   "material.pore-pressure-ratio",
-                   "",
-                   {0, 1},
-                   "Pore pressure over total normal stress at the start, r_u; reduces friction by this fraction.",
-                   "0"},
-            LawKey{&Values::pore_dissipation_time,
-                   "material.pore-dissipation-time",
-                   "s",
-                   {0, 1e9, true},
-                   "Time in which the pore pressure decreases to 1/e.",
-                   "no dissipation"},
-            LawKey{&Values::surface_pressure,
-                   "material.surface-pressure",
-                   "Pa",
-                   {0, 1e6},
-                   "Gauge pressure on the free surface that adds to bed friction; 0 in open air."}};
+            law_key(&Values::friction_angle, "material.friction-angle", worded("friction angle"), "degrees", {0, 60},
+                    "Bed friction angle phi; this or friction-coefficient.", "required, or friction-coefficient"),
+            law_key(&Values::friction_coefficient, "material.friction-coefficient", worded("friction coefficient"), "",
+                    {0, 2}, "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
+                    "required, or friction-angle"),
+            law_key(
+                &Values::pore_pressure_ratio, "material.pore-pressure-ratio", worded("pore pressure ratio"), "", {0, 1},
+                "Pore pressure over total normal stress at the start, r_u; reduces friction by this fraction.", "0"),
+            law_key(&Values::pore_dissipation_time, "material.pore-dissipation-time", "", "s", {0, 1e9, true},
+                    "Time in which the pore pressure decreases to 1/e.", "no dissipation"),
+            law_key(&Values::surface_pressure, "material.surface-pressure", "", "Pa", {0, 1e6},
+                    "Gauge pressure on the free surface that adds to bed friction; 0 in open air.")};
     }
     static Law row() {
         return {.sentence = worded("Coulomb bed friction"),

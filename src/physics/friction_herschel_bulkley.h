@@ -29,9 +29,10 @@ struct HerschelBulkleyExcess {
         std::optional<double> consistency, flow_index;
     };
     static auto keys() {
-        return std::tuple{
-            LawKey{&Values::consistency, "material.consistency", "Pa s^m", {0, 1e8, true}, "Herschel-Bulkley K."},
-            LawKey{&Values::flow_index, "material.flow-index", "", {0.1, 2}, "Herschel-Bulkley m."}};
+        return std::tuple{law_key(&Values::consistency, "material.consistency", worded("consistency"), "Pa s^m",
+                                  {0, 1e8, true}, "Herschel-Bulkley K."),
+                          law_key(&Values::flow_index, "material.flow-index", worded("flow index"), "", {0.1, 2},
+                                  "Herschel-Bulkley m.")};
     }
     static Law row() {
         return {.sentence = worded("Herschel-Bulkley bed resistance"),

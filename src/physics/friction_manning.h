@@ -27,7 +27,8 @@ struct ManningFriction {
         std::optional<double> manning;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::manning, "material.manning", "s/m^(1/3)", {0, 1, true}, "Manning's n."}};
+        return std::tuple{
+            law_key(&Values::manning, "material.manning", "Manning n", "s/m^(1/3)", {0, 1, true}, "Manning's n.")};
     }
     static Law row() { return {.sentence = worded("Manning bed resistance")}; }
     template <class Builder>

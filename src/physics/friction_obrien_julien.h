@@ -23,12 +23,9 @@ struct OBrienJulienFriction {
         std::optional<double> laminar_resistance;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::laminar_resistance,
-                                 "material.laminar-resistance",
-                                 "",
-                                 {24, 50000},
-                                 "K of the viscous part.",
-                                 shortest_text(OBrienJulienFriction{}.laminar_resistance) + ", a smooth wide bed"}};
+        return std::tuple{law_key(&Values::laminar_resistance, "material.laminar-resistance",
+                                  worded("laminar resistance"), "", {24, 50000}, "K of the viscous part.",
+                                  shortest_text(OBrienJulienFriction{}.laminar_resistance) + ", a smooth wide bed")};
     }
     static Law row() {
         return {.sentence = worded("O'Brien-Julien bed resistance"),

@@ -27,22 +27,13 @@ struct PouliquenForterreExcess {
         std::optional<double> fast_friction_angle, friction_length, friction_beta;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::fast_friction_angle,
-                                 "material.fast-friction-angle",
-                                 "degrees",
-                                 {0, 80},
-                                 "Friction angle of fast, thin flow."},
-                          LawKey{&Values::friction_length,
-                                 "material.friction-length",
-                                 "m",
-                                 {0, 100, true},
-                                 "L of the deposit's thickness."},
-                          LawKey{&Values::friction_beta,
-                                 "material.friction-beta",
-                                 "",
-                                 {0, 10, true},
-                                 "beta of the flow rule.",
-                                 shortest_text(PouliquenForterreExcess{}.beta) + ", glass beads"}};
+        return std::tuple{
+            law_key(&Values::fast_friction_angle, "material.fast-friction-angle", "", "degrees", {0, 80},
+                    "Friction angle of fast, thin flow."),
+            law_key(&Values::friction_length, "material.friction-length", "", "m", {0, 100, true},
+                    "L of the deposit's thickness."),
+            law_key(&Values::friction_beta, "material.friction-beta", "", "", {0, 10, true}, "beta of the flow rule.",
+                    shortest_text(PouliquenForterreExcess{}.beta) + ", glass beads")};
     }
     static Law row() {
         return {.sentence = worded("Pouliquen-Forterre bed friction"),

@@ -22,11 +22,8 @@ struct RammsYield {
         std::optional<double> ramms_yield_stress;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::ramms_yield_stress,
-                                 "material.ramms-yield-stress",
-                                 "Pa",
-                                 {0, 1e5, true},
-                                 "N_0 of RAMMS's yield term."}};
+        return std::tuple{law_key(&Values::ramms_yield_stress, "material.ramms-yield-stress", "", "Pa", {0, 1e5, true},
+                                  "N_0 of RAMMS's yield term.")};
     }
     static Law row() {
         return {.sentence = worded("RAMMS yield term"),

@@ -31,13 +31,9 @@ struct TurbulentFriction {
         [[nodiscard]] double inverse_turbulence() const { return turbulence ? 1 / *turbulence : 0; }
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::turbulence,
-                                 "material.turbulence",
-                                 "m/s2",
-                                 {0, 1e9, true},
-                                 "Voellmy turbulence coefficient xi; off: friction alone.",
-                                 "off",
-                                 true}};
+        return std::tuple{law_key(&Values::turbulence, "material.turbulence", worded("turbulence"), "m/s2",
+                                  {0, 1e9, true}, "Voellmy turbulence coefficient xi; off: friction alone.", "off",
+                                  true)};
     }
     static Law row() { return {.sentence = worded("turbulent bed friction")}; }
     template <class Scene>

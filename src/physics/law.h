@@ -68,6 +68,7 @@ template <class Values, class Number>
 struct LawKey {
     Number Values::*member;  ///< double with its default, or optional
     const char* name;
+    const char* called;  ///< in the report; empty: as in scene files
     const char* unit;
     NumberRange range;
     const char* meaning;
@@ -87,6 +88,13 @@ struct LawChoice {
 
     [[nodiscard]] static bool needed() { return false; }
 };
+
+template <class Values, class Number>
+LawKey<Values, Number> law_key(Number Values::*member, const char* name, const char* called, const char* unit,
+                               NumberRange range, const char* meaning, std::string absent = {},
+                               bool may_be_off = false) {
+    return {member, name, called, unit, range, meaning, std::move(absent), may_be_off};
+}
 
 /// Friction angles: degrees in scene files, tangents in laws.
 inline double tangent_of(double degrees) {

@@ -51,13 +51,12 @@ struct BinghamStress {
     };
     static auto keys() {
         return std::tuple{
-            LawKey{&Values::viscosity, "material.viscosity", "Pa s", {0, 1e8}, "Bingham viscosity."},
-            LawKey{&Values::yield_stress, "material.yield-stress", "Pa", {0, 1e7}, "Yield stress."},
-            LawKey{&Values::yield_regularisation,
-                   "material.yield-regularisation",
-                   "1/s",
-                   {1e-6, 10},
-                   "Shear rate below which the yield stress in the plane is regularised."},
+            law_key(&Values::viscosity, "material.viscosity", worded("viscosity"), "Pa s", {0, 1e8},
+                    "Bingham viscosity."),
+            law_key(&Values::yield_stress, "material.yield-stress", worded("yield stress"), "Pa", {0, 1e7},
+                    "Yield stress."),
+            law_key(&Values::yield_regularisation, "material.yield-regularisation", "", "1/s", {1e-6, 10},
+                    "Shear rate below which the yield stress in the plane is regularised."),
             LawChoice{&Values::exact_yield_ratio,
                       "material.yield-ratio",
                       {{"exact", true}, {"quadratic", false}},

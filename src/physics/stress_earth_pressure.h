@@ -28,11 +28,9 @@ struct EarthPressureStress {
         std::optional<double> internal_friction_angle;
     };
     static auto keys() {
-        return std::tuple{LawKey{&Values::internal_friction_angle,
-                                 "material.internal-friction-angle",
-                                 "degrees",
-                                 {0, 60, true},
-                                 "Internal friction angle of earth pressure, at least that of the bed."}};
+        return std::tuple{law_key(&Values::internal_friction_angle, "material.internal-friction-angle",
+                                  worded("internal friction angle"), "degrees", {0, 60, true},
+                                  "Internal friction angle of earth pressure, at least that of the bed.")};
     }
     static Law row() {
         return {.sentence = worded("earth pressure"),

@@ -24,6 +24,28 @@ TEST(SourceFiles, NoFileIsTooLong) {
         EXPECT_LE(lines_of(file).size(), k_most_lines) << file << " is to be split";
 }
 
+// A law carries its row: its header names it, and everything else follows. A second file may name it for a reason of
+// its own. Words that also name a quantity by place ("cohesion", "turbulence") are left out.
+TEST(SourceFiles, ALawIsNamedInItsHeader) {
+    const auto files = source_files({"src", "gis", "render"}, {".h", ".cpp"});
+    for (const std::string word :
+         {"chezy", "pouliquen-forterre", "mechanical", "coulomb", "ramms-yield", "bingham", "herschel-bulkley",
+          "obrien-julien", "manning", "earth-pressure", "shear-stress", "growth"}) {
+        std::vector<std::string> naming;
+        for (const std::string& file : files) {
+            const auto lines = lines_of(file);
+            if (std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+                    const std::string code = line.substr(0, line.find("//"));
+                    return code.find('"' + word + '"') != std::string::npos ||
+                           code.find(" = " + word + '"') != std::string::npos;
+                }))
+                naming.push_back(file);
+        }
+        EXPECT_GE(naming.size(), 1U) << word;
+        EXPECT_LE(naming.size(), 2U) << word << ": " << testing::PrintToString(naming);
+    }
+}
+
 // A test is in the folder of the part of the product that it tests (ARCHITECTURE.md), except those of all libraries.
 TEST(SourceFiles, TestsAreInFoldersOfTheProduct) {
     const std::vector<std::string> across{"arch", "fuzz", "hostile", "properties", "qgis", "support", "validation"};

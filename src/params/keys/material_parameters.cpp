@@ -81,7 +81,7 @@ void add_fluid(std::vector<Parameter>& list) {
 void add_solids(std::vector<Parameter>& list) {
     for (const SolidKey& key : solid_keys())
         list.push_back(by_place(
-            key.name, [member = key.source](SceneSpec & scene) -> auto& { return scene.structured.*member; }, key.unit,
+            key.name, [member = key.source](auto& scene) -> auto& { return scene.structured.*member; }, key.unit,
             key.range, key.meaning, key.absent));
     list.push_back(holds("polygons", text("structured.zones", FRANA_MEMBER(structured.zones), "file",
                                           "Polygons, in their own CRS, for attribute:NAME in this section.",
@@ -213,13 +213,14 @@ template <class List, class Section>
 void add_keys_of(std::vector<Parameter>& list, Section section) {
     List::for_each([&]<class L>() {
         for_each_key<L>([&](const auto& key) {
-            const auto member = [ section, at = key.member ](SceneSpec & scene) -> auto& {
+            const auto member = [ section, at = key.member ](auto& scene) -> auto& {
                 return section(scene).*at;
             };
             if constexpr (requires { key.words; }) {
                 list.push_back(declare::option(key.name, member, key.words, key.meaning));
             } else {
-                const Parameter plain = number(key.name, member, key.unit, key.range, key.meaning, key.absent);
+                Parameter plain = number(key.name, member, key.unit, key.range, key.meaning, key.absent);
+                plain.called = key.called;
                 list.push_back(key.may_be_off ? or_off(plain, member) : plain);
             }
         });

@@ -51,6 +51,7 @@ struct ParameterOf {
     std::optional<NumberRange> range{};  ///< of a number that is accepted, of a list: of each item
     std::string absent;                  ///< the effect if the key is not given and has no fixed default
     std::string meaning;                 ///< one sentence
+    std::string called{};                ///< in the report; empty: as in scene files
     std::string content;  ///< of a file: "raster", "polygons", "lines", "points", "lines or points", "raster or
                           ///< polygons", "table"
     std::function<std::optional<ValueProblem>(Spec&, const std::string&)> read;

@@ -41,16 +41,13 @@ void add_layer_choice(std::vector<Parameter>& list, const std::string& key, Laye
 
 /// Keys that specify how to read an input file that does not specify it itself, each at the end of its section.
 void add_input_parameters(std::vector<Parameter>& list) {
-    insert(list,
-           number(
-               "terrain.nodata-value", [](auto& scene) -> auto& { return scene.terrain.nodata_value; }, "",
-               Range{-1e300, 1e300}, "Additional stored value that means no elevation, such as 0 around the edge.",
-               "only what the file declares"));
+    insert(list, number("terrain.nodata-value", FRANA_MEMBER(terrain.nodata_value), "", Range{-1e300, 1e300},
+                        "Additional stored value that means no elevation, such as 0 around the edge.",
+                        "only what the file declares"));
     add_layer_choice(
         list, "release.perimeter", [](auto& scene) -> auto& { return scene.release.perimeter_layer; });
-    insert(list, text(
-                     "release.thickness-crs", [](auto& scene) -> auto& { return scene.release.thickness_crs; }, "text",
-                     "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
+    insert(list, text("release.thickness-crs", FRANA_MEMBER(release.thickness_crs), "text",
+                      "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
     add_layer_choice(
         list, "observed.perimeter", [](auto& scene) -> auto& { return scene.observed.perimeter_layer; });
 }
