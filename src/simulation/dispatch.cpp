@@ -72,6 +72,7 @@ void choose_scheme(Transfer transfer, const ChosenStress& law, Stages& stages) {
             return choose_transfer<Shape, Relaxed, PicTransfer>(law, stages);
         case Transfer::flip:
             return choose_transfer<Shape, Relaxed, FlipTransfer>(law, stages);
+        case Transfer::automatic:  // resolved before
         case Transfer::apic:
             return choose_transfer<Shape, Relaxed, ApicTransfer>(law, stages);
     }
@@ -110,10 +111,6 @@ bool follows_bed(const Numerics& numerics) {
 bool flies(const Numerics& numerics) {
     return numerics.flight && follows_bed(numerics) && numerics.scheme == Scheme::standard &&
            transfer_of(numerics) == Transfer::apic;
-}
-
-Transfer transfer_of(const Numerics& numerics) {
-    return numerics.transfer.value_or(numerics.scheme == Scheme::paper ? Transfer::pic : Transfer::apic);
 }
 
 Stages choose_stages(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,

@@ -19,12 +19,6 @@
 
 namespace frana {
 
-/// Set of numerical methods for the particles; share/doc/numerics.md compares them.
-enum class Scheme { paper, standard };  // `standard` is "default" in scene files; that is a keyword of C++
-
-/// Transfer of nodal velocities to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
-enum class Transfer { pic, flip, apic };
-
 /// Effect of steep terrain in the map-plane equations; see share/doc/model.md, "Unknowns".
 enum class SlopeCorrection { none, normal, surface };
 
@@ -73,8 +67,6 @@ inline constexpr ZoneRaster k_zone_rasters[] = {{"friction", &MaterialZones::fri
                                                 {"erodible depth", &MaterialZones::erodible_depth, false}};
 
 struct Numerics : NumericsValues {
-    Scheme scheme = Scheme::standard;
-    std::optional<Transfer> transfer;               ///< none: the scheme's own (paper: pic, default: apic)
     int particles_per_cell = k_particles_per_cell;  ///< a square number: 1, 4, 9, 16
     bool well_balanced = true;                      ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;

@@ -49,10 +49,6 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
 Numerics numerics_of(const SceneSpec& spec) {
     Numerics numerics;
     const NumericsSpec& words = spec.numerics;
-    numerics.scheme = words.scheme == "paper" ? Scheme::paper : Scheme::standard;
-    if (words.transfer == "pic") numerics.transfer = Transfer::pic;
-    if (words.transfer == "flip") numerics.transfer = Transfer::flip;
-    if (words.transfer == "apic") numerics.transfer = Transfer::apic;
     numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
     static_cast<NumericsValues&>(numerics) = words;
     numerics.cfl = courant_number(spec);
@@ -63,7 +59,7 @@ Numerics numerics_of(const SceneSpec& spec) {
                                                           : SlopeCorrection::normal;
     numerics.curvature = curvature(words);
     numerics.flight = flight(words);
-    numerics.flight_slope = std::tan(words.flight_slope * std::numbers::pi / 180);
+    numerics.flight_slope = tangent_of(words.flight_slope);
     const std::string& policy = spec.terrain.nodata_policy;
     numerics.nodata = policy == "wall"   ? NodataPolicy::wall
                       : policy == "fill" ? NodataPolicy::fill

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/terms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "params/keys/laws.h"
@@ -38,8 +40,9 @@ void add_exchange(const Entrainment& entrainment, Terms& terms) {
 }
 
 void add_numerics(const Numerics& numerics, Terms& terms) {
-    static constexpr const char* k_transfers[] = {"PIC", "FLIP", "APIC"};
-    const char* transfer = k_transfers[static_cast<int>(transfer_of(numerics))];
+    const char* transfer = std::find_if(std::begin(k_transfers), std::end(k_transfers), [&](const TransferRow& row) {
+                               return row.transfer == transfer_of(numerics);
+                           })->term;
     if (numerics.scheme == Scheme::paper) {
         terms.push_back(std::string(worded("bilinear shape functions")) + ", " + transfer);
         return;

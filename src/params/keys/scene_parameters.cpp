@@ -59,6 +59,7 @@ using declare::holds;
 using declare::number;
 using declare::on_map;
 using declare::on_off;
+using declare::option;
 using declare::Range;
 using declare::source;
 using declare::text;
@@ -264,6 +265,7 @@ void add_zones(std::vector<Parameter>& list) {
 using declare::choice;
 using declare::number;
 using declare::on_off;
+using declare::option;
 using declare::Range;
 using declare::text;
 using declare::word_list;
@@ -316,11 +318,14 @@ Parameter accuracy_parameter() {
 }
 
 void add_numerics(std::vector<Parameter>& list) {
-    list.push_back(choice("numerics.scheme", FRANA_MEMBER(numerics.scheme), {"default", "paper"},
+    list.push_back(option("numerics.scheme", FRANA_MEMBER(numerics.scheme),
+                          declare::Words<Scheme>(std::begin(k_schemes), std::end(k_schemes)),
                           "Numerical scheme: frana's own, or the method as published."));
     list.push_back(choice("numerics.shape", FRANA_MEMBER(numerics.shape), {"auto", "bilinear", "quadratic"},
                           "Shape functions; auto: the scheme's (default: quadratic, paper: bilinear)."));
-    list.push_back(choice("numerics.transfer", FRANA_MEMBER(numerics.transfer), {"auto", "pic", "flip", "apic"},
+    declare::Words<Transfer> transfers;
+    for (const TransferRow& row : k_transfers) transfers.emplace_back(row.word, row.transfer);
+    list.push_back(option("numerics.transfer", FRANA_MEMBER(numerics.transfer), transfers,
                           "Velocity transfer to the particles; auto: the scheme's (default: apic, paper: pic)."));
     list.push_back(particles_per_cell_parameter());
     list.push_back(number("numerics.cfl", FRANA_MEMBER(numerics.cfl), "", Range{0, 1, true},

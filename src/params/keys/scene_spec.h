@@ -93,9 +93,7 @@ struct StructuredSpec : StructuredValues {
 
 /// [numerics]
 struct NumericsSpec : NumericsValues {
-    std::string scheme = "default";
     std::string shape = "auto";
-    std::string transfer = "auto";
     std::int64_t particles_per_cell = k_particles_per_cell;
     std::optional<bool> well_balanced;
     std::string slope_correction = "auto";
@@ -202,6 +200,10 @@ struct SceneSpec {
     }
 };
 
+/// Returns the resolved transfer.
+Transfer transfer_of(const NumericsValues& numerics);
+/// Returns the word of a scheme in scene files.
+std::string word_of(Scheme scheme);
 /// `auto` resolved: `normal` for the default scheme, `none` for the paper's.
 std::string slope_correction(const NumericsSpec& numerics);
 /// Resolved: on if there is a slope correction.

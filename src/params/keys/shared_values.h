@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/default_values.h"
@@ -68,9 +69,27 @@ struct StructuredValues {
 
 enum class Boundary { open, wall };
 
+/// Set of numerical methods for the particles; share/doc/numerics.md compares them.
+enum class Scheme { standard, paper };  // `standard` is "default" in scene files; that is a keyword of C++
+inline constexpr std::pair<const char*, Scheme> k_schemes[] = {{"default", Scheme::standard}, {"paper", Scheme::paper}};
+
+/// Transfer of nodal velocities to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
+enum class Transfer { automatic, pic, flip, apic };
+struct TransferRow {
+    const char* word;
+    Transfer transfer;
+    const char* term;  ///< in the list of terms
+};
+inline constexpr TransferRow k_transfers[] = {{"auto", Transfer::automatic, ""},
+                                              {"pic", Transfer::pic, "PIC"},
+                                              {"flip", Transfer::flip, "FLIP"},
+                                              {"apic", Transfer::apic, "APIC"}};
+
 struct NumericsValues {
-    std::optional<double> cfl;            ///< Courant number; none: default_courant
-    double gravity = k_standard_gravity;  ///< [m/s2]
+    Scheme scheme = Scheme::standard;
+    Transfer transfer = Transfer::automatic;  ///< the scheme's own (paper: pic, default: apic)
+    std::optional<double> cfl;                ///< Courant number; none: default_courant
+    double gravity = k_standard_gravity;      ///< [m/s2]
     double minimum_depth =
         k_minimum_depth;  ///< depth from which a cell counts as reached in maxima and arrival time [m]
     Boundary boundary = Boundary::open;
