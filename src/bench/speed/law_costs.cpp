@@ -6,6 +6,7 @@
 #include <ctime>
 #include <functional>
 
+#include "bench/set_up/needed_keys.h"
 #include "bench/speed/speed.h"
 #include "params/keys/laws.h"
 
@@ -85,6 +86,7 @@ std::vector<LawCost> run_law_costs(double particles, std::int64_t steps) {
             m.fast_friction_angle = 22;
             m.friction_length = 1;
             m.internal_friction_angle = 35;
+            give_needed_keys<BedLaws>(m);
             laws[i].change(scene);
             Flow flow(setup.bed, setup.seeds, m, scene.numerics, 1, {}, scene.zones, scene.entrainment);
             flow.advance(1e9);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bench/set_up/needed_keys.h"
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
 #include "physics/yield_ratio.h"
@@ -216,9 +217,7 @@ TEST(BedLaws, OfTheTableAreBuiltAndReadTheirZones) {
         Material& m = scene.material;
         m.friction_coefficient = 0.3;
         m.turbulence = 500;
-        m.cohesion = m.ramms_yield_stress = m.consistency = m.manning = m.chezy = 1;
-        m.flow_index = m.friction_length = 1;
-        m.fast_friction_angle = 30;
+        bench::give_needed_keys<BedLaws>(m);
         const std::vector<std::string> terms = list_terms(scene);
         EXPECT_TRUE(std::any_of(terms.begin(), terms.end(),
                                 [&](const std::string& term) { return term.rfind(law.sentence, 0) == 0; }));
