@@ -56,6 +56,8 @@ inline Scene eventful() {
     scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
+    scene.entrainment.deposition_rate = 0.01;
+    scene.entrainment.deposition_shear = 1000;
     scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};
     scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
     scene.recording.interval = 0.7;

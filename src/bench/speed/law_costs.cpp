@@ -61,6 +61,8 @@ std::vector<Variant> variants(const GridSpec& grid) {
              s.entrainment.erosion = ShearStressErosion::word;
              s.entrainment.erodible_depth = 1;
              s.entrainment.deposition = true;
+             s.entrainment.deposition_rate = 0.01;
+             s.entrainment.deposition_shear = 1000;
          }}};
     list.insert(list.end(), others.begin(), others.end());
     return list;

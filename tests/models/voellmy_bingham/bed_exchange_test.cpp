@@ -158,6 +158,7 @@ TEST(Deposition, RemovesItsMomentum) {
     Entrainment e;
     e.deposition = true;
     e.deposition_rate = 0.05;
+    e.deposition_shear = 1000;
     Flow flow = drifting_sheet(e);
     const double volume = flow.volume(), momentum = momentum_x(flow);
     flow.advance_to(4);
@@ -171,6 +172,7 @@ TEST(Deposition, IsNeverCompleteSoThatParticlesKeepAVolume) {
     Entrainment e;
     e.deposition = true;
     e.deposition_rate = 10;
+    e.deposition_shear = 1000;
     Flow flow = drifting_sheet(e);
     flow.advance_to(5);
     const ParticleSet& p = flow.particles();
@@ -196,6 +198,8 @@ TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     e.erosion = "shear-stress";
     e.erodible_depth = 1;
     e.deposition = true;
+    e.deposition_rate = 0.01;
+    e.deposition_shear = 1000;
     const GridSpec grid = bench::plain_grid(100, 60, 2);
     const Raster bed =
         bench::sample_raster(grid, [](Point p) { return std::max(0.0, 0.5 * (120 - p.x)) + std::sin(0.2 * p.y); });
