@@ -10,12 +10,6 @@ inline constexpr double k_fluid_density = 1000;         ///< of the structured m
 inline constexpr double k_dry_depth = 1e-4;             ///< depth of fluid that does not move [m]
 inline constexpr double k_minimum_depth = 0.01;         ///< depth that counts as reached in maxima [m]
 inline constexpr double k_yield_regularisation = 0.01;  ///< shear rate below which the yield stress is softened [1/s]
-inline constexpr double k_laminar_resistance = 24;      ///< O'Brien-Julien K [-]
-inline constexpr double k_friction_beta = 0.136;        ///< Pouliquen-Forterre beta [-]
-inline constexpr double k_erosion_rate = 0.025;         ///< erosion by shear stress [m/s]
-inline constexpr double k_critical_shear = 1000;        ///< erosion by shear stress [Pa]
-inline constexpr double k_potential_depth = 1e-4;       ///< eroded depth per shear stress [m/Pa]
-inline constexpr double k_velocity_ratio = 1;           ///< velocity at the base over the mean [-]
 
 /// Courant number: of the default scheme without Bingham stress, where steps are of second order; of everything else.
 constexpr double default_courant(bool second_order) {

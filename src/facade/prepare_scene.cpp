@@ -455,7 +455,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     scene.release_volume = release_volume_of(spec.release);
     scene.inflows = inflows_of(data, spec, problems);
     scene.recording = recording_of(data, spec, scene.grid, problems);
-    scene.material = material_of(spec.material);
+    scene.material = spec.material;
     scene.zones = material_zones(data, spec, scene.grid, problems);
     scene.structured = structured_of(spec);
     if (scene.structured) scene.structured->more_fluid = !scene.inflows.empty();
@@ -463,7 +463,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
         for (const frana::Problem& problem :
              structured_problems(*scene.structured, [](const std::string& key) { return key; }))
             problems.add(problem);
-    scene.entrainment = entrainment_of(spec.entrainment);
+    scene.entrainment = spec.entrainment;
     scene.numerics = numerics_of(spec);
     scene.time = time_of(spec);
     check_inflow_counts(scene, problems);

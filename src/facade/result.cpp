@@ -75,7 +75,7 @@ std::string summary_of(const RunResult& result, const EngineScene& prepared) {
     Json json{{"program", "frana"},
               {"version", FRANA_VERSION},
               {"model", spec.material.model},
-              {"scheme", spec.numerics.scheme},
+              {"scheme", word_of(spec.numerics.scheme)},
               {"slope_correction", slope_correction(spec.numerics)}};
     add_end(json, result, spec);
     add_particles(json, result);

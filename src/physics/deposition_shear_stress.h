@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "physics/bed_contact.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -19,6 +20,22 @@ namespace frana {
 /// concentration; its use for mass flows is our extension.
 struct ShearStressDeposition {
     static constexpr bool active = true;
+    static constexpr const char* word = "on";
+    struct Values {
+        std::optional<double> deposition_rate, deposition_shear;
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::deposition_rate, "entrainment.deposition-rate", "", "m/s", {0, 10, true},
+                                  "Deposition rate at zero shear stress."),
+                          law_key(&Values::deposition_shear, "entrainment.deposition-shear-stress", "", "Pa",
+                                  {0, 1e6, true}, "Shear stress above which there is no deposition.")};
+    }
+    static Law row() { return {.sentence = worded("deposition under a critical shear stress")}; }
+    template <class Entrainment>
+    static ShearStressDeposition build(const Entrainment& e, double) {
+        return {e.deposition_rate.value(), e.deposition_shear.value()};
+    }
+
     double rate = 0.01;            ///< w [m/s]
     double critical_shear = 1000;  ///< tau_d [Pa]
 

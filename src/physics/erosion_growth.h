@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/bed_contact.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -14,6 +15,22 @@ namespace frana {
 /// and at speed zero. Source: McDougall and Hungr 2005, Can. Geotech. J. 42, 1437.
 struct GrowthErosion {
     static constexpr bool active = true;
+    static constexpr const char* word = "growth";
+    struct Values {
+        std::optional<double> growth_rate;
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::growth_rate, "entrainment.growth-rate", "", "1/m", {0, 1, true},
+                                  "Volume growth rate per distance.")};
+    }
+    static Law row() {
+        return {.sentence = worded("erosion by exponential growth"), .needs = {"entrainment.erodible-depth"}};
+    }
+    template <class Entrainment>
+    static GrowthErosion build(const Entrainment& e, double) {
+        return {e.growth_rate.value()};
+    }
+
     double growth_rate = 1e-3;  ///< E_s [1/m]
 
     double operator()(const BedContact& c) const noexcept { return growth_rate * c.depth * c.speed; }

@@ -5,6 +5,7 @@
 
 #include "core/default_values.h"
 #include "physics/bed_contact.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -23,12 +24,37 @@ namespace frana {
 /// drift.
 struct MechanicalErosion {
     static constexpr bool active = true;
-    static constexpr double k_slow = 0.1;      ///< [m/s]
-    double density = k_flow_density;           ///< [kg/m3]
-    double bed_friction = 0.6;                 ///< tan(phi_b) [-]
-    double bed_cohesion = 0;                   ///< c [Pa]
-    double bed_pore_pressure = 0;              ///< r_b [-]
-    double velocity_ratio = k_velocity_ratio;  ///< lambda [-]
+    static constexpr const char* word = "mechanical";
+    struct Values {
+        std::optional<double> bed_friction_angle, bed_cohesion, bed_pore_pressure_ratio, velocity_ratio;
+    };
+    static auto keys() {
+        const MechanicalErosion law;
+        return std::tuple{
+            law_key(&Values::bed_friction_angle, "entrainment.bed-friction-angle", "", "degrees", {0, 60},
+                    "Friction angle of the bed's material."),
+            law_key(&Values::bed_cohesion, "entrainment.bed-cohesion", "", "Pa", {0, 1e6},
+                    "Cohesion of the bed's material.", shortest_text(law.bed_cohesion)),
+            law_key(&Values::bed_pore_pressure_ratio, "entrainment.bed-pore-pressure-ratio", "", "", {0, 1},
+                    "Pore pressure over total normal stress in the bed.", shortest_text(law.bed_pore_pressure)),
+            law_key(&Values::velocity_ratio, "entrainment.velocity-ratio", "", "", {0, 1.5, true},
+                    "Velocity at the base over mean velocity.", shortest_text(law.velocity_ratio))};
+    }
+    static Law row() { return {.sentence = worded("mechanical erosion"), .needs = {"entrainment.erodible-depth"}}; }
+    template <class Entrainment>
+    static MechanicalErosion build(const Entrainment& e, double density) {
+        const MechanicalErosion law;
+        return {density, tangent_of(e.bed_friction_angle.value()), e.bed_cohesion.value_or(law.bed_cohesion),
+                e.bed_pore_pressure_ratio.value_or(law.bed_pore_pressure),
+                e.velocity_ratio.value_or(law.velocity_ratio)};
+    }
+
+    static constexpr double k_slow = 0.1;  ///< [m/s]
+    double density = k_flow_density;       ///< [kg/m3]
+    double bed_friction = 0.6;             ///< tan(phi_b) [-]
+    double bed_cohesion = 0;               ///< c [Pa]
+    double bed_pore_pressure = 0;          ///< r_b [-]
+    double velocity_ratio = 1;             ///< lambda [-]
 
     double operator()(const BedContact& c) const noexcept {
         const double strength = bed_cohesion + (1 - bed_pore_pressure) * c.normal * bed_friction;

@@ -5,6 +5,7 @@
 
 #include "core/default_values.h"
 #include "physics/bed_contact.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -19,9 +20,36 @@ namespace frana {
 /// kPa.
 struct ShearStressErosion {
     static constexpr bool active = true;
-    double rate = k_erosion_rate;                ///< E [m/s]
-    double critical_shear = k_critical_shear;    ///< tau_c [Pa]
-    double potential_depth = k_potential_depth;  ///< k [m/Pa]
+    double rate = 0.025;            ///< E [m/s]
+    double critical_shear = 1000;   ///< tau_c [Pa]
+    double potential_depth = 1e-4;  ///< k [m/Pa]
+
+    static constexpr const char* word = "shear-stress";
+    struct Values {
+        std::optional<double> erosion_rate, critical_shear, erosion_depth_per_kpa;
+    };
+    static auto keys() {
+        const ShearStressErosion law;
+        return std::tuple{
+            law_key(&Values::erosion_rate, "entrainment.erosion-rate", "", "m/s", {0, 10, true}, "Erosion rate.",
+                    shortest_text(law.rate)),
+            law_key(&Values::critical_shear, "entrainment.critical-shear-stress", "", "Pa", {0, 1e6},
+                    "Shear stress above which the bed erodes.", shortest_text(law.critical_shear)),
+            law_key(&Values::erosion_depth_per_kpa, "entrainment.erosion-depth-per-stress", "", "m/kPa", {0, 100, true},
+                    "Maximum eroded depth per kPa of shear stress above critical-shear-stress.",
+                    shortest_text(1e3 * law.potential_depth))};
+    }
+    static Law row() {
+        return {.sentence = worded("erosion by excess shear stress"), .needs = {"entrainment.erodible-depth"}};
+    }
+    template <class Entrainment>
+    static ShearStressErosion build(const Entrainment& e, double) {
+        ShearStressErosion law;
+        law.rate = e.erosion_rate.value_or(law.rate);
+        law.critical_shear = e.critical_shear.value_or(law.critical_shear);
+        if (e.erosion_depth_per_kpa) law.potential_depth = *e.erosion_depth_per_kpa * 1e-3;
+        return law;
+    }
 
     /// Returns the erosion rate [m/s], vertical.
     double operator()(const BedContact& c) const noexcept {

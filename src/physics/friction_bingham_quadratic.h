@@ -4,8 +4,11 @@
 #include <algorithm>
 
 #include "core/default_values.h"
+#include "physics/friction_herschel_bulkley.h"
 #include "physics/friction_sum.h"
 #include "physics/increasing_root.h"
+#include "physics/law.h"
+#include "physics/stress_bingham.h"
 #include "physics/yield_ratio.h"
 
 namespace frana {
@@ -45,6 +48,23 @@ struct BinghamQuadraticExcess {
             },
             left * mass / dt, 3 * viscosity * left / bed.thickness);
         return std::min(left, speed(x, bed.thickness));
+    }
+};
+
+/// Bed resistance of a Bingham fluid: exact, or with that quadratic.
+struct BinghamFriction {
+    static constexpr const char* word = BinghamStress::word;
+    static Law row() {
+        return {.sentence = worded("Bingham bed resistance"),
+                .reads = {"material.yield-stress", "material.yield-ratio"},
+                .needs = {"material.viscosity"},
+                .resists_alike = {"resistance of the fluid"}};
+    }
+    template <class Builder>
+    static std::variant<HerschelBulkleyExcess, BinghamQuadraticExcess> build(const Builder& b) {
+        const auto& m = b.material;
+        if (m.exact_yield_ratio) return HerschelBulkleyExcess{m.density, m.yield_stress, m.viscosity, 1};
+        return BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity};
     }
 };
 

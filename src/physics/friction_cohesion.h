@@ -3,6 +3,7 @@
 
 #include "core/default_values.h"
 #include "physics/bed_state.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -14,6 +15,21 @@ namespace frana {
 /// stops all material, so that flow thinner than c / (rho g sin(theta)) stays on the slope. Source: Mohr-Coulomb
 /// strength; with Voellmy's friction e.g. Christen, Kowalski, Bartelt 2010, Cold Reg. Sci. Technol. 63, 1.
 struct CohesiveFriction {
+    static constexpr const char* word = "cohesion";
+    struct Values {
+        std::optional<double> cohesion;
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::cohesion, "material.cohesion", worded("cohesion"), "Pa", {0, 1e6},
+                                  "Cohesion to the bed.")};
+    }
+    static Law row() { return {.sentence = worded("cohesion at the bed")}; }
+    template <class Builder>
+    static CohesiveFriction build(Builder& b) {
+        return {b.material.density, b.cohesion()};
+    }
+    [[nodiscard]] static bool yields() noexcept { return true; }
+
     double density = k_flow_density;  ///< [kg/m3]
     NodeValue cohesion;               ///< c [Pa]
 

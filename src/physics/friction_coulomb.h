@@ -2,6 +2,8 @@
 #pragma once
 
 #include "physics/bed_state.h"
+#include "physics/law.h"
+#include "physics/pore_pressure.h"
 
 namespace frana {
 
@@ -15,6 +17,51 @@ namespace frana {
 /// material. Sources: Savage and Hutter 1989 (friction); Hungr 1995, Can. Geotech. J. 32, 610 (r_u); p_A: Fois, de
 /// Falco, Formaggia 2024, equation 2.
 struct CoulombFriction {
+    static constexpr const char* word = "coulomb";
+    struct Values {
+        std::optional<double> friction_angle, friction_coefficient;
+        double surface_pressure = 0;
+        std::optional<double> pore_pressure_ratio, pore_dissipation_time;
+
+        /// Returns mu = tan(phi); 0 if neither is given, which is accepted only if no law reads it.
+        [[nodiscard]] double bed_friction_coefficient() const {
+            return friction_coefficient ? *friction_coefficient : tangent_of(friction_angle.value_or(0));
+        }
+        [[nodiscard]] PorePressure pore_pressure() const {
+            const PorePressure none;
+            return {pore_pressure_ratio.value_or(none.initial), pore_dissipation_time.value_or(none.dissipation_time)};
+        }
+    };
+    static auto keys() {
+        return std::tuple{
+            law_key(&Values::friction_angle, "material.friction-angle", worded("friction angle"), "degrees", {0, 60},
+                    "Bed friction angle phi; this or friction-coefficient.", "required, or friction-coefficient"),
+            law_key(&Values::friction_coefficient, "material.friction-coefficient", worded("friction coefficient"), "",
+                    {0, 2}, "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
+                    "required, or friction-angle"),
+            law_key(
+                &Values::pore_pressure_ratio, "material.pore-pressure-ratio", worded("pore pressure ratio"), "", {0, 1},
+                "Pore pressure over total normal stress at the start, r_u; reduces friction by this fraction.", "0"),
+            law_key(&Values::pore_dissipation_time, "material.pore-dissipation-time", "", "s", {0, 1e9, true},
+                    "Time in which the pore pressure decreases to 1/e.", "no dissipation"),
+            law_key(&Values::surface_pressure, "material.surface-pressure", "", "Pa", {0, 1e6},
+                    "Gauge pressure on the free surface that adds to bed friction; 0 in open air.")};
+    }
+    static Law row() {
+        return {.sentence = worded("Coulomb bed friction"),
+                .resists_alike = {"friction of the solid"},
+                .resists_with_friction = true};
+    }
+    template <class Scene>
+    static bool acts(const Scene& s) {
+        return s.material.bed_friction_coefficient() > 0 || s.zones.friction_coefficient;
+    }
+    template <class Builder>
+    static CoulombFriction build(Builder& b) {
+        return {b.friction_coefficient(), 1, b.material.surface_pressure / b.material.density};
+    }
+    [[nodiscard]] static bool yields() noexcept { return true; }
+
     NodeValue friction_coefficient;    ///< tan(phi) [-]
     double effective_fraction = 1;     ///< 1 - r_u [-]
     double pressure_over_density = 0;  ///< p_A / rho [m2/s2]

@@ -7,6 +7,7 @@
 #include "core/default_values.h"
 #include "physics/friction_sum.h"
 #include "physics/increasing_root.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -23,6 +24,27 @@ namespace frana {
 /// stress as the unknown. Sources: Coussot 1994, J. Hydraul. Res. 32, 535; Huang and Garcia 1998, J. Fluid
 /// Mech. 374, 305.
 struct HerschelBulkleyExcess {
+    static constexpr const char* word = "herschel-bulkley";
+    struct Values {
+        std::optional<double> consistency, flow_index;
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::consistency, "material.consistency", worded("consistency"), "Pa s^m",
+                                  {0, 1e8, true}, "Herschel-Bulkley K."),
+                          law_key(&Values::flow_index, "material.flow-index", worded("flow index"), "", {0.1, 2},
+                                  "Herschel-Bulkley m.")};
+    }
+    static Law row() {
+        return {.sentence = worded("Herschel-Bulkley bed resistance"),
+                .reads = {"material.yield-stress"},
+                .resists_alike = {"resistance of the fluid"}};
+    }
+    template <class Builder>
+    static HerschelBulkleyExcess build(const Builder& b) {
+        const auto& m = b.material;
+        return {m.density, m.yield_stress, m.consistency.value(), m.flow_index.value()};
+    }
+
     double density = k_flow_density;  ///< [kg/m3]
     double yield_stress = 0;          ///< tau_Y [Pa]
     double consistency = 1;           ///< K [Pa s^m]

@@ -5,6 +5,7 @@
 
 #include "core/default_values.h"
 #include "physics/bed_state.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -21,6 +22,21 @@ inline double manning_resistance(double gravity, double manning, double thicknes
 
 /// Manning's resistance as a term of the sum.
 struct ManningFriction {
+    static constexpr const char* word = "manning";
+    struct Values {
+        std::optional<double> manning;
+    };
+    static auto keys() {
+        return std::tuple{
+            law_key(&Values::manning, "material.manning", "Manning n", "s/m^(1/3)", {0, 1, true}, "Manning's n.")};
+    }
+    static Law row() { return {.sentence = worded("Manning bed resistance")}; }
+    template <class Builder>
+    static ManningFriction build(const Builder& b) {
+        return {b.gravity, b.material.manning.value()};
+    }
+    [[nodiscard]] static bool yields() noexcept { return false; }
+
     double gravity = k_standard_gravity;  ///< [m/s2]
     double manning = 0.05;                ///< n [s/m^(1/3)]
 

@@ -3,6 +3,7 @@
 
 #include "core/default_values.h"
 #include "physics/friction_manning.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -17,12 +18,39 @@ namespace frana {
 /// Julien, Fullerton 1993, J. Hydraul. Eng. 119, 244 (friction slope S_f = R / g). The exact wide-channel Newtonian
 /// limit, 3 eta s / (rho d^2), is K = 24.
 struct OBrienJulienFriction {
-    double gravity = k_standard_gravity;               ///< [m/s2]
-    double density = k_flow_density;                   ///< [kg/m3]
-    double yield_stress = 0;                           ///< tau_y [Pa]
-    double viscosity = 0;                              ///< eta [Pa s]
-    double laminar_resistance = k_laminar_resistance;  ///< K [-]
-    double manning = 0;                                ///< n [s/m^(1/3)]
+    static constexpr const char* word = "obrien-julien";
+    struct Values {
+        std::optional<double> laminar_resistance;
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::laminar_resistance, "material.laminar-resistance",
+                                  worded("laminar resistance"), "", {24, 50000}, "K of the viscous part.",
+                                  shortest_text(OBrienJulienFriction{}.laminar_resistance) + ", a smooth wide bed")};
+    }
+    static Law row() {
+        return {.sentence = worded("O'Brien-Julien bed resistance"),
+                .reads = {"material.yield-stress", "material.viscosity", "material.manning"},
+                .resists_alike = {"resistance of the fluid"}};
+    }
+    template <class Builder>
+    static OBrienJulienFriction build(const Builder& b) {
+        const auto& m = b.material;
+        const OBrienJulienFriction law;
+        return {b.gravity,
+                m.density,
+                m.yield_stress,
+                m.viscosity,
+                m.laminar_resistance.value_or(law.laminar_resistance),
+                m.manning.value_or(law.manning)};
+    }
+    [[nodiscard]] bool yields() const noexcept { return yield_stress > 0; }
+
+    double gravity = k_standard_gravity;  ///< [m/s2]
+    double density = k_flow_density;      ///< [kg/m3]
+    double yield_stress = 0;              ///< tau_y [Pa]
+    double viscosity = 0;                 ///< eta [Pa s]
+    double laminar_resistance = 24;       ///< K [-]
+    double manning = 0;                   ///< n [s/m^(1/3)]
 
     void operator()(BedState& bed, std::size_t) const noexcept {
         const double d = bed.thickness;

@@ -7,6 +7,7 @@
 #include "core/default_values.h"
 #include "physics/friction_sum.h"
 #include "physics/increasing_root.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -21,9 +22,37 @@ namespace frana {
 /// J. Fluid Mech. 453, 133 (the dynamic branch, Fr > beta; continued here to Fr = 0, without their hysteresis at the
 /// start of motion); as mu(I): Jop, Forterre, Pouliquen 2006, Nature 441, 727.
 struct PouliquenForterreExcess {
+    static constexpr const char* word = "pouliquen-forterre";
+    struct Values {
+        std::optional<double> fast_friction_angle, friction_length, friction_beta;
+    };
+    static auto keys() {
+        return std::tuple{
+            law_key(&Values::fast_friction_angle, "material.fast-friction-angle", "", "degrees", {0, 80},
+                    "Friction angle of fast, thin flow."),
+            law_key(&Values::friction_length, "material.friction-length", "", "m", {0, 100, true},
+                    "L of the deposit's thickness."),
+            law_key(&Values::friction_beta, "material.friction-beta", "", "", {0, 10, true}, "beta of the flow rule.",
+                    shortest_text(PouliquenForterreExcess{}.beta) + ", glass beads")};
+    }
+    static Law row() {
+        return {.sentence = worded("Pouliquen-Forterre bed friction"),
+                .reads = {"material.friction-angle", "material.friction-coefficient", "material.pore-pressure-ratio",
+                          "material.pore-dissipation-time"},
+                .resists_alike = {"friction of the solid", "resistance of the fluid"},
+                .resists_with_friction = true,  // mu(I) is at least its value at rest
+                .angle_from_bed = "material.fast-friction-angle"};
+    }
+    template <class Builder>
+    static PouliquenForterreExcess build(Builder& b) {
+        const auto& m = b.material;
+        return {b.friction_coefficient(), tangent_of(m.fast_friction_angle.value()),
+                m.friction_beta.value_or(PouliquenForterreExcess{}.beta), m.friction_length.value()};
+    }
+
     NodeValue slow_coefficient;     ///< mu_1 [-]
     double fast_coefficient = 0.6;  ///< mu_2 [-]
-    double beta = k_friction_beta;  ///< [-]
+    double beta = 0.136;            ///< [-]
     double length = 1;              ///< L [m]
     double effective_fraction = 1;  ///< 1 - r_u [-]
 

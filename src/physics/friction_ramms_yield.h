@@ -3,6 +3,7 @@
 
 #include "core/default_values.h"
 #include "physics/bed_state.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -16,6 +17,25 @@ namespace frana {
 /// Bartelt, Valero, Feistl, Christen, Buhler, Buser 2015, J. Glaciol. 61, 837, with the RAMMS form S = mu N + rho g u^2
 /// / xi + (1 - mu) N_0 - (1 - mu) N_0 exp(-N / N_0).
 struct RammsYield {
+    static constexpr const char* word = "ramms-yield";
+    struct Values {
+        std::optional<double> ramms_yield_stress;
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::ramms_yield_stress, "material.ramms-yield-stress", "", "Pa", {0, 1e5, true},
+                                  "N_0 of RAMMS's yield term.")};
+    }
+    static Law row() {
+        return {.sentence = worded("RAMMS yield term"),
+                .reads = {"material.friction-angle", "material.friction-coefficient"},
+                .greatest_friction = 1};
+    }
+    template <class Builder>
+    static RammsYield build(Builder& b) {
+        return {b.material.density, b.material.ramms_yield_stress.value(), b.friction_coefficient()};
+    }
+    [[nodiscard]] static bool yields() noexcept { return true; }
+
     double density = k_flow_density;  ///< [kg/m3]
     double yield_stress = 0;          ///< N_0 [Pa]
     NodeValue friction_coefficient;   ///< mu [-]

@@ -3,6 +3,7 @@
 
 #include "core/default_values.h"
 #include "physics/bed_state.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -22,6 +23,29 @@ inline double turbulent_resistance(double gravity, double inverse_turbulence, do
 
 /// The turbulent part as a term of the sum.
 struct TurbulentFriction {
+    static constexpr const char* word = "turbulence";
+    struct Values {
+        std::optional<double> turbulence;
+
+        /// Returns 1 / xi; 0: off.
+        [[nodiscard]] double inverse_turbulence() const { return turbulence ? 1 / *turbulence : 0; }
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::turbulence, "material.turbulence", worded("turbulence"), "m/s2",
+                                  {0, 1e9, true}, "Voellmy turbulence coefficient xi; off: friction alone.", "off",
+                                  true)};
+    }
+    static Law row() { return {.sentence = worded("turbulent bed friction")}; }
+    template <class Scene>
+    static bool acts(const Scene& s) {
+        return s.material.inverse_turbulence() > 0 || s.zones.turbulence;
+    }
+    template <class Builder>
+    static TurbulentFriction build(Builder& b) {
+        return {b.gravity, b.turbulence()};
+    }
+    [[nodiscard]] static bool yields() noexcept { return false; }
+
     double gravity = k_standard_gravity;  ///< [m/s2]
     NodeValue turbulence;                 ///< xi [m/s2]
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/default_values.h"
+#include "physics/law.h"
 #include "physics/yield_ratio.h"
 
 namespace frana {
@@ -27,6 +28,7 @@ struct PlaneStress {
 /// No in-plane stress.
 struct NoStress {
     static constexpr bool active = false;
+    [[nodiscard]] static double wave_factor() noexcept { return 1; }
 };
 
 /// Depth-integrated Bingham stress (paper, equation 3 with the square root it lacks; Quecedo et al. 2004):
@@ -38,6 +40,40 @@ struct NoStress {
 /// it over two decades. Limits: at rest sigma = 0; at depth 0 the shear is infinite and the yield part vanishes.
 struct BinghamStress {
     static constexpr bool active = true;
+    static constexpr const char* word = "bingham";
+    struct Values {
+        double viscosity = 0, yield_stress = 0;
+        double yield_regularisation = k_yield_regularisation;
+        bool exact_yield_ratio = true;
+
+        /// With neither viscosity nor yield stress there is no stress.
+        [[nodiscard]] bool has_bingham_stress() const noexcept { return viscosity > 0 || yield_stress > 0; }
+    };
+    static auto keys() {
+        return std::tuple{
+            law_key(&Values::viscosity, "material.viscosity", worded("viscosity"), "Pa s", {0, 1e8},
+                    "Bingham viscosity."),
+            law_key(&Values::yield_stress, "material.yield-stress", worded("yield stress"), "Pa", {0, 1e7},
+                    "Yield stress."),
+            law_key(&Values::yield_regularisation, "material.yield-regularisation", "", "1/s", {1e-6, 10},
+                    "Shear rate below which the yield stress in the plane is regularised."),
+            LawChoice{&Values::exact_yield_ratio,
+                      "material.yield-ratio",
+                      {{"exact", true}, {"quadratic", false}},
+                      "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."}};
+    }
+    static Law row() {
+        return {.sentence = worded("in-plane viscosity"), .yield_sentence = worded("in-plane yield stress")};
+    }
+    template <class Material>
+    static bool acts(const Material& m) {
+        return m.has_bingham_stress();
+    }
+    template <class Material>
+    static BinghamStress build(const Material& m, double) {
+        return {m.viscosity / m.density, m.yield_stress / m.density, m.yield_regularisation, m.exact_yield_ratio};
+    }
+    [[nodiscard]] static double wave_factor() noexcept { return 1; }
 
     double viscosity_over_density = 0;               ///< mu / rho [m2/s]
     double yield_over_density = 0;                   ///< tau_Y / rho [m2/s2]

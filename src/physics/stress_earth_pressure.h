@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/default_values.h"
+#include "physics/law.h"
 #include "physics/stress_bingham.h"
 
 namespace frana {
@@ -22,6 +23,26 @@ namespace frana {
 /// transition is our addition: without it K jumps with the last digit of div v.
 struct EarthPressureStress {
     static constexpr bool active = true;
+    static constexpr const char* word = "earth-pressure";
+    struct Values {
+        std::optional<double> internal_friction_angle;
+    };
+    static auto keys() {
+        return std::tuple{law_key(&Values::internal_friction_angle, "material.internal-friction-angle",
+                                  worded("internal friction angle"), "degrees", {0, 60, true},
+                                  "Internal friction angle of earth pressure, at least that of the bed.")};
+    }
+    static Law row() {
+        return {.sentence = worded("earth pressure"),
+                .reads = {"material.friction-angle", "material.friction-coefficient"},
+                .angle_from_bed = "material.internal-friction-angle"};
+    }
+    template <class Material>
+    static EarthPressureStress build(const Material& m, double gravity) {
+        return of(tangent_of(m.internal_friction_angle.value()), m.bed_friction_coefficient(), gravity);
+    }
+    /// Returns the square of the factor on the speed of pressure waves.
+    [[nodiscard]] double wave_factor() const noexcept { return std::max(1.0, compressed); }
 
     double gravity = k_standard_gravity;  ///< [m/s2]
     double spreading = 1;                 ///< K_act [-]

@@ -2,11 +2,12 @@
 #include "simulation/dispatch.h"
 
 #include <algorithm>
-#include <type_traits>
+#include <variant>
 
 #include "mpm/particles_to_nodes.h"
 #include "mpm/pressure.h"
 #include "mpm/vector/kernels.h"
+#include "params/keys/laws.h"
 #include "simulation/dispatch_bed.h"
 
 namespace frana {
@@ -21,32 +22,25 @@ constexpr double k_film = 10, k_thickest_film = 0.1;
 // Of fewer particles per cell none can be spared.
 constexpr int k_least_seeded_of_film = 4;
 
-template <class Stress>
-const Stress& stress_of(const StressLaws& laws) {
-    if constexpr (std::is_same_v<Stress, BinghamStress>) {
-        return laws.bingham;
-    } else {
-        return laws.earth_pressure;
-    }
-}
+using ChosenStress = StressLaws::Chosen<NoStress>;
 
 template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                        const StressLaws& stress, const NodeGrid& nodes, ParticleSet& particles) {
-    if constexpr (Stress::active) {
-        return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(tile, update, stress_of<Stress>(stress),
-                                                                                nodes, particles);
-    } else {
-        return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(tile, update, Stress{}, nodes,
-                                                                                particles);
-    }
+                                        const PlaneStressLaw& stress, const NodeGrid& nodes, ParticleSet& particles) {
+    return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(tile, update, std::get<Stress>(stress.law),
+                                                                            nodes, particles);
 }
 
-// Neither viscosity nor yield stress: no stress.
-PlaneStressLaw stress_law(const Material& material) {
-    const bool bingham = material.plane_stress == PlaneStressLaw::bingham;
-    if (bingham && !(material.viscosity > 0 || material.yield_stress > 0)) return PlaneStressLaw::none;
-    return material.plane_stress;
+ChosenStress stress_law(const Material& material, double gravity) {
+    ChosenStress chosen;
+    const std::string word = in_plane_stress(material);
+    StressLaws::for_each([&]<class Law>() {
+        if (word != Law::word) return;
+        if constexpr (requires { Law::acts(material); })
+            if (!Law::acts(material)) return;
+        chosen = Law::build(material, gravity);
+    });
+    return chosen;
 }
 
 template <class Shape, class Transfer, class Stress, bool Relaxed>
@@ -55,29 +49,19 @@ void choose_update(Stages& stages) {
                                                    : nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, false>;
 }
 
-// 2 schemes x 3 transfers x 3 stresses x 2 = 36 of nodes_to_particles, 4 of each of the other particle stages.
+// 36 of nodes_to_particles (physics/laws.h), 4 of each of the other particle stages.
 template <class Shape, bool Relaxed, class Transfer>
-void choose_transfer(PlaneStressLaw stress, Stages& stages) {
+void choose_transfer(const ChosenStress& stress, Stages& stages) {
     stages.particles_to_nodes = stages.references ? particles_to_nodes<Shape, Transfer::affine, true>
                                                   : particles_to_nodes<Shape, Transfer::affine, false>;
-    switch (stress) {
-        case PlaneStressLaw::bingham:
-            choose_update<Shape, Transfer, BinghamStress, Relaxed>(stages);
-            break;
-        case PlaneStressLaw::earth_pressure:
-            choose_update<Shape, Transfer, EarthPressureStress, Relaxed>(stages);
-            break;
-        case PlaneStressLaw::none:
-            choose_update<Shape, Transfer, NoStress, Relaxed>(stages);
-            break;
-    }
+    std::visit([&]<class Stress>(const Stress&) { choose_update<Shape, Transfer, Stress, Relaxed>(stages); }, stress);
     stages.change_only = Transfer::increment;
     if (Transfer::affine) stages.fields = stages.fields | k_affine_fields;
 }
 
 template <class Shape, bool Relaxed>
-void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
-    const bool stress = law != PlaneStressLaw::none;
+void choose_scheme(Transfer transfer, const ChosenStress& law, Stages& stages) {
+    const bool stress = !std::holds_alternative<NoStress>(law);
     stages.pressure_to_nodes =
         stress ? pressure_to_nodes<Shape, Relaxed, true> : pressure_to_nodes<Shape, Relaxed, false>;
     stages.exchange_with_particles = exchange_with_particles<Shape>;
@@ -88,6 +72,7 @@ void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
             return choose_transfer<Shape, Relaxed, PicTransfer>(law, stages);
         case Transfer::flip:
             return choose_transfer<Shape, Relaxed, FlipTransfer>(law, stages);
+        case Transfer::automatic:  // resolved before
         case Transfer::apic:
             return choose_transfer<Shape, Relaxed, ApicTransfer>(law, stages);
     }
@@ -96,20 +81,22 @@ void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
 // The fast kernels support no stress but Bingham's.
 template <VectorKernels::NodesToParticles VectorKernels::*Kernel>
 ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                             const StressLaws& stress, const NodeGrid& nodes, ParticleSet& particles) {
-    return (vector_kernels()->*Kernel)(tile, update, stress.bingham, nodes, particles);
+                                             const PlaneStressLaw& stress, const NodeGrid& nodes,
+                                             ParticleSet& particles) {
+    const auto* const bingham = std::get_if<BinghamStress>(&stress.law);
+    return (vector_kernels()->*Kernel)(tile, update, bingham ? *bingham : BinghamStress{}, nodes, particles);
 }
 
 // Selects the default scheme's kernels over particles for this processor.
-void use_vector_kernels(const VectorKernels& kernels, PlaneStressLaw law, Stages& stages) {
-    const bool stress = law != PlaneStressLaw::none;
+void use_vector_kernels(const VectorKernels& kernels, const ChosenStress& law, Stages& stages) {
+    const bool stress = !std::holds_alternative<NoStress>(law);
     stages.particles_to_nodes = stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
     stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
     using V = VectorKernels;
-    if (law == PlaneStressLaw::none)
+    if (!stress)
         stages.nodes_to_particles = stages.follows_bed ? fast_nodes_to_particles_stage<&V::along_bed>
                                                        : fast_nodes_to_particles_stage<&V::nodes_to_particles>;
-    if (law == PlaneStressLaw::bingham)
+    if (std::holds_alternative<BinghamStress>(law))
         stages.nodes_to_particles = stages.follows_bed
                                         ? fast_nodes_to_particles_stage<&V::along_bed_with_stress>
                                         : fast_nodes_to_particles_stage<&V::nodes_to_particles_with_stress>;
@@ -126,31 +113,28 @@ bool flies(const Numerics& numerics) {
            transfer_of(numerics) == Transfer::apic;
 }
 
-Transfer transfer_of(const Numerics& numerics) {
-    return numerics.transfer.value_or(numerics.scheme == Scheme::paper ? Transfer::pic : Transfer::apic);
-}
-
 Stages choose_stages(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
                      const Numerics& numerics, Kernels kernels) {
     Stages stages;
     stages.fields = k_basic_fields;
     stages.follows_bed = follows_bed(numerics);
+    const ChosenStress stress = stress_law(material, numerics.gravity);
     const Transfer transfer = transfer_of(numerics);
     if (numerics.scheme == Scheme::paper) {
-        choose_scheme<HatShape, false>(transfer, stress_law(material), stages);
+        choose_scheme<HatShape, false>(transfer, stress, stages);
     } else {
         stages.references = numerics.well_balanced;
         stages.leapfrog = true;
-        choose_scheme<QuadraticSplineShape, true>(transfer, stress_law(material), stages);
+        choose_scheme<QuadraticSplineShape, true>(transfer, stress, stages);
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
         stages.flies = flies(numerics);
     }
-    choose_node_stages(material, numerics, sums_friction(material, zones, entrainment), stages);
+    choose_node_stages(numerics, sums_friction(material, zones, entrainment), stages);
     choose_exchange(entrainment, numerics, stages);
     const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
     if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic)
-        use_vector_kernels(*fast, stress_law(material), stages);
+        use_vector_kernels(*fast, stress, stages);
     return stages;
 }
 
@@ -158,23 +142,15 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
                const Numerics& numerics, NodeGrid& nodes, double gravity) {
     Laws laws;
     laws.gravity = gravity;
-    laws.cfl = numerics.cfl.value_or(
-        default_courant(numerics.scheme == Scheme::standard && stress_law(material) != PlaneStressLaw::bingham));
+    laws.stress.law = stress_law(material, gravity);
+    laws.stress.wave_factor = std::visit([](const auto& law) { return law.wave_factor(); }, laws.stress.law);
+    laws.cfl = numerics.cfl.value_or(default_courant(numerics.scheme == Scheme::standard &&
+                                                     !std::holds_alternative<BinghamStress>(laws.stress.law)));
     laws.minimum_depth = numerics.minimum_depth;
     laws.flight_slope = numerics.flight_slope;
     laws.wall = numerics.boundary == Boundary::wall;
     laws.friction = make_friction(material, zones, entrainment, nodes, gravity);
     laws.exchange = make_exchange(entrainment, material.density);
-    laws.stress.bingham.viscosity_over_density = material.viscosity / material.density;
-    laws.stress.bingham.yield_over_density = material.yield_stress / material.density;
-    laws.stress.bingham.regularisation = material.yield_regularisation;
-    laws.stress.bingham.exact_ratio = material.exact_yield_ratio;
-    if (stress_law(material) == PlaneStressLaw::earth_pressure) {
-        const auto law =
-            EarthPressureStress::of(material.internal_friction_coefficient, material.friction_coefficient, gravity);
-        laws.stress.earth_pressure = law;
-        laws.stress.wave_factor = std::max(1.0, law.compressed);
-    }
     laws.resample.cell_size = nodes.cell_size();
     // Splitting later loses a tenth of the accuracy on dry fronts, merging earlier some of it behind bores
     // (share/doc/numerics.md, "Speed").

@@ -28,7 +28,4 @@ bool follows_bed(const Numerics& numerics);
 /// Returns whether particles can leave the bed and fly.
 bool flies(const Numerics& numerics);
 
-/// Returns the resolved transfer.
-Transfer transfer_of(const Numerics& numerics);
-
 }  // namespace frana

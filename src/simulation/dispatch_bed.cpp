@@ -3,16 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
+#include <variant>
 
 #include "mpm/bed_exchange.h"
-#include "physics/friction_chezy.h"
-#include "physics/friction_cohesion.h"
-#include "physics/friction_coulomb.h"
-#include "physics/friction_manning.h"
-#include "physics/friction_obrien_julien.h"
-#include "physics/friction_ramms_yield.h"
-#include "physics/friction_turbulence.h"
+#include "params/keys/laws.h"
 
 namespace frana {
 
@@ -41,90 +36,78 @@ NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, cons
         [&](std::size_t node, double depth, double speed) { maxima.update(node, depth, speed, time); });
 }
 
-template <class Slope, class Excess>
+template <class Slope>
 NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
                          BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
-    Excess excess = std::get<Excess>(friction.excess);
-    if constexpr (requires { excess.effective_fraction; }) excess.effective_fraction = update.effective_fraction;
-    return update_nodes<Slope>(
-        range, update, SummedFriction<Excess>{excess, states, friction.yields}, nodes,
-        [&](std::size_t node, double depth, double speed) { maxima.update(node, depth, speed, time); });
-}
-
-// 5 slopes uniform; 5 slopes x 4 excess laws = 20 summed.
-template <class Slope>
-void choose_summed(const Material& material, Stages& stages) {
-    stages.fill_bed_states = fill_bed_states<Slope>;
-    stages.find_held_nodes = rest_summed<Slope>;
-    if (material.has("herschel-bulkley") || (material.has("bingham") && material.exact_yield_ratio)) {
-        stages.update_nodes = update_summed<Slope, HerschelBulkleyExcess>;
-    } else if (material.has("bingham")) {
-        stages.update_nodes = update_summed<Slope, BinghamQuadraticExcess>;
-    } else if (material.has("pouliquen-forterre")) {
-        stages.update_nodes = update_summed<Slope, PouliquenForterreExcess>;
-    } else {
-        stages.update_nodes = update_summed<Slope, NoExcess>;
-    }
+    return std::visit(
+        [&](auto excess) {
+            if constexpr (requires { excess.effective_fraction; })
+                excess.effective_fraction = update.effective_fraction;
+            return update_nodes<Slope>(
+                range, update, SummedFriction<decltype(excess)>{excess, states, friction.yields}, nodes,
+                [&](std::size_t node, double depth, double speed) { maxima.update(node, depth, speed, time); });
+        },
+        friction.excess);
 }
 
 template <class Slope>
-void choose_slope(const Material& material, bool summed, bool curved, Stages& stages) {
+void choose_slope(bool summed, bool curved, Stages& stages) {
     if constexpr (Slope::metric && !Slope::curved) {
-        if (curved) return choose_slope<Curved<Slope>>(material, summed, curved, stages);
+        if (curved) return choose_slope<Curved<Slope>>(summed, curved, stages);
     }
-    if (summed) return choose_summed<Slope>(material, stages);
-    stages.find_held_nodes = rest_uniform<Slope>;
-    stages.update_nodes = update_uniform<Slope>;
-}
-
-template <class Law>
-Law law_of(const BedExchange& laws) {
-    if constexpr (std::is_same_v<Law, ShearStressErosion>) {
-        return laws.shear_stress;
-    } else if constexpr (std::is_same_v<Law, GrowthErosion>) {
-        return laws.growth;
-    } else if constexpr (std::is_same_v<Law, MechanicalErosion>) {
-        return laws.mechanical;
-    } else if constexpr (std::is_same_v<Law, ShearStressDeposition>) {
-        return laws.deposition;
-    } else {
-        return NoExchange{};
-    }
-}
-
-template <bool Metric, class Erosion, class Deposition>
-void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double least_depth,
-                    const BedState* states, const NodeGrid& nodes, ErodibleBed* beds) {
-    exchange_at_nodes<Metric>(range, law_of<Erosion>(laws), law_of<Deposition>(laws), laws.density, dt, least_depth,
-                              states, nodes, beds);
-}
-
-// 2 metrics x 4 laws of erosion x 2 of deposition = 16.
-template <bool Metric, class Erosion>
-void choose_deposition(bool deposition, Stages& stages) {
-    stages.exchange_at_nodes = deposition ? exchange_stage<Metric, Erosion, ShearStressDeposition>
-                                          : exchange_stage<Metric, Erosion, NoExchange>;
+    if (summed) stages.fill_bed_states = fill_bed_states<Slope>;
+    stages.find_held_nodes = summed ? rest_summed<Slope> : rest_uniform<Slope>;
+    stages.update_nodes = summed ? update_summed<Slope> : update_uniform<Slope>;
 }
 
 template <bool Metric>
-void choose_erosion(const Entrainment& entrainment, Stages& stages) {
-    const bool deposition = entrainment.deposition;
-    if (!entrainment.erodes()) return choose_deposition<Metric, NoExchange>(deposition, stages);
-    if (entrainment.erosion == "shear-stress") return choose_deposition<Metric, ShearStressErosion>(deposition, stages);
-    if (entrainment.erosion == "growth") return choose_deposition<Metric, GrowthErosion>(deposition, stages);
-    if (entrainment.erosion == "mechanical") return choose_deposition<Metric, MechanicalErosion>(deposition, stages);
-    throw std::out_of_range("no law of erosion " + entrainment.erosion);
+void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double least_depth,
+                    const BedState* states, const NodeGrid& nodes, ErodibleBed* beds) {
+    std::visit(
+        [&](const auto& erosion, const auto& deposition) {
+            exchange_at_nodes<Metric>(range, erosion, deposition, laws.density, dt, least_depth, states, nodes, beds);
+        },
+        laws.erosion, laws.deposition);
 }
 
-// Converts the laws of a material to sweeps over the nodes.
+// Sets the law of a word.
+template <class List, class Chosen>
+void set_exchange(const std::string& word, const Entrainment& entrainment, double density, Chosen& chosen) {
+    List::for_each([&]<class Law>() {
+        if (word == Law::word) chosen = Law::build(entrainment, density);
+    });
+}
+
+// Whether a law has an effect: some without their parameter have none and are omitted.
+template <class Law, class Builder>
+bool has_effect(const Builder& scene) {
+    if constexpr (requires { Law::acts(scene); }) {
+        return Law::acts(scene);
+    } else {
+        return true;
+    }
+}
+
+// Converts the laws of a material to sweeps over the nodes. Laws read its public part.
 class FrictionBuilder {
   public:
-    FrictionBuilder(const Material& material, const MaterialZones& zones, NodeGrid& nodes, double gravity)
-        : material_(material), zones_(zones), nodes_(nodes), gravity_(gravity) {}
+    FrictionBuilder(const Material& m, const MaterialZones& z, NodeGrid& nodes, double g)
+        : material(m), zones(z), gravity(g), nodes_(nodes) {}
+
+    const Material& material;
+    const MaterialZones& zones;
+    const double gravity;  ///< [m/s2]
+    NodeValue friction_coefficient() { return value(zones.friction_coefficient, material.bed_friction_coefficient()); }
+    NodeValue turbulence() {
+        return value(zones.turbulence, material.turbulence.value_or(std::numeric_limits<double>::infinity()));
+    }
+    NodeValue cohesion() { return value(zones.cohesion, material.cohesion.value_or(0)); }
 
     BedFriction build() {
-        for (const std::string& law : material_.bed_friction)
-            if (acts(law, material_, zones_)) add(law);
+        for (const std::string& word : bed_friction_terms(material))
+            BedLaws::for_each([&]<class Law>() {
+                if (word == Law::word && has_effect<Law>(*this)) add(Law::build(*this));
+            });
         friction_.summed = true;
         return std::move(friction_);
     }
@@ -140,89 +123,65 @@ class FrictionBuilder {
         });
         return {uniform, values};
     }
-    NodeValue coefficient() { return value(zones_.friction_coefficient, material_.friction_coefficient); }
-    // `yields`: the law holds material at rest.
     template <class Law>
-    void sweep(const Law& law, bool yields) {
-        friction_.yields |= yields;
+    void add(const Law& law) {
+        if constexpr (requires { law.speed_after(BedState{}, 0, 0.0, 0.0); }) {
+            friction_.excess = law;
+            friction_.yields = true;
+        } else {
+            friction_.yields |= law.yields();
+        }
         friction_.sweeps.emplace_back([law](const NodeRange& range, const NodeUpdate& update, const NodeGrid& nodes,
                                             BedState* states) { add_friction(range, update, law, nodes, states); });
     }
-    template <class Law>
-    void excess(const Law& law) {
-        std::get<Law>(friction_.excess) = law;
-        sweep(law, true);
+    template <class... Laws>
+    void add(const std::variant<Laws...>& one) {
+        std::visit([this](const auto& law) { add(law); }, one);
     }
-    void add(const std::string& law);
 
-    const Material& material_;
-    const MaterialZones& zones_;
     NodeGrid& nodes_;
-    double gravity_;
     BedFriction friction_;
 };
 
-// Adds a law by its word in params/keys/laws.cpp.
-void FrictionBuilder::add(const std::string& law) {
-    const Material& m = material_;
-    if (law == "coulomb") return sweep(CoulombFriction{coefficient(), 1, m.surface_pressure / m.density}, true);
-    if (law == "turbulence") return sweep(TurbulentFriction{gravity_, value(zones_.turbulence, m.turbulence)}, false);
-    if (law == "cohesion") return sweep(CohesiveFriction{m.density, value(zones_.cohesion, m.cohesion)}, true);
-    if (law == "ramms-yield") return sweep(RammsYield{m.density, m.ramms_yield_stress, coefficient()}, true);
-    if (law == "bingham" && !m.exact_yield_ratio)
-        return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
-    if (law == "bingham") return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.viscosity, 1});
-    if (law == "herschel-bulkley")
-        return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.consistency, m.flow_index});
-    if (law == "obrien-julien")
-        return sweep(
-            OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity, m.laminar_resistance, m.manning},
-            m.yield_stress > 0);
-    if (law == "manning") return sweep(ManningFriction{gravity_, m.manning}, false);
-    if (law == "chezy") return sweep(ChezyFriction{gravity_, m.chezy}, false);
-    if (law == "pouliquen-forterre")
-        return excess(
-            PouliquenForterreExcess{coefficient(), m.fast_friction_coefficient, m.friction_beta, m.friction_length});
-    throw std::out_of_range("no law of bed friction " + law);
-}
-
 }  // namespace
 
-bool acts(const std::string& law, const Material& material, const MaterialZones& zones) {
-    if (law == "coulomb") return material.friction_coefficient > 0 || zones.friction_coefficient;
-    if (law == "turbulence") return std::isfinite(material.turbulence) || zones.turbulence;
-    return true;
+bool acts(const std::string& word, const Material& material, const MaterialZones& zones) {
+    struct {
+        const Material& material;
+        const MaterialZones& zones;
+    } const scene{material, zones};
+    bool effect = false;
+    BedLaws::for_each([&]<class Law>() { effect |= word == Law::word && has_effect<Law>(scene); });
+    return effect;
 }
 
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment) {
-    const bool only_voellmy =
-        std::all_of(material.bed_friction.begin(), material.bed_friction.end(),
-                    [](const std::string& law) { return law == "coulomb" || law == "turbulence"; });
+    const std::vector<std::string> terms = bed_friction_terms(material);
+    const bool only_voellmy = std::all_of(terms.begin(), terms.end(), [](const std::string& word) {
+        return word == CoulombFriction::word || word == TurbulentFriction::word;
+    });
     const bool by_place =
         std::any_of(std::begin(k_zone_rasters), std::end(k_zone_rasters),
                     [&](const ZoneRaster& zone) { return zone.of_bed_friction && (zones.*zone.raster).has_value(); });
-    return !only_voellmy || by_place || material.pore_pressure_ratio > 0 || material.surface_pressure > 0 ||
+    return !only_voellmy || by_place || material.pore_pressure().active() || material.surface_pressure > 0 ||
            entrainment.active();
 }
 
-void choose_node_stages(const Material& material, const Numerics& numerics, bool summed, Stages& stages) {
+void choose_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
     switch (numerics.slope_correction) {
         case SlopeCorrection::none:
-            return choose_slope<GentleSlope>(material, summed, numerics.curvature, stages);
+            return choose_slope<GentleSlope>(summed, numerics.curvature, stages);
         case SlopeCorrection::surface:
-            return choose_slope<SurfaceSlope>(material, summed, numerics.curvature, stages);
+            return choose_slope<SurfaceSlope>(summed, numerics.curvature, stages);
         case SlopeCorrection::normal:
-            return choose_slope<NormalSlope>(material, summed, numerics.curvature, stages);
+            return choose_slope<NormalSlope>(summed, numerics.curvature, stages);
     }
 }
 
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, Stages& stages) {
     if (!entrainment.active()) return;
-    if (numerics.slope_correction == SlopeCorrection::none) {
-        choose_erosion<false>(entrainment, stages);
-    } else {
-        choose_erosion<true>(entrainment, stages);
-    }
+    stages.exchange_at_nodes =
+        numerics.slope_correction == SlopeCorrection::none ? exchange_stage<false> : exchange_stage<true>;
 }
 
 BedFriction make_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
@@ -230,21 +189,19 @@ BedFriction make_friction(const Material& material, const MaterialZones& zones, 
     BedFriction friction;
     if (sums_friction(material, zones, entrainment))
         friction = FrictionBuilder(material, zones, nodes, gravity).build();
-    if (material.has("coulomb")) friction.voellmy.friction_coefficient = material.friction_coefficient;
-    if (material.has("turbulence") && std::isfinite(material.turbulence))
-        friction.voellmy.inverse_turbulence = 1 / material.turbulence;
-    friction.pore_pressure = {material.pore_pressure_ratio, material.pore_dissipation_time};
+    const std::vector<std::string> terms = bed_friction_terms(material);
+    const auto has = [&](const char* word) { return std::find(terms.begin(), terms.end(), word) != terms.end(); };
+    if (has(CoulombFriction::word)) friction.voellmy.friction_coefficient = material.bed_friction_coefficient();
+    if (has(TurbulentFriction::word)) friction.voellmy.inverse_turbulence = material.inverse_turbulence();
+    friction.pore_pressure = material.pore_pressure();
     return friction;
 }
 
 BedExchange make_exchange(const Entrainment& entrainment, double density) {
     BedExchange laws;
     laws.density = density;
-    laws.shear_stress = {entrainment.erosion_rate, entrainment.critical_shear, entrainment.potential_depth};
-    laws.growth = {entrainment.growth_rate};
-    laws.mechanical = {density, entrainment.bed_friction_coefficient, entrainment.bed_cohesion,
-                       entrainment.bed_pore_pressure_ratio, entrainment.velocity_ratio};
-    laws.deposition = {entrainment.deposition_rate, entrainment.deposition_shear};
+    set_exchange<ErosionLaws>(entrainment.erosion, entrainment, density, laws.erosion);
+    set_exchange<DepositionLaws>(entrainment.deposition ? "on" : "off", entrainment, density, laws.deposition);
     return laws;
 }
 

@@ -6,17 +6,15 @@
 
 namespace frana {
 
-/// Returns whether a law of bed friction has an effect: Voellmy's parts without their parameter have none and are
-/// omitted.
-bool acts(const std::string& law, const Material& material, const MaterialZones& zones);
+/// Returns whether a law of bed friction has an effect.
+bool acts(const std::string& word, const Material& material, const MaterialZones& zones);
 
 /// Returns whether a scene needs more than uniform Voellmy friction at the bed: other laws, parameters that vary, pore
 /// pressure, surface pressure, or the stress at the bed for erosion.
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment);
 
 /// Sets the nodes' stages for the slope correction, the curvature and the friction of a scene.
-void choose_node_stages(const Material& material, const Numerics& numerics, bool summed,
-                        voellmy_bingham::Stages& stages);
+void choose_node_stages(const Numerics& numerics, bool summed, voellmy_bingham::Stages& stages);
 /// Sets the stages of erosion and deposition, if any.
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, voellmy_bingham::Stages& stages);
 

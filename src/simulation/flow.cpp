@@ -98,11 +98,12 @@ void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zone
     beds = ZeroArray<ErodibleBed>(nodes.bed.size());
     if (!entrainment.erodes()) return;
     const Raster* const depths = zones.erodible_depth ? &*zones.erodible_depth : nullptr;
-    nodes.fill_with_ground([&nodes, &beds, depths, uniform = entrainment.erodible_depth](const NodeGrid::Block& block) {
-        for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
-            for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
-                beds[nodes.index(i, j)].erodible = depths == nullptr ? uniform : node_value(*depths, uniform, i, j);
-    });
+    nodes.fill_with_ground(
+        [&nodes, &beds, depths, uniform = entrainment.erodible_depth.value_or(0)](const NodeGrid::Block& block) {
+            for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
+                for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
+                    beds[nodes.index(i, j)].erodible = depths == nullptr ? uniform : node_value(*depths, uniform, i, j);
+        });
 }
 
 }  // namespace

@@ -219,7 +219,7 @@ double lowest_bed(const Raster& bed) {
 
 double deepest_erosion(const Scene& scene) {
     if (!scene.entrainment.erodes()) return 0;
-    double erodible = scene.entrainment.erodible_depth;
+    double erodible = scene.entrainment.erodible_depth.value_or(0);
     constexpr double k_most = 1000;  // [m], what zones may say
     if (scene.zones.erodible_depth && scene.zones.erodible_depth->values.is_tiled()) return k_most;  // not read yet
     if (scene.zones.erodible_depth) {

@@ -19,12 +19,6 @@
 
 namespace frana {
 
-/// Set of numerical methods for the particles; share/doc/numerics.md compares them.
-enum class Scheme { paper, standard };  // `standard` is "default" in scene files; that is a keyword of C++
-
-/// Transfer of nodal velocities to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
-enum class Transfer { pic, flip, apic };
-
 /// Effect of steep terrain in the map-plane equations; see share/doc/model.md, "Unknowns".
 enum class SlopeCorrection { none, normal, surface };
 
@@ -33,35 +27,6 @@ enum class NodataPolicy {
     stop,  ///< flow that reaches such a cell ends the run with a message
     wall,  ///< such cells are walls
     fill,  ///< the bed was interpolated across them when the terrain was read, and the number of cells reported
-};
-
-/// Resistance in the plane of the flow. Bingham with neither viscosity nor yield stress is none.
-enum class PlaneStressLaw { bingham, earth_pressure, none };
-
-/// One phase: a sum of laws at the bed, a stress in the plane. Angles are stored as tangents. Only the parameters of
-/// the chosen laws are read.
-struct Material : MaterialValues {
-    std::vector<std::string> bed_friction{"coulomb", "turbulence"};  ///< words of params/keys/laws.cpp
-    PlaneStressLaw plane_stress = PlaneStressLaw::bingham;
-    double friction_coefficient = 0.3;                                       ///< tan(phi) [-]
-    double turbulence = std::numeric_limits<double>::infinity();             ///< Voellmy xi [m/s2]; infinity: off
-    double cohesion = 0;                                                     ///< c [Pa]
-    double ramms_yield_stress = 0;                                           ///< N_0 [Pa]
-    double consistency = 0;                                                  ///< Herschel-Bulkley K [Pa s^m]
-    double flow_index = 1;                                                   ///< Herschel-Bulkley m [-]
-    double laminar_resistance = k_laminar_resistance;                        ///< O'Brien-Julien K [-]
-    double manning = 0;                                                      ///< n [s/m^(1/3)]
-    double chezy = 0;                                                        ///< C [m^(1/2)/s]
-    double fast_friction_coefficient = 0;                                    ///< Pouliquen-Forterre mu_2 [-]
-    double friction_length = 0;                                              ///< Pouliquen-Forterre L [m]
-    double friction_beta = k_friction_beta;                                  ///< Pouliquen-Forterre beta [-]
-    double pore_pressure_ratio = 0;                                          ///< r_u at the start [-]
-    double pore_dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]; infinity: r_u stays
-    double internal_friction_coefficient = 0;                                ///< tan(phi_i), earth pressure [-]
-
-    [[nodiscard]] bool has(const char* law) const noexcept {
-        return std::find(bed_friction.begin(), bed_friction.end(), law) != bed_friction.end();
-    }
 };
 
 /// A property of the solids that varies from place to place: a raster on the working grid, in the unit of SolidValues;
@@ -80,24 +45,6 @@ struct StructuredMaterial : StructuredValues, SolidValues {
     std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
     bool more_fluid = false;              ///< there is fluid besides the release: initial or inflow
-};
-
-/// Erosion and deposition; src/physics/erosion_*.h and deposition_*.h describe the laws.
-struct Entrainment : EntrainmentValues {
-    double erodible_depth = 0;                   ///< vertical, where MaterialZones has no value [m]
-    double erosion_rate = k_erosion_rate;        ///< shear stress: E [m/s]
-    double critical_shear = k_critical_shear;    ///< shear stress: tau_c [Pa]
-    double potential_depth = k_potential_depth;  ///< shear stress: depth per stress [m/Pa]
-    double growth_rate = 0;                      ///< growth: E_s [1/m]
-    double bed_friction_coefficient = 0;         ///< mechanical: tan(phi_b) [-]
-    double bed_cohesion = 0;                     ///< mechanical: c [Pa]
-    double bed_pore_pressure_ratio = 0;          ///< mechanical: r_b [-]
-    double velocity_ratio = k_velocity_ratio;    ///< mechanical: lambda [-]
-    double deposition_rate = 0.01;               ///< w [m/s]
-    double deposition_shear = 1000;              ///< tau_d [Pa]
-
-    [[nodiscard]] bool erodes() const noexcept { return erosion != "off"; }
-    [[nodiscard]] bool active() const noexcept { return erodes() || deposition; }
 };
 
 /// Parameters that vary from place to place: rasters on the working grid. NaN: the uniform value of Material (and of
@@ -120,8 +67,6 @@ inline constexpr ZoneRaster k_zone_rasters[] = {{"friction", &MaterialZones::fri
                                                 {"erodible depth", &MaterialZones::erodible_depth, false}};
 
 struct Numerics : NumericsValues {
-    Scheme scheme = Scheme::standard;
-    std::optional<Transfer> transfer;               ///< none: the scheme's own (paper: pic, default: apic)
     int particles_per_cell = k_particles_per_cell;  ///< a square number: 1, 4, 9, 16
     bool well_balanced = true;                      ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;

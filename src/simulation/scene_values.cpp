@@ -11,12 +11,12 @@
 namespace frana {
 namespace {
 
-void set(double& target, const std::optional<double>& value, double unit = 1) {
-    if (value) target = *value * unit;
+void set(double& target, const std::optional<double>& value) {
+    if (value) target = *value;
 }
 
 void set_tangent(double& target, const std::optional<double>& angle_deg) {
-    if (angle_deg) target = std::tan(*angle_deg * std::numbers::pi / 180);
+    if (angle_deg) target = tangent_of(*angle_deg);
 }
 
 /// Returns the number of a uniform property.
@@ -26,32 +26,6 @@ std::optional<double> constant(const std::optional<SourceSpec>& source) {
 }
 
 }  // namespace
-
-Material material_of(const MaterialSpec& spec) {
-    Material material;
-    material.bed_friction = bed_friction_terms(spec);
-    const std::string stress = in_plane_stress(spec);
-    material.plane_stress = stress == "bingham"          ? PlaneStressLaw::bingham
-                            : stress == "earth-pressure" ? PlaneStressLaw::earth_pressure
-                                                         : PlaneStressLaw::none;
-    static_cast<MaterialValues&>(material) = spec;
-    material.friction_coefficient = friction_coefficient(spec);
-    set(material.turbulence, spec.turbulence);
-    set(material.cohesion, spec.cohesion);
-    set(material.ramms_yield_stress, spec.ramms_yield_stress);
-    set(material.consistency, spec.consistency);
-    set(material.flow_index, spec.flow_index);
-    set(material.laminar_resistance, spec.laminar_resistance);
-    set(material.manning, spec.manning);
-    set(material.chezy, spec.chezy);
-    set_tangent(material.fast_friction_coefficient, spec.fast_friction_angle);
-    set(material.friction_length, spec.friction_length);
-    set(material.friction_beta, spec.friction_beta);
-    set(material.pore_pressure_ratio, spec.pore_pressure_ratio);
-    set(material.pore_dissipation_time, spec.pore_dissipation_time);
-    set_tangent(material.internal_friction_coefficient, spec.internal_friction_angle);
-    return material;
-}
 
 std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     if (spec.material.model != "structured") return std::nullopt;
@@ -72,30 +46,9 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     return m;
 }
 
-Entrainment entrainment_of(const EntrainmentSpec& spec) {
-    Entrainment e;
-    static_cast<EntrainmentValues&>(e) = spec;
-    set(e.erodible_depth, spec.erodible_depth);
-    set(e.erosion_rate, spec.erosion_rate);
-    set(e.critical_shear, spec.critical_shear);
-    set(e.potential_depth, spec.potential_depth, 1e-3);
-    set(e.growth_rate, spec.growth_rate);
-    set_tangent(e.bed_friction_coefficient, spec.bed_friction_angle);
-    set(e.bed_cohesion, spec.bed_cohesion);
-    set(e.bed_pore_pressure_ratio, spec.bed_pore_pressure_ratio);
-    set(e.velocity_ratio, spec.velocity_ratio);
-    set(e.deposition_rate, spec.deposition_rate);
-    set(e.deposition_shear, spec.deposition_shear);
-    return e;
-}
-
 Numerics numerics_of(const SceneSpec& spec) {
     Numerics numerics;
     const NumericsSpec& words = spec.numerics;
-    numerics.scheme = words.scheme == "paper" ? Scheme::paper : Scheme::standard;
-    if (words.transfer == "pic") numerics.transfer = Transfer::pic;
-    if (words.transfer == "flip") numerics.transfer = Transfer::flip;
-    if (words.transfer == "apic") numerics.transfer = Transfer::apic;
     numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
     static_cast<NumericsValues&>(numerics) = words;
     numerics.cfl = courant_number(spec);
@@ -106,7 +59,7 @@ Numerics numerics_of(const SceneSpec& spec) {
                                                           : SlopeCorrection::normal;
     numerics.curvature = curvature(words);
     numerics.flight = flight(words);
-    numerics.flight_slope = std::tan(words.flight_slope * std::numbers::pi / 180);
+    numerics.flight_slope = tangent_of(words.flight_slope);
     const std::string& policy = spec.terrain.nodata_policy;
     numerics.nodata = policy == "wall"   ? NodataPolicy::wall
                       : policy == "fill" ? NodataPolicy::fill

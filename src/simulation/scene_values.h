@@ -9,12 +9,8 @@
 
 namespace frana {
 
-/// Returns [material] in SI units, angles as tangents.
-Material material_of(const MaterialSpec& spec);
 /// Returns [structured], if that is the scene's model; without properties that vary from place to place.
 std::optional<StructuredMaterial> structured_of(const SceneSpec& spec);
-/// Returns [entrainment] in SI units, angles as tangents.
-Entrainment entrainment_of(const EntrainmentSpec& spec);
 Numerics numerics_of(const SceneSpec& spec);
 TimeControl time_of(const SceneSpec& spec);
 

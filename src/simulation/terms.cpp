@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/terms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "params/keys/laws.h"
@@ -18,28 +20,29 @@ constexpr const char* k_by_zones = " by zones";
 void add_bed(const Scene& scene, Terms& terms) {
     const Material& m = scene.material;
     const MaterialZones& zones = scene.zones;
-    for (const std::string& law : m.bed_friction) {
+    for (const std::string& law : bed_friction_terms(m)) {
         if (!acts(law, m, zones)) continue;
         terms.push_back(find_law(LawKind::bed_friction, law).sentence);
-        if (law == "bingham")
+        if (law == BinghamFriction::word)
             terms.back() += ", " + std::string(m.exact_yield_ratio ? worded("exact") : worded("quadratic"));
-        if (law == "coulomb" && m.surface_pressure > 0) terms.emplace_back(worded("surface pressure"));
+        if (law == CoulombFriction::word && m.surface_pressure > 0) terms.emplace_back(worded("surface pressure"));
     }
     for (const ZoneRaster& zone : k_zone_rasters)
         if (zones.*zone.raster && zone.of_bed_friction) terms.push_back(zone.what + std::string(k_by_zones));
-    if (m.pore_pressure_ratio > 0)
-        terms.emplace_back(std::isfinite(m.pore_dissipation_time) ? worded("pore pressure that dissipates")
-                                                                  : worded("constant pore pressure"));
+    if (m.pore_pressure().active())
+        terms.emplace_back(std::isfinite(m.pore_pressure().dissipation_time) ? worded("pore pressure that dissipates")
+                                                                             : worded("constant pore pressure"));
 }
 
 void add_exchange(const Entrainment& entrainment, Terms& terms) {
     if (entrainment.erodes()) terms.push_back(find_law(LawKind::erosion, entrainment.erosion).sentence);
-    if (entrainment.deposition) terms.push_back(find_law(LawKind::deposition, "on").sentence);
+    if (entrainment.deposition) terms.push_back(find_law(LawKind::deposition, ShearStressDeposition::word).sentence);
 }
 
 void add_numerics(const Numerics& numerics, Terms& terms) {
-    static constexpr const char* k_transfers[] = {"PIC", "FLIP", "APIC"};
-    const char* transfer = k_transfers[static_cast<int>(transfer_of(numerics))];
+    const char* transfer = std::find_if(std::begin(k_transfers), std::end(k_transfers), [&](const TransferRow& row) {
+                               return row.transfer == transfer_of(numerics);
+                           })->term;
     if (numerics.scheme == Scheme::paper) {
         terms.push_back(std::string(worded("bilinear shape functions")) + ", " + transfer);
         return;
@@ -53,7 +56,7 @@ void add_numerics(const Numerics& numerics, Terms& terms) {
 
 void add_solids(const StructuredMaterial& m, bool fluid, Terms& terms) {
     terms.emplace_back(worded("elasticity and Drucker-Prager plasticity of solids"));
-    terms.push_back(find_law(LawKind::bed_friction, "coulomb").sentence);
+    terms.push_back(find_law(LawKind::bed_friction, CoulombFriction::word).sentence);
     const std::string lateral = std::string(worded("lateral earth pressure")) + ", ";
     switch (m.earth_pressure) {
         case StructuredMaterial::EarthPressure::hydrostatic:
@@ -82,9 +85,9 @@ Terms structured_terms(const Scene& scene) {
         terms.emplace_back(worded("slope correction: normal"));
     if (m.solids) add_solids(m, fluid, terms);
     if (!fluid) return terms;
-    if (m.manning > 0) terms.push_back(find_law(LawKind::bed_friction, "manning").sentence);
+    if (m.manning > 0) terms.push_back(find_law(LawKind::bed_friction, ManningFriction::word).sentence);
     if (m.fluid_viscosity > 0) {
-        terms.push_back(find_law(LawKind::in_plane_stress, "bingham").sentence);
+        terms.push_back(find_law(LawKind::in_plane_stress, BinghamStress::word).sentence);
         if (m.velocity_shape > 0) terms.emplace_back(worded("viscous shear at the bed"));
     }
     terms.push_back(std::string(worded("finite volumes")) + ", " + worded("MUSCL with hydrostatic reconstruction") +
@@ -118,13 +121,12 @@ std::vector<std::string> list_terms(const Scene& scene) {
     if (numerics.curvature) terms.emplace_back(worded("curvature of the bed"));
     if (flies(numerics)) terms.emplace_back(worded("flight over edges"));
     add_bed(scene, terms);
-    if (material.plane_stress == PlaneStressLaw::bingham) {
-        const Law& bingham = find_law(LawKind::in_plane_stress, "bingham");
-        if (material.viscosity > 0) terms.push_back(bingham.sentence);
-        if (material.yield_stress > 0) terms.push_back(bingham.yield_sentence);
+    if (const std::string stress = in_plane_stress(material); stress != "none") {
+        const Law& law = find_law(LawKind::in_plane_stress, stress);
+        const bool bingham = stress == BinghamStress::word;
+        if (!bingham || material.viscosity > 0) terms.push_back(law.sentence);
+        if (bingham && material.yield_stress > 0) terms.push_back(law.yield_sentence);
     }
-    if (material.plane_stress == PlaneStressLaw::earth_pressure)
-        terms.push_back(find_law(LawKind::in_plane_stress, "earth-pressure").sentence);
     add_exchange(scene.entrainment, terms);
     add_numerics(numerics, terms);
     return terms;

@@ -37,12 +37,29 @@ struct Room {
 
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
-    {"src/core", 3200},         {"src/params", 4700},        {"src/physics", 900},       {"src/particles", 1550},
-    {"src/mpm", 3900},          {"src/models", 4700},        {"src/simulation", 6600},   {"src/analysis", 2900},
-    {"src/study", 4200},        {"src/ranks", 250},          {"src/facade", 1500},       {"src/python", 500},
-    {"src/bench", 5300},        {"src/app/process", 350},    {"src/app/text", 700},      {"src/app/input", 4300},
-    {"src/app/store", 4850},    {"src/app/pictures", 3000},  {"src/app/compare", 1000},  {"src/app/publish", 4250},
-    {"src/app/ensemble", 3950}, {"src/app/calibrate", 2050}, {"src/app/commands", 6450}, {"gis", 7600},
+    {"src/core", 3250},
+    {"src/params", 4650},
+    {"src/physics", 1450},
+    {"src/particles", 1550},
+    {"src/mpm", 3900},
+    {"src/models", 4700},
+    {"src/simulation", 6400},
+    {"src/analysis", 2900},
+    {"src/study", 4450},
+    {"src/facade", 1500},
+    {"src/python", 500},
+    {"src/bench", 5300},
+    {"src/app/process", 350},
+    {"src/app/text", 700},
+    {"src/app/input", 4350},
+    {"src/app/store", 4650},
+    {"src/app/pictures", 3050},
+    {"src/app/compare", 1000},
+    {"src/app/publish", 4400},
+    {"src/app/ensemble", 3950},
+    {"src/app/calibrate", 2050},
+    {"src/app/commands", 6450},
+    {"gis", 7600},
     {"render", 7750},
 };
 
@@ -66,6 +83,28 @@ TEST(SourceFiles, HalfOfTheFilesAreNotShort) {
         lengths.push_back(lines_of(file).size());
     std::sort(lengths.begin(), lengths.end());
     EXPECT_GE(lengths[lengths.size() / 2], k_median) << lengths.size() << " files";
+}
+
+// A law carries its row: its header names it, and everything else follows. A second file may name it for a reason of
+// its own. Words that also name a quantity by place ("cohesion", "turbulence") are left out.
+TEST(SourceFiles, ALawIsNamedInItsHeader) {
+    const auto files = source_files({"src", "gis", "render"}, {".h", ".cpp"});
+    for (const std::string word :
+         {"chezy", "pouliquen-forterre", "mechanical", "coulomb", "ramms-yield", "bingham", "herschel-bulkley",
+          "obrien-julien", "manning", "earth-pressure", "shear-stress", "growth"}) {
+        std::vector<std::string> naming;
+        for (const std::string& file : files) {
+            const auto lines = lines_of(file);
+            if (std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+                    const std::string code = line.substr(0, line.find("//"));
+                    return code.find('"' + word + '"') != std::string::npos ||
+                           code.find(" = " + word + '"') != std::string::npos;
+                }))
+                naming.push_back(file);
+        }
+        EXPECT_GE(naming.size(), 1U) << word;
+        EXPECT_LE(naming.size(), 2U) << word << ": " << testing::PrintToString(naming);
+    }
 }
 
 // A test is in the folder of the part of the product that it tests (ARCHITECTURE.md), except those of all libraries.

@@ -44,6 +44,8 @@ Scene eventful_scene() {
     scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
+    scene.entrainment.deposition_rate = 0.01;
+    scene.entrainment.deposition_shear = 1000;
     scene.material.pore_pressure_ratio = 0.3;
     scene.material.pore_dissipation_time = 5;
     scene.recording.gauges = {{"a", {30, 24}}};

@@ -51,8 +51,8 @@ double depth_error(bool with_law) {
     });
     Material material = dry_friction(k_bed);
     if (with_law) {
-        material.plane_stress = PlaneStressLaw::earth_pressure;
-        material.internal_friction_coefficient = tangent(k_inside);
+        material.in_plane_stress = EarthPressureStress::word;
+        material.internal_friction_angle = k_inside;
     }
     Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1,
               TiltedGravity{9.81 * sine, 0, 9.81 * cosine});

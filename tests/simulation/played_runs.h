@@ -56,6 +56,8 @@ inline Scene eventful() {
     scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
+    scene.entrainment.deposition_rate = 0.01;
+    scene.entrainment.deposition_shear = 1000;
     scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};
     scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
     scene.recording.interval = 0.7;
@@ -108,8 +110,8 @@ inline Scene paper() {
 
 inline Scene earth_pressure() {
     Scene scene = hillside();
-    scene.material.plane_stress = PlaneStressLaw::earth_pressure;
-    scene.material.internal_friction_coefficient = 0.6;
+    scene.material.in_plane_stress = EarthPressureStress::word;
+    scene.material.internal_friction_angle = 31;
     scene.numerics.curvature = true;
     scene.zones.friction_coefficient = Raster(scene.grid, 0.3);
     return scene;

@@ -47,7 +47,7 @@ double sure_friction(const SceneSpec& scene) {
     const bool resists =
         std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
     if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
-    return friction_coefficient(scene.material) * (1 - scene.material.pore_pressure_ratio.value_or(0));
+    return scene.material.bed_friction_coefficient() * (1 - scene.material.pore_pressure_ratio.value_or(0));
 }
 
 namespace {

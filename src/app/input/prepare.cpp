@@ -167,7 +167,7 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["terrain.bounds"] = extent_text(grid.bounds());
     chosen["terrain.resampling"] = ground.used.resampling;
     if (spec.material.friction_angle || spec.material.friction_coefficient)
-        chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
+        chosen["material.friction-coefficient"] = shortest_text(spec.material.bed_friction_coefficient());
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
     chosen["numerics.cfl"] = shortest_text(courant_number(spec));
     chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
@@ -237,8 +237,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.inflows = std::move(inflows);
     prepared.scene.zones = std::move(zones);
     prepared.scene.structured = std::move(structured);
-    prepared.scene.material = material_of(reading.scene.material);
-    prepared.scene.entrainment = entrainment_of(reading.scene.entrainment);
+    prepared.scene.material = reading.scene.material;
+    prepared.scene.entrainment = reading.scene.entrainment;
     prepared.scene.numerics = numerics_of(reading.scene);
     refuse_unused_zones(reading, prepared.scene, problems);
     problems.throw_if_any();

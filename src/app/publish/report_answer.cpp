@@ -36,25 +36,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t k_names = 3, k_area_letters = 40;
 
-/// Names of the keys of laws; of the structured model, those that a reader asks for first.
+/// Names of keys that no law brings with it; of the structured model, those that a reader asks for first.
 struct KeyName {
     const char *key, *name;
 };
 constexpr KeyName k_names_of_keys[] = {
-    {"material.friction-angle", worded("friction angle")},
-    {"material.friction-coefficient", worded("friction coefficient")},
-    {"material.turbulence", worded("turbulence")},
     {"material.density", worded("density")},
-    {"material.viscosity", worded("viscosity")},
-    {"material.yield-stress", worded("yield stress")},
-    {"material.cohesion", worded("cohesion")},
-    {"material.pore-pressure-ratio", worded("pore pressure ratio")},
-    {"material.consistency", worded("consistency")},
-    {"material.flow-index", worded("flow index")},
-    {"material.laminar-resistance", worded("laminar resistance")},
-    {"material.manning", "Manning n"},
-    {"material.chezy", "Chezy C"},
-    {"material.internal-friction-angle", worded("internal friction angle")},
     {"entrainment.erodible-depth", worded("erodible depth")},
     {"structured.internal-friction-angle", worded("internal friction angle")},
     {"structured.bed-friction-angle", worded("friction angle at the bed")},
@@ -66,6 +53,8 @@ constexpr KeyName k_names_of_keys[] = {
 };
 
 std::string name_of(const std::string& key, const Words& words) {
+    if (const Parameter& law_key = *find_parameter(scene_parameters(), key); !law_key.called.empty())
+        return words(law_key.called);
     for (const KeyName& one : k_names_of_keys)
         if (key == one.key) return words(one.name);
     std::string name = key.substr(key.find('.') + 1);
@@ -159,7 +148,7 @@ std::vector<std::string> values_told(const ReportInput& input, const Words& word
         if (text.empty() || (is_default && name != "material.density")) continue;
         std::string value = name_of(name, words) + " " + value_of(key, spec, words);
         if (name == "material.friction-angle")
-            value += " (μ = " + words.number(number_text(friction_coefficient(spec.material), 3)) + ")";
+            value += " (μ = " + words.number(number_text(spec.material.bed_friction_coefficient(), 3)) + ")";
         told.push_back(value + " (" + origin_text(spec, name, words) + ")");
     }
     return told;

@@ -74,7 +74,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
               {"date", facts.date},
               {"scene", facts.spec.file},
               {"model", facts.spec.material.model},
-              {"scheme", facts.spec.numerics.scheme},
+              {"scheme", word_of(facts.spec.numerics.scheme)},
               {"slope_correction", slope_correction(facts.spec.numerics)},
               {"crs", facts.crs_label},
               {"threads", facts.threads}};

@@ -18,7 +18,7 @@ CaseStatistics run_slump(double cell_size, Scheme scheme) {
     setup.seeds = fill_lattice(grid, 2, 0, [](Point p) { return Seed{p.x < k_slump_block ? k_slump_depth : 0}; });
     setup.material.density = k_slump_density;
     setup.material.friction_coefficient = 1e-6;
-    setup.material.surface_pressure = yield / setup.material.friction_coefficient;
+    setup.material.surface_pressure = yield / *setup.material.friction_coefficient;
     setup.material.turbulence = 0.2;
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);

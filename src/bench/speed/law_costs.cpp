@@ -6,6 +6,7 @@
 #include <ctime>
 #include <functional>
 
+#include "bench/set_up/needed_keys.h"
 #include "bench/speed/speed.h"
 #include "params/keys/laws.h"
 
@@ -27,15 +28,16 @@ struct Variant {
 // Each law of bed friction in addition to those of the plain scene, or replacing that which it excludes.
 std::vector<Variant> laws_of_friction() {
     std::vector<Variant> list;
-    const Law& coulomb = find_law(LawKind::bed_friction, "coulomb");
+    const Law& coulomb = find_law(LawKind::bed_friction, CoulombFriction::word);
     for (const Law& law : laws()) {
-        if (law.kind != LawKind::bed_friction || Material{}.has(law.word.c_str())) continue;
+        const std::vector<std::string> plain = bed_friction_terms(Material{});
+        if (law.kind != LawKind::bed_friction || std::find(plain.begin(), plain.end(), law.word) != plain.end())
+            continue;
         const bool instead =
             std::find_first_of(law.resists_alike.begin(), law.resists_alike.end(), coulomb.resists_alike.begin(),
                                coulomb.resists_alike.end()) != law.resists_alike.end();
         list.push_back({law.sentence, [word = law.word, instead](Scenery& s) {
-                            if (instead) std::erase(s.material.bed_friction, "coulomb");
-                            s.material.bed_friction.push_back(word);
+                            s.material.bed_friction = {instead ? TurbulentFriction::word : "voellmy", word};
                         }});
     }
     return list;
@@ -51,14 +53,16 @@ std::vector<Variant> variants(const GridSpec& grid) {
              s.material.pore_dissipation_time = 100;
          }},
         {"friction by zones",
-         [grid](Scenery& s) { s.zones.friction_coefficient = Raster(grid, s.material.friction_coefficient); }},
+         [grid](Scenery& s) { s.zones.friction_coefficient = Raster(grid, s.material.bed_friction_coefficient()); }},
         {"without curvature", [](Scenery& s) { s.numerics.curvature = false; }},
-        {"in-plane Bingham", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::bingham; }},
-        {"earth pressure", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::earth_pressure; }},
+        {"in-plane Bingham", [](Scenery& s) { s.material.in_plane_stress = BinghamStress::word; }},
+        {"earth pressure", [](Scenery& s) { s.material.in_plane_stress = EarthPressureStress::word; }},
         {"erosion and deposition", [](Scenery& s) {
-             s.entrainment.erosion = "shear-stress";
+             s.entrainment.erosion = ShearStressErosion::word;
              s.entrainment.erodible_depth = 1;
              s.entrainment.deposition = true;
+             s.entrainment.deposition_rate = 0.01;
+             s.entrainment.deposition_shear = 1000;
          }}};
     list.insert(list.end(), others.begin(), others.end());
     return list;
@@ -74,16 +78,17 @@ std::vector<LawCost> run_law_costs(double particles, std::int64_t steps) {
         for (std::size_t i = 0; i < laws.size(); ++i) {
             Scenery scene{setup.material, setup.numerics, {}, {}};
             Material& m = scene.material;
-            m.plane_stress = PlaneStressLaw::none;
+            m.in_plane_stress = "none";
             m.cohesion = 200;
             m.ramms_yield_stress = 200;
             m.manning = 0.02;
             m.yield_stress = 200;
-            m.viscosity = m.consistency = 20;
+            m.consistency = m.viscosity = 20;
             m.flow_index = 0.5;
-            m.fast_friction_coefficient = 0.4;
+            m.fast_friction_angle = 22;
             m.friction_length = 1;
-            m.internal_friction_coefficient = 0.7;
+            m.internal_friction_angle = 35;
+            give_needed_keys<BedLaws>(m);
             laws[i].change(scene);
             Flow flow(setup.bed, setup.seeds, m, scene.numerics, 1, {}, scene.zones, scene.entrainment);
             flow.advance(1e9);

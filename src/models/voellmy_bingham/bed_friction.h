@@ -2,14 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <tuple>
 #include <vector>
 
 #include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
-#include "physics/friction_bingham_quadratic.h"
-#include "physics/friction_herschel_bulkley.h"
-#include "physics/friction_pouliquen_forterre.h"
+#include "physics/laws.h"
 #include "physics/pore_pressure.h"
 
 namespace frana::voellmy_bingham {
@@ -22,8 +19,8 @@ struct BedFriction {
     bool summed = false;
     VoellmyFriction voellmy;            ///< used if not summed
     std::vector<FrictionSweep> sweeps;  ///< used if summed, one per law
-    std::tuple<NoExcess, HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess> excess;
-    bool yields = false;  ///< whether any law of the sum holds material at rest
+    ExcessLaw excess;                   ///< used if summed; also one of the sweeps
+    bool yields = false;                ///< whether any law of the sum holds material at rest
     PorePressure pore_pressure;
     std::vector<ZeroArray<double>> node_values;  ///< targets of the laws' NodeValue, padded as the nodes are
 

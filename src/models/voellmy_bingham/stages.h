@@ -21,8 +21,8 @@ struct Stages {
                               const NodeGrid&, ErodibleBed*) = nullptr;
     void (*exchange_with_particles)(std::size_t begin, std::size_t end, const NodeGrid&, const ErodibleBed*,
                                     ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
-    ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const StressLaws&, const NodeGrid&,
-                                         ParticleSet&) = nullptr;
+    ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const PlaneStressLaw&,
+                                         const NodeGrid&, ParticleSet&) = nullptr;
     bool references = false;   ///< pressure is relative to a still level or mean depth per node
     bool leapfrog = false;     ///< velocities are half a step before the positions; otherwise at the same time
     bool resamples = false;    ///< particles split and merge

@@ -16,11 +16,7 @@
 #include "particles/particle_set.h"
 #include "particles/resample.h"
 #include "particles/tile_order.h"
-#include "physics/deposition_shear_stress.h"
-#include "physics/erosion_growth.h"
-#include "physics/erosion_mechanical.h"
-#include "physics/erosion_shear_stress.h"
-#include "physics/stress_earth_pressure.h"
+#include "physics/laws.h"
 
 namespace frana::voellmy_bingham {
 
@@ -66,19 +62,16 @@ void serialise(Archive& archive, State& state) {
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }
 
-/// In-plane stress; the stages use one of these laws, or none.
-struct StressLaws {
-    BinghamStress bingham;
-    EarthPressureStress earth_pressure;
+/// In-plane stress: one of the laws, or none.
+struct PlaneStressLaw {
+    StressLaws::Chosen<NoStress> law;
     double wave_factor = 1;  ///< square of the factor on the speed of pressure waves
 };
 
-/// Erosion and deposition; the stages use one law of each, or none.
+/// Erosion and deposition: one law of each, or none.
 struct BedExchange {
-    ShearStressErosion shear_stress;
-    GrowthErosion growth;
-    MechanicalErosion mechanical;
-    ShearStressDeposition deposition;
+    ErosionLaws::Chosen<NoExchange> erosion;
+    DepositionLaws::Chosen<NoExchange> deposition;
     double density = k_flow_density;  ///< [kg/m3]
 };
 
@@ -94,7 +87,7 @@ struct Laws {
     Point origin;             ///< release centroid, local metres
     double moving_speed = 0;  ///< speed from which volume counts as moving [m/s]
     BedFriction friction;
-    StressLaws stress;
+    PlaneStressLaw stress;
     BedExchange exchange;
     ResampleLimits resample;
 };

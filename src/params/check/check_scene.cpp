@@ -21,10 +21,6 @@
 namespace frana {
 namespace {
 
-bool selects(const std::vector<const Law*>& laws, LawKind kind, const std::string& word) {
-    return std::find(laws.begin(), laws.end(), &find_law(kind, word)) != laws.end();
-}
-
 /// Whether [zones] has the same quantity as the key of another section: the default then applies outside the zones.
 bool by_place(const std::set<std::string>& given, const std::string& name) {
     return given.count("zones." + name.substr(name.find('.') + 1)) > 0;
@@ -44,8 +40,7 @@ void check_keys(const SceneSpec& scene, const std::set<std::string>& given, cons
                           "Remove it, or set " + selected_by(readers_of(name))});
         }
         for (const Law* law : selected) {
-            const bool needs = std::find(law->needs.begin(), law->needs.end(), name) != law->needs.end();
-            if (!needs || is_given || by_place(given, name)) continue;
+            if (!law->needs_key(name) || is_given || by_place(given, name)) continue;
             const bool zones = find_parameter(parameters, "zones." + key.key) != nullptr;
             problems.add({preset.empty() ? "is missing" : "must be greater than " + preset, file + ": " + name, value,
                           "", law->selected_by() + " needs it" + (zones ? ", here or in zones." + key.key : "")});
@@ -70,8 +65,10 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
         problems.add({"names two laws for the same effect, the " + what, file + ": material.bed-friction",
                       joined(words, ", "), "one of them", "Keep one of them"});
     }
-    if (selects(selected, LawKind::bed_friction, "bingham") && !scene.material.exact_yield_ratio &&
-        !(scene.material.yield_stress > 0)) {
+    const bool by_ratio = std::any_of(selected.begin(), selected.end(), [](const Law* law) {
+        return law->kind == LawKind::bed_friction && law->reads_key("material.yield-ratio");
+    });
+    if (by_ratio && !scene.material.exact_yield_ratio && !(scene.material.yield_stress > 0)) {
         problems.add({"must be greater than 0", file + ": material.yield-stress",
                       shortest_text(scene.material.yield_stress), "",
                       "yield-ratio = quadratic needs it; exact does not"});
@@ -79,24 +76,25 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
 }
 
 void check_angles(const SceneSpec& scene, const std::string& file, Problems& problems) {
-    const MaterialSpec& m = scene.material;
+    const Material& m = scene.material;
     if (!m.friction_angle && !m.friction_coefficient) return;
-    const double bed_deg = std::atan(friction_coefficient(m)) * 180 / std::numbers::pi;
-    const std::vector<const Law*> laws = laws_of(scene);
-    const auto check = [&](LawKind kind, const std::string& law, const std::string& key,
-                           const std::optional<double>& angle_deg) {
-        // The tolerance makes an angle equal the arctangent of its tangent.
-        if (!angle_deg || !selects(laws, kind, law) || *angle_deg >= bed_deg - 1e-9) return;
-        problems.add({"is less than the friction angle of the bed", file + ": material." + key,
-                      shortest_text(*angle_deg) + " degrees", "at least " + shortest_text(bed_deg) + " degrees",
-                      law + " is not defined below it"});
-    };
-    check(LawKind::in_plane_stress, "earth-pressure", "internal-friction-angle", m.internal_friction_angle);
-    check(LawKind::bed_friction, "pouliquen-forterre", "fast-friction-angle", m.fast_friction_angle);
-    for (const Law* law : laws) {
-        if (friction_coefficient(m) <= law->greatest_friction) continue;
+    const double mu = m.bed_friction_coefficient(), bed_deg = std::atan(mu) * 180 / std::numbers::pi;
+    const std::vector<Parameter>& parameters = scene_parameters();
+    for (const Law* law : laws_of(scene)) {
+        if (const Parameter* angle = find_parameter(parameters, law->angle_from_bed)) {
+            const std::string degrees = angle->write(scene).value_or("");
+            // The tolerance makes an angle equal the arctangent of its tangent.
+            if (!degrees.empty() && *number_from_text(degrees) < bed_deg - 1e-9) {
+                problems.add({"is less than the friction angle of the bed", file + ": " + angle->name(),
+                              degrees + " degrees", "at least " + shortest_text(bed_deg) + " degrees",
+                              law->word + " is not defined below it"});
+            }
+        }
+    }
+    for (const Law* law : laws_of(scene)) {
+        if (mu <= law->greatest_friction) continue;
         problems.add({"is too large for the law " + law->word, file + ": material.friction-coefficient",
-                      shortest_text(friction_coefficient(m)), "0 to " + shortest_text(law->greatest_friction),
+                      shortest_text(mu), "0 to " + shortest_text(law->greatest_friction),
                       "It is not defined above that"});
     }
 }
@@ -230,10 +228,10 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
 }
 
 void check_numerics(const NumericsSpec& numerics, const std::string& file, Problems& problems) {
-    const bool paper = numerics.scheme == "paper";
+    const bool paper = numerics.scheme == Scheme::paper;
     const std::string own_shape = paper ? "bilinear" : "quadratic";
     if (numerics.shape != "auto" && numerics.shape != own_shape) {
-        problems.add({"this shape with scheme " + numerics.scheme + " is not available in this version",
+        problems.add({"this shape with scheme " + word_of(numerics.scheme) + " is not available in this version",
                       file + ": numerics.shape", numerics.shape, "auto, " + own_shape, "Remove the key"});
     }
     if (paper && numerics.well_balanced.value_or(false)) {

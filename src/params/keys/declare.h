@@ -13,7 +13,8 @@
 
 // The kinds of parameter. Each function makes a parameter from a member, its limits and its meaning. `Member` is a
 // callable that takes a `Spec` (const or not), a SceneSpec if nothing else is said, and returns a reference to the
-// member.
+// member. One without captures (FRANA_MEMBER) becomes function pointers, so that all members of a type share one reader
+// and one writer of each kind.
 
 namespace frana::declare {
 
@@ -33,15 +34,30 @@ auto given(const Value& value) {
         return std::optional<Value>(value);
 }
 
-/// Common to all kinds; `from_text` returns a ValueProblem or stores the value, `to_text` formats the plain value.
-template <class Spec = SceneSpec, class Member, class Read, class Write>
-ParameterOf<Spec> parameter(const std::string& name, const std::string& type, Member member, Read from_text,
-                            Write to_text) {
-    ParameterOf<Spec> result;
-    const auto dot = name.find('.');
-    result.section = name.substr(0, dot);
-    result.key = name.substr(dot + 1);
-    result.type = type;
+/// A member as function pointers, for a `Spec` that is const or not.
+template <class Spec, class Value>
+struct Access {
+    Value& (*changed)(Spec&);
+    const Value& (*read)(const Spec&);
+
+    Value& operator()(Spec& spec) const { return changed(spec); }
+    const Value& operator()(const Spec& spec) const { return read(spec); }
+};
+
+/// Returns a member as function pointers if it can be that.
+template <class Spec, class Member>
+auto plain(Member member) {
+    using Value = std::remove_reference_t<decltype(member(std::declval<Spec&>()))>;
+    if constexpr (std::is_convertible_v<Member, Value& (*)(Spec&)>) {
+        return Access<Spec, Value>{member, member};
+    } else {
+        return member;
+    }
+}
+
+/// Sets how a parameter is read, written and reset.
+template <class Spec, class Member, class Read, class Write>
+void set_access(ParameterOf<Spec>& result, Member member, Read from_text, Write to_text) {
     result.read = [member, from_text](Spec& spec, const std::string& text) { return from_text(member(spec), text); };
     result.write = [member, to_text](const Spec& spec) -> std::optional<std::string> {
         const auto value = given(member(spec));
@@ -52,25 +68,37 @@ ParameterOf<Spec> parameter(const std::string& name, const std::string& type, Me
         const Spec fresh;
         member(spec) = member(fresh);
     };
+}
+
+/// Common to all kinds; `from_text` returns a ValueProblem or stores the value, `to_text` formats the plain value.
+template <class Spec = SceneSpec, class Member, class Read, class Write>
+ParameterOf<Spec> parameter(const std::string& name, const std::string& type, Member member, Read from_text,
+                            Write to_text) {
+    ParameterOf<Spec> result;
+    const auto dot = name.find('.');
+    result.section = name.substr(0, dot);
+    result.key = name.substr(dot + 1);
+    result.type = type;
+    set_access(result, plain<Spec>(member), from_text, to_text);
     return result;
 }
 
+inline auto number_reader(Range range) {
+    return [range](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+        const auto value = number_from_text(text);
+        if (!value) {
+            const bool comma = text.find(',') != std::string::npos;
+            return ValueProblem{"is not a number", comma ? "Write the decimals after a point, not a comma" : ""};
+        }
+        if (!range.has(*value)) return ValueProblem{"is out of range", ""};
+        target = *value;
+        return std::nullopt;
+    };
+}
 template <class Spec = SceneSpec, class Member>
 ParameterOf<Spec> number(const std::string& name, Member member, const std::string& unit, Range range,
                          const std::string& meaning, const std::string& absent = {}) {
-    auto result = parameter<Spec>(
-        name, "number", member,
-        [range](auto& target, const std::string& text) -> std::optional<ValueProblem> {
-            const auto value = number_from_text(text);
-            if (!value) {
-                const bool comma = text.find(',') != std::string::npos;
-                return ValueProblem{"is not a number", comma ? "Write the decimals after a point, not a comma" : ""};
-            }
-            if (!range.has(*value)) return ValueProblem{"is out of range", ""};
-            target = *value;
-            return std::nullopt;
-        },
-        [](double value) { return shortest_text(value); });
+    auto result = parameter<Spec>(name, "number", member, number_reader(range), shortest_text);
     result.unit = unit;
     result.limits = range.text();
     result.range = range;
@@ -99,18 +127,17 @@ ParameterOf<Spec> integer(const std::string& name, Member member, std::int64_t l
     return result;
 }
 
+inline constexpr auto k_read_on_off = [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+    const auto value = boolean_from_text(text);
+    if (!value) return ValueProblem{"is not on or off", ""};
+    target = *value;
+    return std::nullopt;
+};
 template <class Spec = SceneSpec, class Member>
 ParameterOf<Spec> on_off(const std::string& name, Member member, const std::string& meaning,
                          const std::string& absent = {}) {
     auto result = parameter<Spec>(
-        name, "on | off", member,
-        [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
-            const auto value = boolean_from_text(text);
-            if (!value) return ValueProblem{"is not on or off", ""};
-            target = *value;
-            return std::nullopt;
-        },
-        [](bool value) { return std::string(value ? "on" : "off"); });
+        name, "on | off", member, k_read_on_off, +[](bool value) { return std::string(value ? "on" : "off"); });
     result.limits = "on, off";
     result.choices = {"on", "off"};
     result.meaning = meaning;
@@ -118,21 +145,23 @@ ParameterOf<Spec> on_off(const std::string& name, Member member, const std::stri
     return result;
 }
 
+inline auto choice_reader(std::vector<std::string> choices, std::vector<std::string> not_yet) {
+    return [choices = std::move(choices), not_yet = std::move(not_yet)](
+               auto& target, const std::string& text) -> std::optional<ValueProblem> {
+        if (std::find(not_yet.begin(), not_yet.end(), text) != not_yet.end())
+            return ValueProblem{"is not available in this version", "Choose " + joined(choices, " or ")};
+        if (std::find(choices.begin(), choices.end(), text) == choices.end())
+            return ValueProblem{"is not one of the choices", ""};
+        target = text;
+        return std::nullopt;
+    };
+}
 /// One of the words in `choices`; those in `not_yet` are refused as not yet available.
 template <class Spec = SceneSpec, class Member>
 ParameterOf<Spec> choice(const std::string& name, Member member, const std::vector<std::string>& choices,
                          const std::string& meaning, const std::vector<std::string>& not_yet = {}) {
     auto result = parameter<Spec>(
-        name, "choice", member,
-        [choices, not_yet](auto& target, const std::string& text) -> std::optional<ValueProblem> {
-            if (std::find(not_yet.begin(), not_yet.end(), text) != not_yet.end())
-                return ValueProblem{"is not available in this version", "Choose " + joined(choices, " or ")};
-            if (std::find(choices.begin(), choices.end(), text) == choices.end())
-                return ValueProblem{"is not one of the choices", ""};
-            target = text;
-            return std::nullopt;
-        },
-        [](const std::string& value) { return value; });
+        name, "choice", member, choice_reader(choices, not_yet), +[](const std::string& value) { return value; });
     result.limits = joined(choices, ", ");
     result.choices = choices;
     if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
@@ -143,24 +172,27 @@ ParameterOf<Spec> choice(const std::string& name, Member member, const std::vect
 /// One of several words, each of which stands for a value of the member.
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
+template <class Value>
+auto option_reader(const Words<Value>& words) {
+    return [words](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+        for (const auto& [word, value] : words) {
+            if (word != text) continue;
+            target = value;
+            return std::nullopt;
+        }
+        return ValueProblem{"is not one of the choices", ""};
+    };
+}
+template <class Value>
+auto option_writer(const Words<Value>& words) {
+    return [words](const Value& value) {
+        return std::find_if(words.begin(), words.end(), [&](const auto& pair) { return pair.second == value; })->first;
+    };
+}
 template <class Spec = SceneSpec, class Member, class Value>
 ParameterOf<Spec> option(const std::string& name, Member member, const Words<Value>& words,
                          const std::string& meaning) {
-    auto result = parameter<Spec>(
-        name, "choice", member,
-        [words](auto& target, const std::string& text) -> std::optional<ValueProblem> {
-            for (const auto& [word, value] : words) {
-                if (word != text) continue;
-                target = value;
-                return std::nullopt;
-            }
-            return ValueProblem{"is not one of the choices", ""};
-        },
-        [words](const Value& value) {
-            const auto found =
-                std::find_if(words.begin(), words.end(), [&](const auto& pair) { return pair.second == value; });
-            return found->first;
-        });
+    auto result = parameter<Spec>(name, "choice", member, option_reader(words), option_writer(words));
     std::vector<std::string> choices;
     for (const auto& pair : words) choices.push_back(pair.first);
     result.limits = joined(choices, ", ");
@@ -182,16 +214,15 @@ inline Parameter holds(const std::string& content, Parameter file) {
     return file;
 }
 
+inline constexpr auto k_read_text = [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+    target = text;
+    return std::nullopt;
+};
 template <class Spec = SceneSpec, class Member>
 ParameterOf<Spec> text(const std::string& name, Member member, const std::string& type, const std::string& meaning,
                        const std::string& absent = {}) {
     auto result = parameter<Spec>(
-        name, type, member,
-        [](auto& target, const std::string& given_text) -> std::optional<ValueProblem> {
-            target = given_text;
-            return std::nullopt;
-        },
-        [](const std::string& value) { return value; });
+        name, type, member, k_read_text, +[](const std::string& value) { return value; });
     result.meaning = meaning;
     result.absent = absent;
     if (type == "file" || type == "folder") {

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/text.h"
-#include "core/words/words.h"
 
 namespace frana {
 namespace {
@@ -115,102 +114,23 @@ Texts operator+(Texts a, const Texts& b) {
     return a;
 }
 
-/// Returns "cohesion" for "material.cohesion" and "zones.cohesion".
-std::string quantity_of(const std::string& key) {
-    return key.substr(key.find('.') + 1);
+template <class L>
+Law row_of(LawKind kind) {
+    Law row = L::row();
+    row.word = L::word;
+    row.kind = kind;
+    for_each_key<L>([&](const auto& key) { (key.needed() ? row.needs : row.reads).emplace_back(key.name); });
+    return row;
 }
 
 std::vector<Law> table_of_laws() {
-    using enum LawKind;
-    // Keys that several laws read, and resistances of several laws.
-    const Texts friction{"material.friction-angle", "material.friction-coefficient"};
-    const Texts pore_pressure{"material.pore-pressure-ratio", "material.pore-dissipation-time"};
-    const Texts yield{"material.yield-stress"}, viscous{"material.yield-stress", "material.viscosity"};
-    const std::string solid = "friction of the solid", fluid = "resistance of the fluid";
-    return {{.word = "coulomb",
-             .sentence = worded("Coulomb bed friction"),
-             .reads = friction + pore_pressure + Texts{"material.surface-pressure"},
-             .resists_alike = {solid},
-             .resists_with_friction = true},
-            {.word = "turbulence", .sentence = worded("turbulent bed friction"), .reads = {"material.turbulence"}},
-            {.word = "cohesion", .sentence = worded("cohesion at the bed"), .needs = {"material.cohesion"}},
-            // Resists with (1 - mu) N_0, which decreases with mu.
-            {.word = "ramms-yield",
-             .sentence = worded("RAMMS yield term"),
-             .reads = friction,
-             .needs = {"material.ramms-yield-stress"},
-             .greatest_friction = 1},
-            {.word = "bingham",
-             .sentence = worded("Bingham bed resistance"),
-             .reads = yield + Texts{"material.yield-ratio"},
-             .needs = {"material.viscosity"},
-             .resists_alike = {fluid}},
-            {.word = "herschel-bulkley",
-             .sentence = worded("Herschel-Bulkley bed resistance"),
-             .reads = yield,
-             .needs = {"material.consistency", "material.flow-index"},
-             .resists_alike = {fluid}},
-            {.word = "obrien-julien",
-             .sentence = worded("O'Brien-Julien bed resistance"),
-             .reads = viscous + Texts{"material.manning", "material.laminar-resistance"},
-             .resists_alike = {fluid}},
-            {.word = "manning", .sentence = worded("Manning bed resistance"), .needs = {"material.manning"}},
-            {.word = "chezy", .sentence = worded("Chezy bed resistance"), .needs = {"material.chezy"}},
-            // mu(I) is at least its value at rest.
-            {.word = "pouliquen-forterre",
-             .sentence = worded("Pouliquen-Forterre bed friction"),
-             .reads = friction + pore_pressure + Texts{"material.friction-beta"},
-             .needs = {"material.fast-friction-angle", "material.friction-length"},
-             .resists_alike = {solid, fluid},
-             .resists_with_friction = true},
-            {.word = "bingham",
-             .kind = in_plane_stress,
-             .sentence = worded("in-plane viscosity"),
-             .yield_sentence = worded("in-plane yield stress"),
-             .reads = viscous + Texts{"material.yield-regularisation", "material.yield-ratio"}},
-            {.word = "earth-pressure",
-             .kind = in_plane_stress,
-             .sentence = worded("earth pressure"),
-             .reads = friction,
-             .needs = {"material.internal-friction-angle"}},
-            {.word = "shear-stress",
-             .kind = erosion,
-             .sentence = worded("erosion by excess shear stress"),
-             .reads = {"entrainment.erosion-rate", "entrainment.critical-shear-stress",
-                       "entrainment.erosion-depth-per-stress"},
-             .needs = {"entrainment.erodible-depth"}},
-            {.word = "growth",
-             .kind = erosion,
-             .sentence = worded("erosion by exponential growth"),
-             .needs = {"entrainment.erodible-depth", "entrainment.growth-rate"}},
-            {.word = "mechanical",
-             .kind = erosion,
-             .sentence = worded("mechanical erosion"),
-             .reads = {"entrainment.bed-cohesion", "entrainment.bed-pore-pressure-ratio", "entrainment.velocity-ratio"},
-             .needs = {"entrainment.erodible-depth", "entrainment.bed-friction-angle"}},
-            {.word = "on",
-             .kind = deposition,
-             .sentence = worded("deposition under a critical shear stress"),
-             .needs = {"entrainment.deposition-rate", "entrainment.deposition-shear-stress"}}};
+    std::vector<Law> table;
+    for_each_law_list(
+        [&]<class List>() { List::for_each([&]<class L>() { table.push_back(row_of<L>(List::kind)); }); });
+    return table;
 }
 
 }  // namespace
-
-bool Law::reads_key(const std::string& name) const {
-    return contains(reads, name) || contains(needs, name);
-}
-
-bool Law::reads_zone(const std::string& name) const {
-    const auto same = [&](const std::string& key) { return quantity_of(key) == quantity_of(name); };
-    return kind != LawKind::in_plane_stress &&
-           (std::any_of(reads.begin(), reads.end(), same) || std::any_of(needs.begin(), needs.end(), same));
-}
-
-std::string Law::selected_by() const {
-    static constexpr const char* k_keys[] = {"material.bed-friction", "material.in-plane-stress", "entrainment.erosion",
-                                             "entrainment.deposition"};
-    return std::string(k_keys[static_cast<int>(kind)]) + " = " + word;
-}
 
 const std::vector<Law>& laws() {
     static const std::vector<Law> table = table_of_laws();
@@ -276,15 +196,15 @@ Texts law_words(const std::string& first, LawKind kind, const Texts& last) {
     return words + last;
 }
 
-Texts bed_friction_terms(const MaterialSpec& material) {
+Texts bed_friction_terms(const Material& material) {
     Texts terms;
     const auto add = [&](const std::string& word) {
         if (!contains(terms, word)) terms.push_back(word);
     };
     for (const std::string& word : material.bed_friction) {
         if (word == "voellmy") {
-            add("coulomb");
-            add("turbulence");
+            add(CoulombFriction::word);
+            add(TurbulentFriction::word);
         } else {
             add(word);
         }
@@ -292,12 +212,12 @@ Texts bed_friction_terms(const MaterialSpec& material) {
     return terms;
 }
 
-std::string in_plane_stress(const MaterialSpec& material) {
+std::string in_plane_stress(const Material& material) {
     if (material.in_plane_stress != "auto") return material.in_plane_stress;
-    if (!(material.viscosity > 0) && !(material.yield_stress > 0)) return "none";
+    if (!material.has_bingham_stress()) return "none";
     for (const std::string& word : bed_friction_terms(material))
         if (find_law(LawKind::bed_friction, word).reads_key("material.yield-stress")) return "none";
-    return "bingham";
+    return BinghamStress::word;
 }
 
 }  // namespace frana

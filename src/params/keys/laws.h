@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,30 +19,7 @@ bool model_reads(const SceneSpec& scene, const std::string& name);
 void check_model(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                  Problems& problems);
 
-/// The key that selects a law.
-enum class LawKind { bed_friction, in_plane_stress, erosion, deposition };
-
-/// A law of the first model. This is the one list, from which follow: the words of the keys, missing and unread keys,
-/// the zones used, laws that exclude each other, the list of terms and the energy line of a large terrain.
-struct Law {
-    std::string word;  ///< of the key that selects it; "on" for deposition
-    LawKind kind = LawKind::bed_friction;
-    std::string sentence;                       ///< in the list of terms
-    std::string yield_sentence{};               ///< the same for its yield stress, if that is a term of its own
-    std::vector<std::string> reads{}, needs{};  ///< keys; those needed are also read
-    std::vector<std::string> resists_alike{};   ///< resistances of which a scene may have only one law
-    /// The bed resists with at least the friction coefficient times the normal stress, so that an energy line bounds
-    /// the run-out.
-    bool resists_with_friction = false;
-    /// Friction coefficient up to which the law is defined: RAMMS's term (1 - mu) N_0 would be negative above 1.
-    double greatest_friction = std::numeric_limits<double>::infinity();
-
-    [[nodiscard]] bool reads_key(const std::string& name) const;
-    /// Bed laws read every key of [zones] that they read elsewhere; in-plane stress does not vary by place.
-    [[nodiscard]] bool reads_zone(const std::string& name) const;
-    /// "material.bed-friction = chezy"
-    [[nodiscard]] std::string selected_by() const;
-};
+/// Returns the rows of src/physics/laws.h, each with the keys that the law brings with it.
 const std::vector<Law>& laws();
 /// Returns an existing law.
 const Law& find_law(LawKind kind, const std::string& word);
@@ -62,8 +38,8 @@ std::vector<std::string> law_keys();
 /// "off".
 std::vector<std::string> law_words(const std::string& first, LawKind kind, const std::vector<std::string>& last = {});
 /// Returns the words of a material's laws of bed friction, voellmy split into its two, each once.
-std::vector<std::string> bed_friction_terms(const MaterialSpec& material);
-/// Returns the resolved value: bingham, earth-pressure or none.
-std::string in_plane_stress(const MaterialSpec& material);
+std::vector<std::string> bed_friction_terms(const Material& material);
+/// Returns the resolved value: the word of a law, or none.
+std::string in_plane_stress(const Material& material);
 
 }  // namespace frana

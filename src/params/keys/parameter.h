@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/text.h"
+#include "core/number_range.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -36,25 +36,6 @@ struct ValueProblem {
 /// Maps a path to another.
 using FileMap = std::function<std::string(const std::string&)>;
 
-/// Limits of a number.
-struct NumberRange {
-    double lowest = 0;
-    double highest = 0;
-    bool lowest_excluded = false, highest_excluded = false;
-
-    [[nodiscard]] bool has(double value) const {
-        return (lowest_excluded ? value > lowest : value >= lowest) &&
-               (highest_excluded ? value < highest : value <= highest);
-    }
-    [[nodiscard]] std::string text() const {
-        return (lowest_excluded ? "greater than " : "") + shortest_text(lowest) +
-               (highest_excluded  ? ", less than "
-                : lowest_excluded ? ", at most "
-                                  : " to ") +
-               shortest_text(highest);
-    }
-};
-
 /// One key of a file, as a member of what is read from it: of a scene, in scene_parameters.cpp, of a study, a region or
 /// a calibration in `src/study`. Declared once; the parser, --set, `frana params`, the echo and every message about the
 /// key are generated from it.
@@ -70,6 +51,7 @@ struct ParameterOf {
     std::optional<NumberRange> range{};  ///< of a number that is accepted, of a list: of each item
     std::string absent;                  ///< the effect if the key is not given and has no fixed default
     std::string meaning;                 ///< one sentence
+    std::string called{};                ///< in the report; empty: as in scene files
     std::string content;  ///< of a file: "raster", "polygons", "lines", "points", "lines or points", "raster or
                           ///< polygons", "table"
     std::function<std::optional<ValueProblem>(Spec&, const std::string&)> read;

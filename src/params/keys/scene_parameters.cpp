@@ -41,16 +41,13 @@ void add_layer_choice(std::vector<Parameter>& list, const std::string& key, Laye
 
 /// Keys that specify how to read an input file that does not specify it itself, each at the end of its section.
 void add_input_parameters(std::vector<Parameter>& list) {
-    insert(list,
-           number(
-               "terrain.nodata-value", [](auto& scene) -> auto& { return scene.terrain.nodata_value; }, "",
-               Range{-1e300, 1e300}, "Additional stored value that means no elevation, such as 0 around the edge.",
-               "only what the file declares"));
+    insert(list, number("terrain.nodata-value", FRANA_MEMBER(terrain.nodata_value), "", Range{-1e300, 1e300},
+                        "Additional stored value that means no elevation, such as 0 around the edge.",
+                        "only what the file declares"));
     add_layer_choice(
         list, "release.perimeter", [](auto& scene) -> auto& { return scene.release.perimeter_layer; });
-    insert(list, text(
-                     "release.thickness-crs", [](auto& scene) -> auto& { return scene.release.thickness_crs; }, "text",
-                     "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
+    insert(list, text("release.thickness-crs", FRANA_MEMBER(release.thickness_crs), "text",
+                      "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
     add_layer_choice(
         list, "observed.perimeter", [](auto& scene) -> auto& { return scene.observed.perimeter_layer; });
 }
@@ -62,6 +59,7 @@ using declare::holds;
 using declare::number;
 using declare::on_map;
 using declare::on_off;
+using declare::option;
 using declare::Range;
 using declare::source;
 using declare::text;
@@ -267,6 +265,7 @@ void add_zones(std::vector<Parameter>& list) {
 using declare::choice;
 using declare::number;
 using declare::on_off;
+using declare::option;
 using declare::Range;
 using declare::text;
 using declare::word_list;
@@ -319,11 +318,14 @@ Parameter accuracy_parameter() {
 }
 
 void add_numerics(std::vector<Parameter>& list) {
-    list.push_back(choice("numerics.scheme", FRANA_MEMBER(numerics.scheme), {"default", "paper"},
+    list.push_back(option("numerics.scheme", FRANA_MEMBER(numerics.scheme),
+                          declare::Words<Scheme>(std::begin(k_schemes), std::end(k_schemes)),
                           "Numerical scheme: frana's own, or the method as published."));
     list.push_back(choice("numerics.shape", FRANA_MEMBER(numerics.shape), {"auto", "bilinear", "quadratic"},
                           "Shape functions; auto: the scheme's (default: quadratic, paper: bilinear)."));
-    list.push_back(choice("numerics.transfer", FRANA_MEMBER(numerics.transfer), {"auto", "pic", "flip", "apic"},
+    declare::Words<Transfer> transfers;
+    for (const TransferRow& row : k_transfers) transfers.emplace_back(row.word, row.transfer);
+    list.push_back(option("numerics.transfer", FRANA_MEMBER(numerics.transfer), transfers,
                           "Velocity transfer to the particles; auto: the scheme's (default: apic, paper: pic)."));
     list.push_back(particles_per_cell_parameter());
     list.push_back(number("numerics.cfl", FRANA_MEMBER(numerics.cfl), "", Range{0, 1, true},

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/scene_spec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
+#include <iterator>
 
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
@@ -21,14 +22,20 @@ double round_up(double value) {
 
 }  // namespace
 
-double friction_coefficient(const MaterialSpec& material) {
-    if (material.friction_coefficient) return *material.friction_coefficient;
-    return std::tan(material.friction_angle.value_or(0) * std::numbers::pi / 180);
+Transfer transfer_of(const NumericsValues& numerics) {
+    if (numerics.transfer != Transfer::automatic) return numerics.transfer;
+    return numerics.scheme == Scheme::paper ? Transfer::pic : Transfer::apic;
+}
+
+std::string word_of(Scheme scheme) {
+    return std::find_if(std::begin(k_schemes), std::end(k_schemes),
+                        [&](const auto& row) { return row.second == scheme; })
+        ->first;
 }
 
 std::string slope_correction(const NumericsSpec& numerics) {
     if (numerics.slope_correction != "auto") return numerics.slope_correction;
-    return numerics.scheme == "paper" ? "none" : "normal";
+    return numerics.scheme == Scheme::paper ? "none" : "normal";
 }
 
 bool curvature(const NumericsSpec& numerics) {
@@ -36,8 +43,7 @@ bool curvature(const NumericsSpec& numerics) {
 }
 
 bool can_fly(const NumericsSpec& numerics) {
-    return curvature(numerics) && numerics.scheme != "paper" &&
-           (numerics.transfer == "auto" || numerics.transfer == "apic");
+    return curvature(numerics) && numerics.scheme != Scheme::paper && transfer_of(numerics) == Transfer::apic;
 }
 
 bool flight(const NumericsSpec& numerics) {
@@ -45,15 +51,14 @@ bool flight(const NumericsSpec& numerics) {
 }
 
 bool well_balanced(const NumericsSpec& numerics) {
-    return numerics.well_balanced.value_or(numerics.scheme != "paper");
+    return numerics.well_balanced.value_or(numerics.scheme != Scheme::paper);
 }
 
 double courant_number(const SceneSpec& scene) {
-    const MaterialSpec& material = scene.material;
-    const bool is_bingham =
-        in_plane_stress(material) == "bingham" && (material.viscosity > 0 || material.yield_stress > 0);
+    const Material& material = scene.material;
+    const bool is_bingham = in_plane_stress(material) == BinghamStress::word && material.has_bingham_stress();
     return scene.numerics.cfl.value_or(
-        default_courant(scene.numerics.scheme != "paper" && material.model != "structured" && !is_bingham));
+        default_courant(scene.numerics.scheme != Scheme::paper && material.model != "structured" && !is_bingham));
 }
 
 double frame_interval(const SceneSpec& scene) {

@@ -76,22 +76,6 @@ struct ZonesSpec {
     std::string beyond_dtm = "stop";
 };
 
-/// [material], in the units of scene files (degrees).
-struct MaterialSpec : MaterialValues {
-    std::optional<std::string> preset;
-    std::string model = "voellmy-bingham";
-    std::optional<double> friction_angle;
-    std::optional<double> friction_coefficient;
-    std::optional<double> turbulence;  ///< none: the turbulent part is off
-    std::vector<std::string> bed_friction{"voellmy"};
-    std::optional<double> pore_pressure_ratio, pore_dissipation_time;
-    std::optional<double> cohesion, ramms_yield_stress, manning, chezy, laminar_resistance;
-    std::optional<double> consistency, flow_index;
-    std::optional<double> fast_friction_angle, friction_length, friction_beta;
-    std::string in_plane_stress = "auto";
-    std::optional<double> internal_friction_angle;
-};
-
 /// [structured], for material.model = structured; in the units of scene files (degrees).
 struct StructuredSpec : StructuredValues {
     std::optional<std::string> phases;
@@ -107,18 +91,9 @@ struct StructuredSpec : StructuredValues {
     std::optional<double> block_size, sound_speed;
 };
 
-/// [entrainment], in the units of scene files (degrees, metres per kPa).
-struct EntrainmentSpec : EntrainmentValues {
-    std::optional<double> erodible_depth, erosion_rate, critical_shear, potential_depth, growth_rate;
-    std::optional<double> bed_friction_angle, bed_cohesion, bed_pore_pressure_ratio, velocity_ratio;
-    std::optional<double> deposition_rate, deposition_shear;
-};
-
 /// [numerics]
 struct NumericsSpec : NumericsValues {
-    std::string scheme = "default";
     std::string shape = "auto";
-    std::string transfer = "auto";
     std::int64_t particles_per_cell = k_particles_per_cell;
     std::optional<bool> well_balanced;
     std::string slope_correction = "auto";
@@ -208,10 +183,10 @@ struct SceneSpec {
     TerrainSpec terrain;
     ReleaseSpec release;
     InflowSpec inflow;
-    MaterialSpec material;
+    Material material;
     StructuredSpec structured;
     ZonesSpec zones;
-    EntrainmentSpec entrainment;
+    Entrainment entrainment;
     NumericsSpec numerics;
     TimeSpec time;
     OutputSpec output;
@@ -225,9 +200,10 @@ struct SceneSpec {
     }
 };
 
-/// Returns mu = tan(phi): the one conversion of the friction angle from degrees.
-/// 0 if neither is given, which read_scene accepts only if no law reads it.
-double friction_coefficient(const MaterialSpec& material);
+/// Returns the resolved transfer.
+Transfer transfer_of(const NumericsValues& numerics);
+/// Returns the word of a scheme in scene files.
+std::string word_of(Scheme scheme);
 /// `auto` resolved: `normal` for the default scheme, `none` for the paper's.
 std::string slope_correction(const NumericsSpec& numerics);
 /// Resolved: on if there is a slope correction.

@@ -1,29 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values common to scene files and the engine's scene (simulation/scene.h): in the engine's units, with their defaults,
-// each once.
+// Values common to scene files and the engine's scene (simulation/scene.h), with their defaults, each once.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/default_values.h"
+#include "physics/laws.h"
 
 namespace frana {
 
-struct MaterialValues {
-    double density = k_flow_density;  ///< [kg/m3]
-    double surface_pressure = 0;      ///< p_A, gauge [Pa]
-    double viscosity = 0;             ///< mu [Pa s]
-    double yield_stress = 0;          ///< tau_Y [Pa]
-    double yield_regularisation =
-        k_yield_regularisation;     ///< shear rate below which yield is softened in the plane [1/s]
-    bool exact_yield_ratio = true;  ///< zeta from the cubic; false: the paper's (9)
+/// [material]: one phase, a sum of laws at the bed, a stress in the plane. Besides, the values of every law's keys,
+/// each in its header in src/physics.
+struct Material : BedLaws::Values, StressLaws::Values {
+    std::optional<std::string> preset;
+    std::string model = "voellmy-bingham";
+    double density = k_flow_density;                   ///< [kg/m3]
+    std::vector<std::string> bed_friction{"voellmy"};  ///< words of laws; voellmy is two
+    std::string in_plane_stress = "auto";              ///< or the word of a law, or none
 };
 
-struct EntrainmentValues {
-    std::string erosion = "off";  ///< or a word of params/keys/laws.cpp
+/// [entrainment]
+struct Entrainment : ErosionLaws::Values, DepositionLaws::Values {
+    std::string erosion = "off";  ///< or the word of a law
     bool deposition = false;
+    std::optional<double> erodible_depth;  ///< vertical, where MaterialZones has no value [m]
+
+    [[nodiscard]] bool erodes() const noexcept { return erosion != "off"; }
+    [[nodiscard]] bool active() const noexcept { return erodes() || deposition; }
 };
+
 struct StructuredValues {
     double fluid_density = k_fluid_density;  ///< [kg/m3]
     double fluid_viscosity = 0;              ///< a_eta [Pa s]; 0: no viscous terms
@@ -61,9 +69,27 @@ struct StructuredValues {
 
 enum class Boundary { open, wall };
 
+/// Set of numerical methods for the particles; share/doc/numerics.md compares them.
+enum class Scheme { standard, paper };  // `standard` is "default" in scene files; that is a keyword of C++
+inline constexpr std::pair<const char*, Scheme> k_schemes[] = {{"default", Scheme::standard}, {"paper", Scheme::paper}};
+
+/// Transfer of nodal velocities to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
+enum class Transfer { automatic, pic, flip, apic };
+struct TransferRow {
+    const char* word;
+    Transfer transfer;
+    const char* term;  ///< in the list of terms
+};
+inline constexpr TransferRow k_transfers[] = {{"auto", Transfer::automatic, ""},
+                                              {"pic", Transfer::pic, "PIC"},
+                                              {"flip", Transfer::flip, "FLIP"},
+                                              {"apic", Transfer::apic, "APIC"}};
+
 struct NumericsValues {
-    std::optional<double> cfl;            ///< Courant number; none: default_courant
-    double gravity = k_standard_gravity;  ///< [m/s2]
+    Scheme scheme = Scheme::standard;
+    Transfer transfer = Transfer::automatic;  ///< the scheme's own (paper: pic, default: apic)
+    std::optional<double> cfl;                ///< Courant number; none: default_courant
+    double gravity = k_standard_gravity;      ///< [m/s2]
     double minimum_depth =
         k_minimum_depth;  ///< depth from which a cell counts as reached in maxima and arrival time [m]
     Boundary boundary = Boundary::open;

@@ -55,7 +55,7 @@ TEST_P(Growth, IsExponentialInTheDistanceAndConservesMassAndMomentum) {
     EXPECT_NEAR(sum_of(flow.eroded_depth()), flow.exchanged().eroded, 1e-12 * now);
     EXPECT_NEAR(momentum_x(flow), momentum, 1e-12 * momentum) << "what is taken up is at rest";
     // V = V_0 exp(E S), for the uniform sheet's mean distance; the step is of first order.
-    const double exact = volume * std::exp(e.growth_rate * (flow.centroid().x - start));
+    const double exact = volume * std::exp(*e.growth_rate * (flow.centroid().x - start));
     EXPECT_GT(exact, 1.05 * volume);
     EXPECT_NEAR(now - volume, exact - volume, 0.02 * (exact - volume));
 }
@@ -111,7 +111,7 @@ TEST(ShearStressErosion, ErodesAtItsRateDownToItsPotentialDepth) {
     e.critical_shear = 2000;
     // tau = 2000 kg/m3 x 1 m x 2 m/s2 = 4 kPa: 2 kPa above the critical stress.
     EXPECT_NEAR(steady_slab(e, 2, 4, 1).eroded, 0.025, 0.01 * 0.025);
-    e.potential_depth = 1e-5;  // 0.02 m for 2 kPa, and 0.01 m for each kPa added by the growing slab
+    e.erosion_depth_per_kpa = 0.01;  // 0.02 m for 2 kPa, and 0.01 m for each kPa added by the growing slab
     const double depth = steady_slab(e, 2, 4, 3).eroded;
     EXPECT_NEAR(depth, 0.02 / (1 - 1e-5 * k_exchanged_density * 2), 0.01 * 0.02);
     e.critical_shear = 4500;
@@ -122,7 +122,7 @@ TEST(MechanicalErosion, IsTheExcessOfStressOverMomentum) {
     Entrainment e;
     e.erosion = "mechanical";
     e.erodible_depth = 5;
-    e.bed_friction_coefficient = 0.1;
+    e.bed_friction_angle = std::atan(0.1) * 180 / M_PI;
     e.bed_cohesion = 500;
     e.bed_pore_pressure_ratio = 0.2;
     e.velocity_ratio = 0.8;
@@ -158,6 +158,7 @@ TEST(Deposition, RemovesItsMomentum) {
     Entrainment e;
     e.deposition = true;
     e.deposition_rate = 0.05;
+    e.deposition_shear = 1000;
     Flow flow = drifting_sheet(e);
     const double volume = flow.volume(), momentum = momentum_x(flow);
     flow.advance_to(4);
@@ -171,6 +172,7 @@ TEST(Deposition, IsNeverCompleteSoThatParticlesKeepAVolume) {
     Entrainment e;
     e.deposition = true;
     e.deposition_rate = 10;
+    e.deposition_shear = 1000;
     Flow flow = drifting_sheet(e);
     flow.advance_to(5);
     const ParticleSet& p = flow.particles();
@@ -196,6 +198,8 @@ TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     e.erosion = "shear-stress";
     e.erodible_depth = 1;
     e.deposition = true;
+    e.deposition_rate = 0.01;
+    e.deposition_shear = 1000;
     const GridSpec grid = bench::plain_grid(100, 60, 2);
     const Raster bed =
         bench::sample_raster(grid, [](Point p) { return std::max(0.0, 0.5 * (120 - p.x)) + std::sin(0.2 * p.y); });

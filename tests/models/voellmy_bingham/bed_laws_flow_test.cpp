@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bench/set_up/needed_keys.h"
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
 #include "physics/yield_ratio.h"
@@ -20,7 +21,7 @@ constexpr double k_along = 3, k_normal = 9, k_density = 2000;
 Material material_of(std::vector<std::string> terms) {
     Material material = water();
     material.density = k_density;
-    material.plane_stress = PlaneStressLaw::none;
+    material.in_plane_stress = "none";
     material.bed_friction = std::move(terms);
     return material;
 }
@@ -153,7 +154,7 @@ TEST(BedLaws, HerschelBulkley) {
 TEST(BedLaws, PouliquenForterre) {
     Material m = material_of({"pouliquen-forterre"});
     m.friction_coefficient = 0.2;
-    m.fast_friction_coefficient = 0.6;
+    m.fast_friction_angle = std::atan(0.6) * 180 / M_PI;
     m.friction_length = 0.5;
     expect_block(m, [](double s, double) {
         return k_normal * (s > 0 ? 0.2 + 0.4 / (1 + 0.136 * std::sqrt(k_normal) / (0.5 * s)) : 0.2);
@@ -213,8 +214,10 @@ TEST(BedLaws, OfTheTableAreBuiltAndReadTheirZones) {
         SCOPED_TRACE(law.word);
         Scene scene;
         scene.material = material_of({law.word});
-        scene.material.friction_coefficient = 0.3;
-        scene.material.turbulence = 500;
+        Material& m = scene.material;
+        m.friction_coefficient = 0.3;
+        m.turbulence = 500;
+        bench::give_needed_keys<BedLaws>(m);
         const std::vector<std::string> terms = list_terms(scene);
         EXPECT_TRUE(std::any_of(terms.begin(), terms.end(),
                                 [&](const std::string& term) { return term.rfind(law.sentence, 0) == 0; }));
@@ -239,11 +242,11 @@ class StaysAtRest : public testing::TestWithParam<std::string> {};
 TEST_P(StaysAtRest, NotOneBitMoves) {
     Material m = material_of({GetParam()});
     m.friction_coefficient = 0.4;
-    m.fast_friction_coefficient = 0.6;
+    m.fast_friction_angle = std::atan(0.6) * 180 / M_PI;
     m.friction_length = 1;
     m.cohesion = m.yield_stress = 30000;
     m.ramms_yield_stress = 60000;  // reaches 14 kPa there
-    m.viscosity = m.consistency = 100;
+    m.consistency = m.viscosity = 100;
     m.flow_index = 0.5;
     const GridSpec grid = bench::plain_grid(40, 40, 1);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return (40 - p.x) * 0.2; });

@@ -162,13 +162,13 @@ TEST_F(Laws, OfTheDocumentUseTheKeysOfTheTable) {
 }
 
 TEST_F(Laws, VoellmyIsSplitAndNothingIsCountedTwice) {
-    MaterialSpec material;
+    Material material;
     material.bed_friction = {"voellmy", "coulomb", "cohesion"};
     EXPECT_EQ(bed_friction_terms(material), (std::vector<std::string>{"coulomb", "turbulence", "cohesion"}));
 }
 
 TEST_F(Laws, StressInThePlaneIsReplacedByTheBed) {
-    MaterialSpec material;
+    Material material;
     EXPECT_EQ(in_plane_stress(material), "none");
     material.viscosity = 50;
     EXPECT_EQ(in_plane_stress(material), "bingham");

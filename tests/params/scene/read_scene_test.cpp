@@ -17,11 +17,11 @@ TEST_F(ReadScene, LeastSceneIsEnoughAndDefaultsAreTheDeclaredOnes) {
     EXPECT_EQ(reading.scene.terrain.dtm, (folder_ / "dtm.tif").string());
     EXPECT_EQ(reading.scene.release.perimeter, (folder_ / "area.shp").string());
     EXPECT_EQ(reading.scene.release.thickness->metres, 2);
-    EXPECT_EQ(reading.scene.material.density, MaterialSpec{}.density);
+    EXPECT_EQ(reading.scene.material.density, Material{}.density);
     EXPECT_EQ(reading.scene.origin_of("material.density"), Origin::default_value);
     EXPECT_EQ(reading.scene.origin_of("terrain.dtm"), Origin::scene_file);
     // tan 20 degrees = 0.36397023426620236 (twenty digits from tables); one rounding of pi and one of tan
-    EXPECT_NEAR(friction_coefficient(reading.scene.material), 0.36397023426620236, 1e-15);
+    EXPECT_NEAR(reading.scene.material.bed_friction_coefficient(), 0.36397023426620236, 1e-15);
 }
 
 TEST_F(ReadScene, EveryProblemInOnePass) {
@@ -69,7 +69,7 @@ TEST_F(ReadScene, LaterSourcesOverrideEarlierOnes) {
     const SceneReading overridden = read(k_least, {"material.friction-coefficient=0.25", "time.end = 12.5"});
     EXPECT_TRUE(overridden.problems.empty());
     EXPECT_FALSE(overridden.scene.material.friction_angle);
-    EXPECT_EQ(friction_coefficient(overridden.scene.material), 0.25);
+    EXPECT_EQ(overridden.scene.material.bed_friction_coefficient(), 0.25);
     EXPECT_EQ(overridden.scene.time.end, 12.5);
     EXPECT_EQ(overridden.scene.origin_of("time.end"), Origin::command_line);
 }
