@@ -37,12 +37,14 @@ Scene slope() {
 // Returns the result of a run, all cells equal except one that is deeper.
 RunResult result_of(const Scene& scene, double depth, double speed) {
     RunResult result;
-    result.raster("bed") = scene.terrain;
-    result.raster("release") = Raster(scene.grid, k_no_data);
-    result.raster("release").at(8, 5) = 2;
-    result.raster("max_depth") = result.raster("final_depth") = Raster(scene.grid, depth);
-    result.raster("max_velocity") = Raster(scene.grid, speed);
-    result.raster("max_depth").at(3, 3) = 2 * depth;
+    Raster release(scene.grid, k_no_data), deepest(scene.grid, depth);
+    release.at(8, 5) = 2;
+    deepest.at(3, 3) = 2 * depth;
+    result.add("bed", scene.terrain);
+    result.add("release", std::move(release));
+    result.add("max_depth", std::move(deepest));
+    result.add("final_depth", Raster(scene.grid, depth));
+    result.add("max_velocity", Raster(scene.grid, speed));
     result.volume_shown = depth * static_cast<double>(scene.grid.cell_count()) * 25;
     result.volume_final = 1.25 * depth * static_cast<double>(scene.grid.cell_count()) * 25;
     result.steps = 7;
