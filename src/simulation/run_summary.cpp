@@ -172,7 +172,7 @@ GapContact gap_contact(const RunResult& result, const Scene& scene) {
     const Raster& deepest = result.raster("max_depth");
     if (scene.numerics.nodata != NodataPolicy::stop || !deepest.grid.same_cells(scene.terrain.grid)) return gap;
     deepest.values.for_each_stored([&](std::size_t cell, double depth) {
-        if (!(depth > scene.time.trace_threshold) || !std::isnan(scene.terrain.values[cell])) return;
+        if (!(depth > scene.numerics.minimum_depth) || !std::isnan(scene.terrain.values[cell])) return;
         ++gap.cells;
         gap.depth = std::max(gap.depth, depth);
     });

@@ -113,7 +113,7 @@ struct MotionAtEnd {
 MotionAtEnd motion_at_end(bool at_end_time, double fastest, double moving_fraction, bool front_is_final) noexcept;
 MotionAtEnd motion_at_end(const RunResult& result) noexcept;
 
-/// Flow in cells without elevation, deeper than the trace's threshold, where such cells should have stopped the run
+/// Flow in cells without elevation, deeper than the minimum depth, where such cells should have stopped the run
 /// (NodataPolicy::stop): only particles that enter one do, while nodes at its edge hold the others back.
 struct GapContact {
     std::int64_t cells = 0;

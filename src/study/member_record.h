@@ -67,7 +67,8 @@ struct MemberEnd {
 
 template <class Archive>
 void serialise(Archive& archive, MemberEnd& end) {
-    archive(end.stop_reason, end.is_cut, end.moving_fraction, end.left_fraction, end.is_held, end.energy_error, end.warnings);
+    archive(end.stop_reason, end.is_cut, end.moving_fraction, end.left_fraction, end.is_held, end.energy_error,
+            end.warnings);
 }
 
 /// All that is kept of a member.

@@ -312,13 +312,13 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     if (troubles.open > 0) {
         const bool in_posterior = troubles_of(runs.last().runs(), false).open > 0;
         if (in_posterior)
-            log.warn(
-                worded("The scores of runs that were cut or left the ground are those of unfinished flows, and so is "
-                       "the posterior: raise time.end, or use a larger DTM"));
+            log.warn(worded(
+                "The scores of runs that were cut, held or left the ground are those of unfinished flows, and so is "
+                "the posterior: raise time.end, or use a larger DTM"));
         else
-            log.warn(
-                worded("The scores of runs that were cut or left the ground are those of unfinished flows; all of them "
-                       "are rows of design.csv, none of posterior.csv"));
+            log.warn(worded(
+                "The scores of runs that were cut, held or left the ground are those of unfinished flows; all of them "
+                "are rows of design.csv, none of posterior.csv"));
     }
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
     for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);

@@ -6,8 +6,8 @@
 
 #include "app/ensemble/map_writer.h"
 #include "app/ensemble/region_input.h"
-#include "app/process/signals.h"
 #include "app/input/check_ground.h"
+#include "app/process/signals.h"
 #include "app/publish/publish.h"
 #include "app/store/interrupted_run.h"
 #include "simulation/simulation.h"
@@ -43,13 +43,13 @@ namespace {
 
 /// What a run of its own tells on its pages, not as a warning.
 void warn_of_what_pages_tell(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    const auto path =
-        trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold).path_ground;
+    const auto path = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold).path_ground;
     if (path) warn_of_path_ground(*path, log);
     if (result.jumps)
-        log.warn(worded("{1} m3 flew over edges, up to {2} m above the ground: maps of depth, velocity and pressure "
-                        "show nothing where everything passes overhead",
-                        {numeral(grouped(result.jumps->volume)), numeral(number_text(result.jumps->highest, 3))}));
+        log.warn(
+            worded("{1} m3 flew over edges, up to {2} m above the ground: maps of depth, velocity and pressure "
+                   "show nothing where everything passes overhead",
+                   {numeral(grouped(result.jumps->volume)), numeral(number_text(result.jumps->highest, 3))}));
 }
 
 }  // namespace

@@ -181,9 +181,9 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
     constexpr std::array k_below_flights{"max_depth", "max_velocity", "max_pressure", "hazard"};
-    const bool has_flights =
-        !foreign && std::find(k_below_flights.begin(), k_below_flights.end(), kind) != k_below_flights.end() &&
-        std::filesystem::exists(file.parent_path() / raster_file("jump_height"));
+    const bool has_flights = !foreign &&
+                             std::find(k_below_flights.begin(), k_below_flights.end(), kind) != k_below_flights.end() &&
+                             std::filesystem::exists(file.parent_path() / raster_file("jump_height"));
     const auto probability = probability_of(text);
     const std::string direction = depth_direction(text.description);
     const bool is_known = probability ? set_from_table(*probability, classes, words, direction, layer)

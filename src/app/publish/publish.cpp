@@ -175,10 +175,11 @@ Sentence volume_that_moved(double fraction) {
 void warn_of_gaps(const Prepared& prepared, const RunResult& result, RunLog& log) {
     const GapContact gap = gap_contact(result, prepared.scene);
     if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
-    log.warn(worded("the flow came into {1} cells without elevation, up to {2} m deep: they hold it back as a wall "
-                    "would, and its run-out may be too short; use a DTM without gaps, or set terrain.nodata-policy to "
-                    "wall or fill",
-                    {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}));
+    log.warn(
+        worded("the flow came into {1} cells without elevation, up to {2} m deep: they hold it back as a wall "
+               "would, and its run-out may be too short; use a DTM without gaps, or set terrain.nodata-policy to "
+               "wall or fill",
+               {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}));
 }
 
 /// At the end time: the moving volume, and how fast the main results still grow.

@@ -459,9 +459,10 @@ Document answer_sentences(const ReportInput& input) {
         .add(material_sentences(input))
         .add(where_sentences(input))
         .add(exposure_answer(input.facts.exposure, ReachedBy::the_flow, words))
-        .add(Paragraph{{{cell_error_sentence(input.errors, input.result.raster("max_depth").grid.cell_size, words), k_cell_error},
-                        {balance_sentence(input) + " " + end_sentences(input)}},
-                       words("How sure.")})
+        .add(Paragraph{
+            {{cell_error_sentence(input.errors, input.result.raster("max_depth").grid.cell_size, words), k_cell_error},
+             {balance_sentence(input) + " " + end_sentences(input)}},
+            words("How sure.")})
         .part(k_comparison_answer, comparison_answer(input.comparison, words))
         .first_warnings(warnings_of(input), words)
         .paragraph(words("Not done."),

@@ -12,8 +12,8 @@
 
 namespace frana::app {
 
-/// How many runs of a study were cut, held, left the ground, failed or warned, and by how much at most. Maps read it from
-/// summary.json.
+/// How many runs of a study were cut, held, left the ground, failed or warned, and by how much at most. Maps read it
+/// from summary.json.
 struct Troubles {
     std::size_t runs = 0, cut = 0, left = 0, failed = 0, warned = 0;
     std::size_t open = 0;                   ///< that were cut, held or left the ground, each once
