@@ -229,11 +229,6 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
 
 void check_numerics(const NumericsSpec& numerics, const std::string& file, Problems& problems) {
     const bool paper = numerics.scheme == Scheme::paper;
-    const std::string own_shape = paper ? "bilinear" : "quadratic";
-    if (numerics.shape != "auto" && numerics.shape != own_shape) {
-        problems.add({"this shape with scheme " + word_of(numerics.scheme) + " is not available in this version",
-                      file + ": numerics.shape", numerics.shape, "auto, " + own_shape, "Remove the key"});
-    }
     if (paper && numerics.well_balanced.value_or(false)) {
         problems.add({"reference levels are part of scheme default, not of paper", file + ": numerics.well-balanced",
                       "on", "off with scheme paper", "Remove the key or choose numerics.scheme = default"});

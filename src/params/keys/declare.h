@@ -145,26 +145,22 @@ ParameterOf<Spec> on_off(const std::string& name, Member member, const std::stri
     return result;
 }
 
-inline auto choice_reader(std::vector<std::string> choices, std::vector<std::string> not_yet) {
-    return [choices = std::move(choices), not_yet = std::move(not_yet)](
-               auto& target, const std::string& text) -> std::optional<ValueProblem> {
-        if (std::find(not_yet.begin(), not_yet.end(), text) != not_yet.end())
-            return ValueProblem{"is not available in this version", "Choose " + joined(choices, " or ")};
+inline auto choice_reader(std::vector<std::string> choices) {
+    return [choices = std::move(choices)](auto& target, const std::string& text) -> std::optional<ValueProblem> {
         if (std::find(choices.begin(), choices.end(), text) == choices.end())
             return ValueProblem{"is not one of the choices", ""};
         target = text;
         return std::nullopt;
     };
 }
-/// One of the words in `choices`; those in `not_yet` are refused as not yet available.
+/// One of the words in `choices`.
 template <class Spec = SceneSpec, class Member>
 ParameterOf<Spec> choice(const std::string& name, Member member, const std::vector<std::string>& choices,
-                         const std::string& meaning, const std::vector<std::string>& not_yet = {}) {
+                         const std::string& meaning) {
     auto result = parameter<Spec>(
-        name, "choice", member, choice_reader(choices, not_yet), +[](const std::string& value) { return value; });
+        name, "choice", member, choice_reader(choices), +[](const std::string& value) { return value; });
     result.limits = joined(choices, ", ");
     result.choices = choices;
-    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
     result.meaning = meaning;
     return result;
 }

@@ -321,8 +321,6 @@ void add_numerics(std::vector<Parameter>& list) {
     list.push_back(option("numerics.scheme", FRANA_MEMBER(numerics.scheme),
                           declare::Words<Scheme>(std::begin(k_schemes), std::end(k_schemes)),
                           "Numerical scheme: frana's own, or the method as published."));
-    list.push_back(choice("numerics.shape", FRANA_MEMBER(numerics.shape), {"auto", "bilinear", "quadratic"},
-                          "Shape functions; auto: the scheme's (default: quadratic, paper: bilinear)."));
     declare::Words<Transfer> transfers;
     for (const TransferRow& row : k_transfers) transfers.emplace_back(row.word, row.transfer);
     list.push_back(option("numerics.transfer", FRANA_MEMBER(numerics.transfer), transfers,
@@ -360,8 +358,6 @@ void add_numerics(std::vector<Parameter>& list) {
         number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
                "Depth above which a cell counts as reached in maxima and arrival time. Film thinner than ten "
                "times it, at most 10 cm, has fewer particles."));
-    list.push_back(choice("numerics.precision", FRANA_MEMBER(numerics.precision), {"double"},
-                          "Arithmetic of the engine.", {"single"}));
     list.push_back(accuracy_parameter());
 }
 

@@ -93,14 +93,12 @@ struct StructuredSpec : StructuredValues {
 
 /// [numerics]
 struct NumericsSpec : NumericsValues {
-    std::string shape = "auto";
     std::int64_t particles_per_cell = k_particles_per_cell;
     std::optional<bool> well_balanced;
     std::string slope_correction = "auto";
     std::optional<bool> curvature;
     std::optional<bool> flight;
     double flight_slope = k_flight_slope_degrees;
-    std::string precision = "double";
     std::optional<double> accuracy;  ///< as a fraction
 };
 

@@ -62,7 +62,7 @@ TEST_F(Document, OfRunHasTheSummary) {
 }
 
 TEST_F(Document, ErrorsAreInPartsAndStayOnStderr) {
-    write_scene("[numerics]\ncfl = 3\nshap = auto\n" + k_numbers_only);
+    write_scene("[numerics]\ncfl = 3\nschem = auto\n" + k_numbers_only);
     for (const char* command : {"check", "run", "converge"}) {
         const Outcome outcome = frana({command, "scene.ini", "--json"});
         EXPECT_EQ(outcome.exit_code, 2);
@@ -77,9 +77,9 @@ TEST_F(Document, ErrorsAreInPartsAndStayOnStderr) {
         EXPECT_EQ(cfl.at("limit"), "greater than 0, at most 1");
         EXPECT_TRUE(cfl.at("option").is_null());
         EXPECT_NE(outcome.err.find(cfl.at("message").get<std::string>()), std::string::npos) << outcome.err;
-        const Json& shape = json.at("errors").at(1);
-        EXPECT_EQ(shape.at("key"), "numerics.shap");
-        EXPECT_EQ(shape.at("remedy"), "Did you mean numerics.shape?");
+        const Json& scheme = json.at("errors").at(1);
+        EXPECT_EQ(scheme.at("key"), "numerics.schem");
+        EXPECT_EQ(scheme.at("remedy"), "Did you mean numerics.scheme?");
     }
     const Json option = parse_json(frana({"run", "scene.ini", "--json", "--threads", "0"}).out).at("errors").at(0);
     EXPECT_EQ(option.at("option"), "--threads");

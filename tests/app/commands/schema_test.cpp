@@ -54,10 +54,10 @@ TEST_F(Schema, TheSampleIsValidAndAWrongSceneIsNot) {
     EXPECT_EQ(sample, "0\n");
     for (const char* name : {"coulomb", "structured"})
         EXPECT_EQ(problems(std::string(FRANA_SOURCE_DIR) + "/sample_data/bindo/" + name + ".ini"), "0\n") << name;
-    write_scene("[numerics]\ncfl = 3\nshape = round\nshap = auto\n[output]\ndepth-thresholds = 0.5, -2\n");
+    write_scene("[numerics]\ncfl = 3\nscheme = round\nschem = auto\n[output]\ndepth-thresholds = 0.5, -2\n");
     const std::string wrong = problems(path("scene.ini"));
     EXPECT_EQ(wrong.rfind("4\n", 0), 0U) << wrong;
-    for (const char* place : {"numerics/cfl", "numerics/shape", "output/depth-thresholds/1", "'shap' was unexpected"})
+    for (const char* place : {"numerics/cfl", "numerics/scheme", "output/depth-thresholds/1", "'schem' was unexpected"})
         EXPECT_NE(wrong.find(place), std::string::npos) << wrong;
 }
 

@@ -83,13 +83,6 @@ TEST_F(ReadScene, UnknownPresetNamesThePresets) {
               std::string::npos);
 }
 
-TEST_F(ReadScene, UnavailableFeaturesAreReportedNotIgnored) {
-    for (const std::string line :
-         {"[numerics]\nprecision = single\n", "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
-        EXPECT_NE(messages(line).find("not available in this version"), std::string::npos) << line;
-    }
-}
-
 TEST_F(ReadScene, SlopeCorrectionFollowsTheScheme) {
     EXPECT_EQ(slope_correction(read(k_least).scene.numerics), "normal");
     EXPECT_EQ(slope_correction(read(k_least + "[numerics]\nscheme = paper\n").scene.numerics), "none");
