@@ -52,7 +52,6 @@ class ResultScenes : public TinyScene {
     }
     /// Everything that can be drawn later.
     void render_all() const {
-        render({"--plates", "--size", "1600x1200"});
         render({"--charts"});
         render({"--animation", "old/film.gif"});
         render({"--animation", "old/pictures/"});

@@ -5,7 +5,6 @@
 #include "render/animation/animation.h"
 #include "render/chart/chart.h"
 #include "render/map/map2d.h"
-#include "render/map/plate.h"
 #include "render/view/view3d.h"
 #include "scenes.h"
 
@@ -160,30 +159,6 @@ TEST(AtPrintSize, MapsAreTidy) {
     MapLayout layout;
     const Image map = draw_map(test::crowded_map(ground, layer, 4961, 3508), &layout);
     expect_tidy(layout.texts, layout.page, map);
-}
-
-TEST(OnPlates, PartsAreTidy) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    for (const auto& [width, height] : {std::pair{1280, 960}, {1600, 1200}, {1754, 1240}}) {
-        SCOPED_TRACE(width);
-        Plate plate{
-            "Bindo (synthetic terrain): snapshots of the depth", "Voellmy-Bingham, 120 s simulated", "EPSG", 2, {}};
-        for (int part = 0; part < 4; ++part) {
-            plate.parts.push_back([&](int w, int h) {
-                MapSpec spec = test::full_map(ground, layer, w, h);
-                spec.title = spec.attribution = spec.crs_label = "";
-                spec.subtitle = "t = 120 s";
-                spec.side_notes.clear();
-                MapLayout layout;
-                Page map = map_page(spec, &layout);
-                expect_tidy(layout.texts, layout.page, map.paint());
-                return map;
-            });
-        }
-        std::vector<TextBox> texts;
-        const Image page = draw_plate(plate, width, height, &texts).paint();
-        expect_tidy(texts, {0, 0, static_cast<double>(width), static_cast<double>(height)}, page);
-    }
 }
 
 TEST_P(AtSize, ChartsAreTidy) {

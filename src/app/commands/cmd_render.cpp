@@ -11,7 +11,6 @@
 #include "app/pictures/charts.h"
 #include "app/pictures/difference_layer.h"
 #include "app/pictures/map_source.h"
-#include "app/pictures/plates.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
@@ -177,7 +176,6 @@ CommandForm render_form() {
         "beside", one("FOLDER"), "animation: another result to show beside, with the same colours")(
         "fly", "animation, 3d: the camera moves along the flow")("charts",
                                                                  "draw the charts of a result instead of maps")(
-        "plates", "draw the plates instead: initial state, snapshots, stresses, profile and comparison")(
         "difference", one("RESULT_DIR"), "another result: draw the difference of --map, this result minus the other")(
         "language", one("en|it|de|fr|es"),
         "of the texts: en, it, de, fr, es (default: the result's output.language; for a RASTER the locale's)")(
@@ -200,7 +198,7 @@ using Values = boost::program_options::variables_map;
 /// The requested outputs, as far as they do not depend on the files.
 struct Request {
     std::optional<Language> language;  ///< none: the result's own
-    bool view_3d = false, fly = false, charts = false, plates = false;
+    bool view_3d = false, fly = false, charts = false;
     std::optional<std::string> animation, beside, out, difference;
     std::vector<std::string> maps;
     std::string animation_of = "depth";
@@ -213,7 +211,6 @@ Request read_request(const Values& values, Problems& problems) {
     request.view_3d = view == "3d";
     request.fly = values.count("fly") > 0;
     request.charts = values.count("charts") > 0;
-    request.plates = values.count("plates") > 0;
     request.animation = text_option(values, "animation");
     request.beside = text_option(values, "beside");
     if (const auto language = text_option(values, "language")) {
@@ -223,17 +220,13 @@ Request read_request(const Values& values, Problems& problems) {
     request.out = text_option(values, "out");
     request.difference = text_option(values, "difference");
     request.maps = text_options(values, "map");
-    if (request.difference && (request.animation || request.view_3d || request.charts || request.plates))
+    if (request.difference && (request.animation || request.view_3d || request.charts))
         problems.add({"is for maps only", "--difference", *request.difference, "", "Omit the other kind of picture"});
     if (request.difference && request.maps.empty())
         problems.add({"needs the raster to compare", "--difference", *request.difference, "",
                       "Name it, for example --map max_depth"});
-    const bool pages = request.charts || request.plates;
-    if (pages &&
-        (request.animation || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
-        problems.add({"cannot be combined with --map, --view or --animation, nor with each other",
-                      request.charts ? "--charts" : "--plates", "", "", ""});
-    }
+    if (request.charts && (request.animation || request.view_3d || !request.maps.empty()))
+        problems.add({"cannot be combined with --map, --view or --animation", "--charts", "", "", ""});
     if (!request.animation) {
         if (request.beside || request.fly)
             problems.add({"is for --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
@@ -259,7 +252,7 @@ void refuse_too_large(const Values& values, const Request& request, Size page, S
     Drawing drawing;
     drawing.cells = cells;
     (request.animation ? drawing.animation : drawing.page) = request.animation ? animation : page;
-    drawing.views = request.view_3d || request.plates;
+    drawing.views = request.view_3d;
     drawing.maps = !request.view_3d || request.animation;
     const Size size = request.animation ? animation : page;
     refuse_pictures_of(memory_of_drawing(drawing), values.count("size") > 0 ? "--size" : "output.map-size",
@@ -362,9 +355,8 @@ void check_folder(const ResultReader& result, const Request& request, const MapS
 /// The run's folder belongs to the run until its end, and has only frames.
 void check_request_under_way(const ResultReader& result, const Request& request, Problems& problems) {
     const std::string& folder = result.directory();
-    if (request.charts || request.plates) {
-        problems.add({"needs a finished run", request.charts ? "--charts" : "--plates", "", "",
-                      "This run is under way in " + folder});
+    if (request.charts) {
+        problems.add({"needs a finished run", "--charts", "", "", "This run is under way in " + folder});
     } else if (!request.animation && request.maps.empty()) {
         problems.add({"is under way: it has only frames", "RESULT_DIR", folder, "",
                       "Draw --map depth@SECONDS, --map velocity@SECONDS, or --animation FILE"});
@@ -414,7 +406,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
     std::vector<MapLayer> layers;
     if (request.difference) {
         layers = difference_layers(result, request, source, problems);
-    } else if (!request.animation && !request.charts && !request.plates) {
+    } else if (!request.animation && !request.charts) {
         for (const std::string& name : request.maps.empty() ? result.drawable() : request.maps) {
             try {
                 layers.push_back(result.map_layer(name));
@@ -437,13 +429,10 @@ void render_result(const Values& values, const Request& request, Problems& probl
     if (request.difference) kept.add_result(ResultReader(*request.difference).directory());
     if (request.animation) {
         render_animation(result, source, request, animation, kept);
-    } else if (request.charts || request.plates) {
-        const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
-        const std::vector<std::string> files =
-            request.charts ? chart_files(result, source, folder) : plate_files(source, folder);
-        prepare_place({folder, "--out", own_result(result)}, files, kept, problems);
-        log_written(request.charts ? draw_charts(result, source, folder, problems)
-                                   : draw_plates(result, source, folder));
+    } else if (request.charts) {
+        const std::string folder = request.out.value_or(result.path("charts"));
+        prepare_place({folder, "--out", own_result(result)}, chart_files(result, source, folder), kept, problems);
+        log_written(draw_charts(result, source, folder, problems));
         problems.throw_if_any();
     } else {
         draw(source, layers, request.view_3d, {request.out.value_or(result.path("maps")), "--out", own_result(result)},
@@ -453,7 +442,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
 
 void render_raster(const Values& values, const Request& request, Problems& problems) {
     const std::string file = values["operand"].as<std::string>();
-    for (const char* option : {"map", "animation", "charts", "plates", "difference"}) {
+    for (const char* option : {"map", "animation", "charts", "difference"}) {
         if (values.count(option) > 0)
             problems.add({"is for a result, not for a raster", std::string("--") + option, "", "", ""});
     }

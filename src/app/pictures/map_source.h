@@ -89,7 +89,7 @@ std::string page_attribution(const MapSource& source);
 
 /// Returns a map of one raster. The spec borrows the terrain of `source` and the values of `layer`.
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer);
-/// Returns it without scale and title block, arranged for itself: a part of a plate, or a film.
+/// Returns it without scale and title block, arranged for itself: for a film.
 render::MapSpec unprinted(render::MapSpec spec);
 /// The same in perspective.
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer);

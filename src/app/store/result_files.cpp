@@ -100,7 +100,7 @@ std::vector<ResultFile> make_table() {
     table.add_rasters();
     table.by("render");
     table.add_page("maps/*").add(FileKind::picture, {"maps/*.tif"});
-    table.add_page("charts/*").add_page("plates/*");
+    table.add_page("charts/*");
     table.add(FileKind::animation, {k_animation_file, "animation.gif"});
     return table.rows();
 }

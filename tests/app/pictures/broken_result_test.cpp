@@ -22,7 +22,6 @@ const std::map<std::string, Arguments> k_commands{
     {"film", {"render", "broken", "--animation", "drawn/film.gif", "--size", "800x600"}},
     {"speeds", {"render", "broken", "--animation", "drawn/film.gif", "--map", "velocity", "--size", "800x600"}},
     {"particles", {"render", "broken", "--animation", "drawn/", "--map", "particles", "--size", "800x600"}},
-    {"plates", {"render", "broken", "--plates", "--size", "1600x1200", "--out", "drawn"}},
     {"charts", {"render", "broken", "--charts", "--size", "800x600", "--out", "drawn"}},
     {"compare", {"compare", "broken", "--scar", "scar.geojson", "--out", "drawn", "--size", "800x600"}}};
 
@@ -43,8 +42,8 @@ const std::map<Damage, int> k_optional{{Damage::missing, 0}, {Damage::other, 2}}
 const std::map<Damage, int> k_optional_table{{Damage::missing, 0}, {Damage::empty, 2}, {Damage::half, 2}};
 
 const std::vector<ReadFile> k_cases{
-    {"frames/frames.csv", {"film", "plates", "view", "particles"}, k_needed},
-    {"frames/depth_0000.tif", {"film", "plates"}, k_needed},
+    {"frames/frames.csv", {"film", "view", "particles"}, k_needed},
+    {"frames/depth_0000.tif", {"film"}, k_needed},
     {"frames/depth_0004.tif", {"film"}, k_exchanged},
     {"frames/velocity_0001.tif", {"speeds"}, k_exchanged},
     {"frames/particles_0001.gpkg", {"particles"}, {{Damage::missing, 2}, {Damage::garbage, 2}}},
@@ -54,7 +53,6 @@ const std::vector<ReadFile> k_cases{
     {"bed.tif", {"maps"}, {{Damage::missing, 0}, {Damage::other, 0}}},  // they contain nothing of it
     {"dtm.tif", {"maps"}, k_optional},
     {"dtm.tif", {"view"}, {{Damage::missing, 2}}},
-    {"dtm.tif", {"plates"}, {{Damage::missing, 2}}},
     {"comparison.tif", {"maps"}, k_exchanged},
     {"comparison.json", {"maps"}, {{Damage::half, 2}}},
     {"timeseries.csv", {"maps", "charts"}, {{Damage::missing, 0}, {Damage::empty, 2}, {Damage::other, 2}}},
@@ -62,7 +60,6 @@ const std::vector<ReadFile> k_cases{
     {"comparison_curve.csv", {"charts"}, {{Damage::garbage, 2}}},
     {"extent.gpkg", {"maps"}, {{Damage::missing, 0}, {Damage::half, 2}}},
     {"profiles.gpkg", {"maps"}, {{Damage::garbage, 2}}},
-    {"scene.ini", {"plates"}, {{Damage::missing, 2}, {Damage::garbage, 2}}},
     {"scene.ini", {"maps"}, {{Damage::missing, 0}}},
     {"summary.json", {"maps"}, {{Damage::missing, 0}, {Damage::empty, 2}, {Damage::half, 2}}},
 };

@@ -33,10 +33,6 @@ TEST_F(Pdf, OfEveryKindShowsWhatItsPngShows) {
     EXPECT_EQ(good_pdfs("result/"),
               (std::vector<std::string>{"charts/profile_flow_path.pdf", "charts/scores.pdf", "charts/timeseries.pdf",
                                         "comparison.pdf", "maps/max_depth.pdf", "maps/max_depth_3d.pdf"}));
-    const Outcome plates = frana({"render", "result", "--plates", "--size", "A4", "--out", "plates"});
-    ASSERT_EQ(plates.exit_code, 0) << plates.err;
-    EXPECT_EQ(good_pdfs("plates/"),
-              (std::vector<std::string>{"comparison.pdf", "initial_state.pdf", "snapshots.pdf", "stresses.pdf"}));
     const Outcome foreign = frana({"render", "result/max_depth.tif", "--dtm", "result/dtm.tif", "--format", "png",
                                    "--format", "pdf", "--size", "800x600", "--out", "foreign"});
     ASSERT_EQ(foreign.exit_code, 0) << foreign.err;

@@ -116,15 +116,11 @@ TEST_F(Render, PagesAndFormats) {
     EXPECT_EQ(read_text(path("page/max_depth.tif")).substr(0, 2), "II");
 }
 
-TEST_F(Render, ChartsAndPlates) {
+TEST_F(Render, Charts) {
     const Outcome charts = frana({"render", "result", "--charts", "--size", "800x600"});
     ASSERT_EQ(charts.exit_code, 0) << charts.err;
     EXPECT_NE(charts.out.find("result/charts/profile_flow_path.png"), std::string::npos) << charts.out;
     EXPECT_NE(charts.out.find("result/charts/timeseries.png"), std::string::npos);
-    const Outcome plates = frana({"render", "result", "--plates", "--size", "1600x1200"});
-    ASSERT_EQ(plates.exit_code, 0) << plates.err;
-    for (const std::string name : {"initial_state", "snapshots", "stresses"})
-        EXPECT_EQ(png_size(path("result/plates/" + name + ".png")), (std::pair{1600, 1200})) << name;
 }
 
 TEST_F(Render, AnimationsBesideEachOtherInFlightAndAsPictures) {

@@ -22,21 +22,6 @@ namespace fs = std::filesystem;
 
 class ResultTable : public ResultScenes {};
 
-// Plates are drawn from any result.
-TEST_F(ResultTable, PlatesOfTheNewResultAreAFreshOnes) {
-    const std::string text = k_voellmy + "[output]\nmaps = off\nanimation = off\n[scar]\nperimeter = scar.geojson\n";
-    run(text + k_entrainment, "old");
-    run(text, "fresh");
-    render({"--plates", "--size", "1600x1200", "--format", "png", "--format", "pdf", "--format", "svg"});
-    run(text, "old", {"--overwrite"});
-    EXPECT_FALSE(exists("old/plates"));
-    render({"--plates", "--size", "1600x1200"});
-    fs::rename(path("old"), path("plated"));
-    fs::rename(path("fresh"), path("old"));
-    render({"--plates", "--size", "1600x1200"});
-    EXPECT_GT(expect_same_files(path("old"), path("plated")), 20U);
-}
-
 // A row specifies when its raster exists: every scene that requests it has it, and no other.
 TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
     const std::map<std::string, std::string> scenes{

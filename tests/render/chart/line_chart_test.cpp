@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/raster.h"
-#include "render/map/plate.h"
 #include "scenes.h"
 
 namespace frana::render {
@@ -72,43 +71,6 @@ TEST(LineChart, ACurveIsDrawnInItsColour) {
     const Image page = draw_chart(chart(), 1600, 1200, &layout);
     const Point at = layout.points[0][37];
     EXPECT_TRUE(test::near(page.colour(static_cast<int>(at.x), static_cast<int>(at.y)), {90, 70, 50}, 40));
-}
-
-TEST(Plate, PartsAreInRowsUnderTheTitle) {
-    Plate plate{"Four parts", "", "foot", 2, {}};
-    const std::vector<Rgb> colours{{200, 0, 0}, {0, 200, 0}, {0, 0, 200}, {200, 200, 0}};
-    for (const Rgb colour : colours)
-        plate.parts.push_back([colour](int width, int height) {
-            Page part(width, height);
-            part.put(Image(width, height, colour), 0, 0);
-            return part;
-        });
-    std::vector<TextBox> texts;
-    const Image page = draw_plate(plate, 1000, 800, &texts).paint();
-    EXPECT_EQ(page.colour(250, 250), colours[0]);
-    EXPECT_EQ(page.colour(750, 250), colours[1]);
-    EXPECT_EQ(page.colour(250, 650), colours[2]);
-    EXPECT_EQ(page.colour(750, 650), colours[3]);
-    for (const TextBox& text : texts)
-        EXPECT_TRUE(page.colour(5, static_cast<int>(text.box.top)) == (Rgb{255, 255, 255})) << text.text;
-}
-
-// 640 x 480 is the smallest size of --size: two rows and the title leave less than a map needs.
-TEST(Plate, GrowsIfPartsWouldBeTooSmallToDraw) {
-    Plate plate{"Four parts", "below a title", "foot", 2, {}};
-    int least_width = 10000, least_height = 10000;
-    for (int part = 0; part < 4; ++part) {
-        plate.parts.push_back([&](int width, int height) {
-            least_width = std::min(least_width, width);
-            least_height = std::min(least_height, height);
-            return Page(width, height);
-        });
-    }
-    const Image page = draw_plate(plate, 640, 480).paint();
-    EXPECT_EQ(least_width, 480);
-    EXPECT_EQ(least_height, 360);
-    EXPECT_EQ(page.width, 960);
-    EXPECT_GT(page.height, 720);
 }
 
 // Without its colour: stroke and marker.

@@ -42,7 +42,7 @@ class RenderAlgorithm(FranaAlgorithm):
         self.addParameter(QgsProcessingParameterEnum("VIEW", "View", ["2d", "3d"], False, "2d", True, True))
         self.addParameter(QgsProcessingParameterEnum("FORMATS", "Formats (otherwise png)", ["png", "pdf", "svg", "tif"], True,
                                                      None, True, True))
-        self.addParameter(QgsProcessingParameterEnum("KIND", "What to draw", ["maps", "charts", "plates"], False, "maps",
+        self.addParameter(QgsProcessingParameterEnum("KIND", "What to draw", ["maps", "charts"], False, "maps",
                                                      True, True))
         self.addParameter(QgsProcessingParameterRasterLayer("BACKGROUND", "Orthophoto or topographic map under the result",
                                                             None, True))
@@ -71,8 +71,8 @@ class RenderAlgorithm(FranaAlgorithm):
                     words += [option, part.strip()]
         if values.word("VIEW") == "3d":
             words += ["--view", "3d"]
-        if values.word("KIND") in ("charts", "plates"):
-            words.append("--" + values.word("KIND"))
+        if values.word("KIND") == "charts":
+            words.append("--charts")
         for word in values.words("FORMATS") if values.has("FORMATS") else []:
             words += ["--format", word]
         if self.background is not None:
