@@ -191,12 +191,35 @@ TEST_F(Ensemble, AFileOfAChoiceThatCannotBeReadIsRefusedBefore) {
 }
 
 // Where the bed is slippery the flow reaches cells without terrain: such members have failed.
+// Where the terrain ends those fail that would come farthest, and others are held by its edge: what is said of the rest
+// is a lower bound, and what all would do on the whole terrain lies below the upper one.
 TEST_F(Ensemble, FailedMembersAreCountedWithTheirReason) {
-    write_dtm(
-        [](int, int column) { return column > 50 ? -9999 : 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); });
-    write_study("samples = 8\nsampling = grid\nkeep = failed\n",
-                "[set]\ntime.end = 40\n[vary]\nmaterial.friction-angle = uniform(1, 40)\n");
+    const auto slope = [](int, int column) { return 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); };
+    const std::string head = "samples = 8\nsampling = grid\nkeep = failed\n",
+                      rest = "[set]\ntime.end = 40\n[vary]\nmaterial.friction-angle = uniform(1, 40)\n";
+    write_dtm(slope);
+    write_study(head, rest);
+    ASSERT_EQ(run().exit_code, 0);
+    fs::rename(path("out"), path("whole"));
+    write_dtm([&](int row, int column) { return column > 50 ? -9999 : slope(row, column); });
     const Outcome outcome = run();
+    const Json told = parse_json(read_text(path("out/summary.json")));
+    EXPECT_NE(told["warnings"][0].get<std::string>().find(told["run_troubles"]["failed"].dump() + " of 8 runs failed"),
+              std::string::npos)
+        << told["warnings"][0];
+    GDALAllRegister();
+    for (const char* name : {"probability_depth_0.1", "probability_velocity_1"}) {
+        const auto band = [&](const std::string& folder, int number) {
+            const GDALDatasetUniquePtr file(GDALDataset::Open(path(folder + "/" + name + ".tif").c_str()));
+            std::vector<double> values(static_cast<std::size_t>(k_columns * k_rows));
+            EXPECT_EQ(file->GetRasterBand(number)->RasterIO(GF_Read, 0, 0, k_columns, k_rows, values.data(), k_columns,
+                                                            k_rows, GDT_Float64, 0, 0),
+                      CE_None);
+            return values;
+        };
+        const auto truth = band("whole", 1), upper = band("out", 3);
+        for (std::size_t cell = 0; cell < truth.size(); ++cell) EXPECT_LE(truth[cell], upper[cell] + 1e-6) << cell;
+    }
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
     const std::string summary = read_text(path("out/summary.json"));
     const int failed = static_cast<int>(json_number(summary, "failed"));
@@ -266,6 +289,24 @@ TEST_F(Ensemble, ATableOfOneColumnAndWhatItsColumnsAreTakenFor) {
               (std::vector<std::pair<std::string, std::string>>{{"member", "a value of an earlier study, not used"},
                                                                 {"material.friction-angle", "varied"},
                                                                 {"weight", "weight of the member"}}));
+}
+
+TEST_F(Ensemble, CheckWarnsOfTheReleaseAsThatOfTheSceneDoes) {
+    write_study("samples = 4\n", "[set]\nrelease.thickness = 90\n" + k_two_keys);
+    const Outcome check = frana({"check", "study.ini"});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    for (const char* part : {"m above the cell beside it", "m thick on average"})
+        EXPECT_NE(check.err.find(part), std::string::npos) << check.err;
+}
+
+// What the pages of a run tell of a release that no outline shows has no page in a study.
+TEST_F(Ensemble, AReleaseThinnerThanTheTraceIsAWarningOfItsRuns) {
+    write_study("samples = 2\n", "[set]\noutput.trace-threshold = 9\n" + k_two_keys);
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(parse_json(read_text(path("out/summary.json")))["warnings"].dump().find(
+                  "of the release is thinner than output.trace-threshold = 9 m"),
+              std::string::npos);
 }
 
 // A single run warns that its front still moved; twelve of them said nothing.

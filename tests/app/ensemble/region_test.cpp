@@ -258,6 +258,8 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
         EXPECT_NE(document.out.find(words), std::string::npos) << words << "\n" << document.out;
     const Outcome outcome = batch();
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const std::string first = parse_json(read_text(path("out/summary.json")))["warnings"][0];
+    EXPECT_NE(first.find("3 of 6 runs failed"), std::string::npos) << first;
     const std::string page = read_text(path("out/report.html")), section = page.substr(page.find("<h2 id=\"slopes\""));
     for (const std::string words : {"<td>far</td>", "<td>rare</td>", "Run-out [m]", "Why it failed", "column THICK"})
         EXPECT_NE(section.substr(0, section.find("</table>")).find(words), std::string::npos) << words;
@@ -289,6 +291,8 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
     }
     const std::string report = read_text(path("out/report.html"));
     EXPECT_LT(report.find("3 of 3 runs were cut"), report.find("id=\"answer\""));
+    EXPECT_NE(report.find("it still moved at the end", report.find("<h2 id=\"slopes\"")), std::string::npos);
+    EXPECT_NE(report.find("The farthest run-out is at least"), std::string::npos);
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/members.gpkg").c_str(), GDAL_OF_VECTOR));
     OGRLayer* const slopes = file->GetLayerByName("slopes");
     ASSERT_NE(slopes, nullptr);

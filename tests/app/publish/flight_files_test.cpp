@@ -42,6 +42,19 @@ class FlightFiles : public TinyScene {
     }
 };
 
+// Of many runs no page tells the flights of each: it is a warning.
+TEST_F(FlightFiles, OfAStudyAreAWarning) {
+    write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 2\n[set]\nrelease.perimeter = near.geojson\nrelease.direction = 90\n"
+          "material.friction-angle = 0\nmaterial.turbulence = 1e9\nrelease.thickness = 0.2\ntime.end = 8\n"
+          "[vary]\nrelease.velocity = uniform(9, 10)\n");
+    const Outcome outcome = frana({"ensemble", "study.ini", "--out", "result"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("2 of 2 runs warn, most of all member"), std::string::npos) << outcome.err;
+    EXPECT_NE(read_text(path("result/summary.json")).find("m3 flew over edges, up to"), std::string::npos);
+}
+
 TEST_F(FlightFiles, AgreeWithTheParabola) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
     const Outcome outcome = run("on");

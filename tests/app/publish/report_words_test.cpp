@@ -41,6 +41,7 @@ AccuracyRecord record(double finest) {
 TEST(WarnOfResult, ACellThatItsParticlesClaimMoreThanTwiceIsNamed) {
     const auto prepared = std::make_unique<const Prepared>();
     RunResult result;
+    for (const char* name : {"max_depth", "release", "bed"}) result.add(name, {});
     for (const auto& [share, warnings] : {std::pair{2.0, 0U}, std::pair{7.84, 1U}}) {
         result.most_claimed = {share, 187, {600123, 5000456}};
         RunLog log(true);
