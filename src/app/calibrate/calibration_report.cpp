@@ -93,7 +93,7 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result, 
                                          {std::to_string(ground.members.size()), number(result.effective)});
     source.notes = {source.style.words("Deeper than {1} m counts", {number(ground.threshold)})};
     if (troubles.are_first())
-        source.scenario = headline(troubles).in(source.style.words);
+        source.scenario = headline(troubles).in(source.style.words) + ". " + source.subtitle;
     else if (troubles.any())
         source.notes.push_back(headline(troubles).in(source.style.words));
     source.terrain = part_of(base.scene.terrain, ground.window);
