@@ -58,7 +58,7 @@ class EnergyWatch {
 
   private:
     static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
-    static constexpr double k_hardly = 0.1;        ///< [m/s]
+    static constexpr double k_hardly = 1;          ///< [m/s]: a mean fall of 5 cm
 
     bool known_ = false;
     double energy_ = 0, half_dissipated_ = 0, volume_ = 0;  ///< of the previous step

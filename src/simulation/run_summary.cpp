@@ -171,8 +171,18 @@ GapContact gap_contact(const RunResult& result, const Scene& scene) {
     GapContact gap;
     const Raster& deepest = result.raster("max_depth");
     if (scene.numerics.nodata != NodataPolicy::stop || !deepest.grid.same_cells(scene.terrain.grid)) return gap;
+    const GridSpec& grid = deepest.grid;
+    const Raster& terrain = scene.terrain;
+    const auto touches_gap = [&](std::int64_t row, std::int64_t column) {
+        for (std::int64_t r = std::max<std::int64_t>(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
+            for (std::int64_t c = std::max<std::int64_t>(column - 1, 0); c <= std::min(column + 1, grid.columns - 1);
+                 ++c)
+                if (!terrain.has_data(r, c)) return true;
+        return false;
+    };
     deepest.values.for_each_stored([&](std::size_t cell, double depth) {
-        if (!(depth > scene.numerics.minimum_depth) || !std::isnan(scene.terrain.values[cell])) return;
+        const auto place = static_cast<std::int64_t>(cell);
+        if (!(depth > 0) || !touches_gap(place / grid.columns, place % grid.columns)) return;
         ++gap.cells;
         gap.depth = std::max(gap.depth, depth);
     });

@@ -113,11 +113,11 @@ struct MotionAtEnd {
 MotionAtEnd motion_at_end(bool at_end_time, double fastest, double moving_fraction, bool front_is_final) noexcept;
 MotionAtEnd motion_at_end(const RunResult& result) noexcept;
 
-/// Flow in cells without elevation, deeper than the minimum depth, where such cells should have stopped the run
-/// (NodataPolicy::stop): only particles that enter one do, while nodes at its edge hold the others back.
+/// Flow that came to ground without elevation, which should stop the run (NodataPolicy::stop): only a particle that
+/// enters it does, while the nodes at its edge, and a rim that resampling makes there, hold the others back.
 struct GapContact {
-    std::int64_t cells = 0;
-    double depth = 0;  ///< greatest [m]
+    std::int64_t cells = 0;  ///< that the flow reached and that lack elevation, or one beside them does
+    double depth = 0;        ///< greatest in these [m]
 };
 GapContact gap_contact(const RunResult& result, const Scene& scene);
 

@@ -46,8 +46,8 @@ void serialise(Archive& archive, CellRun& run) {
 enum class Quantity { depth, velocity, arrival, pressure, intensity, final_depth };
 
 /// Columns of a table of members with what MemberEnd holds, its number of warnings the last.
-inline constexpr const char* k_end_columns[] = {"stop_reason", "moving_fraction", "left_domain_fraction",
-                                                "energy_error", "warnings"};
+inline constexpr const char* k_end_columns[] = {"stop_reason",     "moving_fraction", "left_domain_fraction",
+                                                "held_by_no_data", "energy_error",    "warnings"};
 
 /// How a member's run ended, and what it warned of: what one run tells must reach the study's maps.
 struct MemberEnd {

@@ -47,7 +47,9 @@ CommandForm study_form(const std::string& command, const std::string& meaning, c
 void refuse_to_discard(const std::string& target, const std::string& study, Problems& problems) {
     if (!study.empty())
         problems.add({"an interrupted study of it is kept in " + study, target, "", "",
-                      "--resume continues it; --overwrite removes it and starts anew"});
+                      has_files(target) ? "--resume --overwrite continues it and then replaces the older result; "
+                                          "--overwrite alone removes it and starts anew"
+                                        : "--resume continues it; --overwrite removes it and starts anew"});
     if (const InterruptedRun run(target); !run.beside().empty())
         problems.add({"an interrupted run of it is kept in " + run.beside(), target, "", "",
                       "`frana run --resume` continues it; --overwrite removes it"});

@@ -294,6 +294,7 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
     const study::CalibrationSpec& calibration = input.spec();
     const CalibrationForecast expected = forecast(input, threads);
     if (print) print_calibration(input, expected, threads, directory);
+    for (const StudyInput& event : input.own) warn_of_release(event.base.scene, log);
     Json json = document_of("check");
     json["study"] = calibration.study.file;
     json["events"] = Json::array();

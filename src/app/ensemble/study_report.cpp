@@ -300,8 +300,9 @@ std::string why_open(const study::MemberEnd& end, const Words& words) {
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     if (input.slopes.empty()) return {};
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
-    const bool has_open = std::any_of(result.members.begin(), result.members.end(),
-                                      [](const MemberResult& member) { return member.end.is_open(); });
+    const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberResult& member) {
+        return member.failure.empty() && member.end.is_open();
+    });
     std::vector<std::string> heads{"", words("Slope")};
     if (has_scenarios) heads.push_back(words("Scenario"));
     for (const ShownFigure& shown : k_figures) heads.push_back(words(shown.title));
@@ -317,7 +318,7 @@ Document slopes_section(const StudyInput& input, const StudyResult& result, cons
         for (const ShownFigure& shown : k_figures)
             cells.push_back(member.failure.empty() ? figure_text(member, shown, words) : "");
         if (has_open) cells.push_back(member.failure.empty() ? why_open(member.end, words) : "");
-        if (has_failures) cells.push_back(member.failure);
+        if (has_failures) cells.push_back(words(member.failure));
         table.row(cells, member.failure.empty() && !member.end.is_open() ? "" : "warning");
     }
     Document section;

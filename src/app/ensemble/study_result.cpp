@@ -90,8 +90,9 @@ std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, con
 std::vector<std::string> end_values(const study::MemberEnd& end) {
     const bool ran = !end.stop_reason.empty();
     const auto cell = [&](double value) { return ran && !std::isnan(value) ? shortest_text(value) : std::string(); };
-    return {end.stop_reason, cell(end.moving_fraction), cell(end.left_fraction), cell(end.energy_error),
-            std::to_string(end.warnings.size())};
+    return {end.stop_reason,         cell(end.moving_fraction),
+            cell(end.left_fraction), ran ? std::to_string(static_cast<int>(end.is_held)) : "",
+            cell(end.energy_error),  std::to_string(end.warnings.size())};
 }
 
 void add_end(const study::MemberEnd& end, std::map<std::string, double>& numbers,
@@ -101,6 +102,7 @@ void add_end(const study::MemberEnd& end, std::map<std::string, double>& numbers
     if (end.stop_reason.empty()) return;
     numbers["moving_fraction"] = end.moving_fraction;
     numbers["left_domain_fraction"] = end.left_fraction;
+    numbers["held_by_no_data"] = end.is_held ? 1 : 0;
     if (!std::isnan(end.energy_error)) numbers["energy_error"] = end.energy_error;
 }
 

@@ -171,14 +171,14 @@ Sentence volume_that_moved(double fraction) {
     return worded("all of the volume changed cell, {1} times over", {numeral(number_text(fraction, 2))});
 }
 
-/// Warns of cells without elevation in which the flow lay: what came to their edge went no farther.
+/// Warns of ground without elevation that the flow came to: it may have gone farther.
 void warn_of_gaps(const Prepared& prepared, const RunResult& result, RunLog& log) {
     const GapContact gap = gap_contact(result, prepared.scene);
     if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
     log.warn(
-        worded("the flow came into {1} cells without elevation, up to {2} m deep: they hold it back as a wall "
-               "would, and its run-out may be too short; use a DTM without gaps, or set terrain.nodata-policy to "
-               "wall or fill",
+        worded("the flow came to ground without elevation, in {1} cells in or beside it, up to {2} m deep: such ground "
+               "holds it back as a wall would, and its run-out may be too short; use a DTM without gaps, or set "
+               "terrain.nodata-policy to wall or fill",
                {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}));
 }
 

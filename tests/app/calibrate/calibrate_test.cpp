@@ -109,8 +109,14 @@ class Calibrate : public TinyScene {
 // The scar is a run of frana's: its friction is found, and `frana run` with the best scene has the score.
 // Runs that were cut have the scores of unfinished flows; it was said that the survey does not determine the friction.
 TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
-    write_study("samples = 8\nrefine = 8\n", k_jaccard + k_two_keys, "[set]\ntime.end = 3\n");
+    write_study("samples = 8\nrefine = 8\n", k_jaccard + k_two_keys,
+                "[set]\ntime.end = 3\noutput.maps = on\noutput.map-formats = svg\n");
     ASSERT_EQ(run().exit_code, 0);
+    for (const auto& map : std::filesystem::directory_iterator(path("out/maps"))) {
+        const std::string page = read_text(map.path());
+        for (const char* words : {"16 of 16 runs were cut", "weighted"})
+            EXPECT_NE(page.find(words), std::string::npos) << map.path() << " lacks " << words;
+    }
     const Json summary = parse_json(read_text(path("out/summary.json")));
     EXPECT_EQ(summary["run_troubles"]["cut"], 16);
     EXPECT_NE(summary["warnings"][0].get<std::string>().find("16 of 16 runs were cut"), std::string::npos);
