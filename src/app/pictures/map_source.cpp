@@ -268,6 +268,8 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
     // Warnings on the map itself, since maps are passed on without the log.
     if (facts.statistics && facts.statistics->end && facts.statistics->end->is_cut_short)
         notes.push_back(words("Still moving at the end"));
+    if (facts.statistics && facts.statistics->end && facts.statistics->end->is_held)
+        notes.push_back(words("Held by cells without elevation"));
     if (facts.volume_left > 0) notes.push_back(words("{1} m³ left the map", {whole(facts.volume_left)}));
     return notes;
 }

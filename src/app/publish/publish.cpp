@@ -312,6 +312,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     const SeparateFlows flows = separate_flows(result);
     const TraceFigures trace = trace_figures(result, prepared.scene.terrain, threshold);
     facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs, run_end(result)};
+    facts.statistics.end->is_held = gap_contact(result, prepared.scene).cells > 0;
     note_flows(facts.statistics.run_outs, log);
     facts.high = trace.high;
     facts.release_ground = prepared.release.ground;

@@ -352,7 +352,12 @@ std::string end_sentences(const ReportInput& input) {
     std::string text = end_sentence(end, words);
     if (end.creeps) text += " " + creeping_sentence(end).in(words);
     if (end.is_cut_short)
-        text += " " + words("Material was still moving: final depth and run-out are not those of the deposit.");
+        text += " " +
+                words(r.settling && r.settling->front_is_final
+                          ? worded("Material was still moving: final depth is not that of the deposit.")
+                          : worded("Material was still moving: final depth and run-out are not those of the deposit."));
+    if (input.facts.statistics.end && input.facts.statistics.end->is_held)
+        text += " " + words("Cells without elevation held the flow back: its full run-out may not be shown.");
     if (r.volume_left > 0 && r.volume_entered > 0)
         text += " " + words("{1} m³ ({2} %) left the computed ground: the full run-out is not shown.",
                             {number.grouped(r.volume_left), number(100 * r.volume_left / r.volume_entered, 2)});

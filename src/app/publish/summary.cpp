@@ -79,6 +79,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
               {"crs", facts.crs_label},
               {"threads", facts.threads}};
     add_end(json, result, facts.spec);
+    json["held_by_no_data"] = facts.statistics.end && facts.statistics.end->is_held;
     add_grid_and_particles(json, result, facts);
     json["terms"] = result.terms;
     add_cost(json, result, facts);

@@ -109,6 +109,7 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
         statistics.end = run_end(*reason, ends.simulated_seconds, ends.last_speed,
                                  value_in<double>(*summary, "/moving_fraction").value_or(0),
                                  value_in<bool>(*summary, "/settling/front_is_final").value_or(false));
+        statistics.end->is_held = value_in<bool>(*summary, "/held_by_no_data").value_or(false);
     }
     return statistics;
 }

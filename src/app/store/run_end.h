@@ -50,6 +50,8 @@ struct RunEnd {
     bool is_cut_short = false;
     /// Whether only the deposit did: run-out and area had stopped changing.
     bool creeps = false;
+    /// Whether it came to ground without elevation, which held it back (gap_contact).
+    bool is_held = false;
 };
 
 RunEnd run_end(const RunResult& result);
