@@ -36,6 +36,7 @@ struct Outline {
     std::vector<Polyline> lines{};     ///< open ones
     std::vector<std::string> names{};  ///< of the lines, in their order; empty: none; not in a perspective view
     std::vector<NamedPlace> places{};  ///< small triangles; no names in a perspective view
+    bool frames_map = true;            ///< whether the map's extent contains its polygons
 };
 
 /// A particle, coloured by a value.

@@ -149,7 +149,7 @@ std::optional<Bounds> content(const MapSpec& spec) {
         if (const auto data = data_bounds(*raster)) include(shown, *data);
     }
     for (const Outline& outline : spec.outlines) {
-        if (!outline.polygons.empty()) include(shown, bounds(outline.polygons));
+        if (outline.frames_map && !outline.polygons.empty()) include(shown, bounds(outline.polygons));
     }
     return shown;
 }

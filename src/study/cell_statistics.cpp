@@ -160,13 +160,12 @@ double quantile_of(std::span<const Value> values, const std::vector<double>& wei
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
-    constexpr double k_rounding = 1e-12;  // of the sum of weights
     double sum = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         sum += weights[order[i]];
         // Weights of a multilevel study have either sign: only with all members of a value is its sum meant.
         if (i + 1 < order.size() && values[order[i + 1]] == values[order[i]]) continue;
-        if (sum >= q - k_rounding) return static_cast<double>(values[order[i]]);
+        if (sum >= q - k_weight_rounding) return static_cast<double>(values[order[i]]);
     }
     return static_cast<double>(values[order.back()]);
 }

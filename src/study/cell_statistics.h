@@ -26,6 +26,19 @@ struct FinishedMembers {
     [[nodiscard]] double effective_size() const;
 };
 
+/// All runs of a study with those that failed: of some nobody knows where they would have come.
+struct OpenRuns {
+    FinishedMembers runs;       ///< weights over all of them
+    std::vector<bool> is_open;  ///< of each: it was cut, held, left the ground or failed
+
+    [[nodiscard]] bool any() const noexcept { return !is_open.empty(); }
+    /// Whether a run is taken to exceed everything for the upper bound of a sum, or for the lower one: there it is
+    /// where it counts negatively, the coarser one of a pair of levels.
+    [[nodiscard]] bool exceeds(std::size_t run, bool upper) const {
+        return is_open[run] && (runs.weights[run] > 0) == upper;
+    }
+};
+
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
 /// for each member, 0 (arrival: infinity) where it did not come. A run on larger cells has one value for all cells of
 /// the grid within each of its own. Reads the records window by window: memory is bounded by a budget, whatever the
@@ -77,6 +90,9 @@ class ProbabilityEstimate {
     double effective_size_;
     std::size_t group_count_ = 0;
 };
+
+/// Of the sum of weights: what additions leave.
+inline constexpr double k_weight_rounding = 1e-12;
 
 /// Least value v with at least the fraction q of all weight at values <= v. `order` is scratch.
 double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,

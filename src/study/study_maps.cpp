@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -183,51 +184,50 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
     return maps;
 }
 
-std::vector<Raster> upper_bounds(const std::vector<Raster>& probability, const std::vector<OpenRun>& open,
-                                 Quantity quantity, const std::vector<double>& thresholds, const GridSpec& grid) {
-    double counted = 1, could = 0;
-    for (const OpenRun& run : open) {
-        counted -= run.is_counted ? 0 : run.weight;
-        could += run.weight;
+std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs,
+                                               Quantity quantity, const std::vector<double>& thresholds,
+                                               const GridSpec& grid) {
+    double least = 0, most = 0;  // where none came
+    for (std::size_t m = 0; m < runs.is_open.size(); ++m) {
+        most += runs.exceeds(m, true) ? runs.runs.weights[m] : 0;
+        least += runs.exceeds(m, false) ? runs.runs.weights[m] : 0;
     }
-    std::vector<Raster> bounds(thresholds.size(), Raster(grid, could));
-    for (std::size_t t = 0; t < thresholds.size(); ++t)
-        probability[t].values.for_each_stored(
-            [&](std::size_t cell, double p) { bounds[t].values[cell] = could + counted * p; });
-    for (const OpenRun& run : open) {  // a hit that is in the probability is no second one
-        if (!run.is_counted) continue;
-        const auto record = read_record(run.record);
-        if (!record)
-            throw Error(ErrorKind::environment,
-                        Problem{"the record of a member cannot be read", run.record, "", "", ""});
-        const std::vector<float>& values = record->of(quantity);
-        record->for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
-            if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
-            for (std::size_t t = 0; t < thresholds.size(); ++t)
-                if (static_cast<double>(values[index]) > thresholds[t]) bounds[t].at(row, column) -= run.weight;
-        });
-    }
-    for (std::size_t t = 0; t < thresholds.size(); ++t)
-        probability[t].values.for_each_stored(
-            [&](std::size_t cell, double p) { bounds[t].values[cell] = std::clamp(bounds[t].values[cell], p, 1.0); });
+    const auto bounded = [](double bound) { return std::clamp(bound, 0.0, 1.0); };
+    std::vector<RasterInterval> bounds(thresholds.size(), {Raster(grid, bounded(least)), Raster(grid, bounded(most))});
+    for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        for (std::size_t t = 0; t < thresholds.size(); ++t) {
+            double low = 0, high = 0;
+            for (std::size_t m = 0; m < values.size(); ++m) {
+                const bool hit = static_cast<double>(values[m]) > thresholds[t];
+                high += hit || runs.exceeds(m, true) ? runs.runs.weights[m] : 0;
+                low += hit || runs.exceeds(m, false) ? runs.runs.weights[m] : 0;
+            }
+            const double p = probability[t].values[cell];
+            bounds[t].lower.values[cell] = std::min(p, bounded(low));
+            bounds[t].upper.values[cell] = std::max(p, bounded(high));
+        }
+    });
     return bounds;
 }
 
-std::vector<std::optional<Raster>> upper_quantiles(const FinishedMembers& closed, double open_weight, Quantity quantity,
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool upper, Quantity quantity,
                                                    const GridSpec& grid) {
+    double open = 0;
+    for (std::size_t m = 0; m < runs.is_open.size(); ++m) open += runs.exceeds(m, true) ? runs.runs.weights[m] : 0;
     std::vector<std::optional<Raster>> bounds;
-    std::vector<double> fractions;  // of the closed runs
-    for (const StudyQuantile& quantile : k_study_quantiles) {
-        fractions.push_back(quantile.fraction / (1 - open_weight));
-        const bool is_bounded = closed.size() > 0 && fractions.back() <= 1;
-        bounds.push_back(is_bounded ? std::optional(Raster(grid, k_no_data)) : std::nullopt);
-    }
-    if (closed.size() == 0) return bounds;
+    for (const StudyQuantile& quantile : k_study_quantiles)
+        bounds.push_back(upper && open > 1 - quantile.fraction + k_weight_rounding
+                             ? std::nullopt
+                             : std::optional(Raster(grid, k_no_data)));
     std::vector<std::size_t> order;
-    for_each_reached_cell(closed, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+    std::vector<float> extreme;
+    for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        extreme.assign(values.begin(), values.end());
+        for (std::size_t m = 0; m < extreme.size(); ++m)
+            if (runs.exceeds(m, upper)) extreme[m] = std::numeric_limits<float>::infinity();
         for (std::size_t q = 0; q < bounds.size(); ++q) {
             if (!bounds[q]) continue;
-            const double value = weighted_quantile(values, closed.weights, fractions[q], order);
+            const double value = weighted_quantile(extreme, runs.runs.weights, k_study_quantiles[q].fraction, order);
             if (value > 0) bounds[q]->values[cell] = value;
         }
     });

@@ -56,24 +56,21 @@ struct QuantityMaps {
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds);
 
-/// A run of which nobody knows where it would have come: cut at time.end, or failed.
-struct OpenRun {
-    std::string record;       ///< its file
-    double weight = 0;        ///< the weights of all runs, open or not, have a sum of 1
-    bool is_counted = false;  ///< in the probabilities, as far as it came; those that failed are not
+/// What a value may be where runs are open: each may exceed everything, everywhere, for material behind may push its
+/// front farther and higher than it had energy when it was cut.
+struct RasterInterval {
+    Raster lower, upper;
 };
 
-/// Returns an upper bound of each probability: every open run counts as a hit everywhere, for material behind may push
-/// its front farther and higher than it had energy when it was cut. Never less than the probability itself.
+/// Returns the intervals of probabilities; they contain the probability itself.
 /// @param probability of each threshold, of the runs that count
-std::vector<Raster> upper_bounds(const std::vector<Raster>& probability, const std::vector<OpenRun>& open,
-                                 Quantity quantity, const std::vector<double>& thresholds, const GridSpec& grid);
+std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs,
+                                               Quantity quantity, const std::vector<double>& thresholds,
+                                               const GridSpec& grid);
 
-/// Returns an upper bound of each of k_study_quantiles of depth or velocity: every open run exceeds everything,
-/// everywhere. None for a quantile beyond the weight of the others, which then has no bound.
-/// @param closed the runs that are not open
-/// @param open_weight of the open ones, as OpenRun::weight
-std::vector<std::optional<Raster>> upper_quantiles(const FinishedMembers& closed, double open_weight, Quantity quantity,
+/// Returns an upper or a lower bound of each of k_study_quantiles of depth or velocity. None for a quantile beyond the
+/// weight of the runs that are not open, which then has no upper bound.
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool upper, Quantity quantity,
                                                    const GridSpec& grid);
 
 /// Greatest and mean of the standard errors of probabilities over the cells where they are not 0.

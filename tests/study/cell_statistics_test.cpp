@@ -49,8 +49,10 @@ TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
     const std::string failed = (folder_ / "failed").string();
     write_record(failed, record(8, {2}));
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
-    const std::vector<OpenRun> open{{members_.records[2], 0.25, true}, {failed, 0.25, false}};
-    const Raster upper = upper_bounds(maps.probability, open, Quantity::depth, {0.5}, grid_).front();
+    OpenRuns runs{members_, {false, false, true, true}};
+    runs.runs.records.push_back(failed);
+    runs.runs.weights.assign(4, 0.25);
+    const Raster upper = probability_bounds(maps.probability, runs, Quantity::depth, {0.5}, grid_).front().upper;
     EXPECT_DOUBLE_EQ(maps.probability[0].at(0, 0), 1.0 / 3);
     EXPECT_DOUBLE_EQ(upper.at(0, 0), 0.75);
     EXPECT_DOUBLE_EQ(maps.probability[0].at(1, 0), 1.0 / 3);
@@ -62,12 +64,46 @@ TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
 // One of five runs is open: half of all is 5/8 of the others, and the 95 % quantile has no bound.
 TEST_F(Cells, AQuantileIsBoundedByTheRunsThatEnded) {
     for (const float depth : {1, 2, 3, 4}) add(record(0, {depth}));
-    const auto upper = upper_quantiles(members_, 0.2, Quantity::depth, grid_);
+    OpenRuns runs{members_, {false, false, false, false, true}};
+    runs.runs.records.push_back((folder_ / "open").string());
+    write_record(runs.runs.records.back(), record(0, {0.5F}));
+    runs.runs.weights.assign(5, 0.2);
+    const auto upper = quantile_bounds(runs, true, Quantity::depth, grid_);
     ASSERT_TRUE(upper[0] && upper[1]);
     EXPECT_EQ(upper[0]->at(0, 0), 1);
     EXPECT_EQ(upper[1]->at(0, 0), 3);
     EXPECT_FALSE(upper[2]);
     EXPECT_EQ(quantity_maps(members_, Quantity::depth, grid_, {}).quantile[1].at(0, 0), 2);
+}
+
+// Two coarse runs, and two pairs: of the first the coarser run was cut, of the second the finer one. Each run counts
+// 1/2.
+TEST_F(Cells, OnLevelsACutRunBoundsTheSumFromBothSides) {
+    OpenRuns runs;
+    const auto put = [&](const MemberRecord& one, double weight, bool is_open) {
+        add(one);
+        runs.is_open.push_back(is_open);
+        runs.runs.weights.push_back(weight);
+    };
+    put(record(0, {1}), 0.5, false);
+    put(record(4, {0}), 0.5, false);
+    put(record(0, {1, 0, 1}), 0.5, false);
+    put(record(0, {0.1F}), -0.5, true);
+    put(record(0, {1}), 0.5, true);
+    put(record(0, {0.1F, 1}), -0.5, false);
+    runs.runs.records = members_.records;
+    Raster p(grid_);
+    p.at(0, 0) = 1;
+    p.at(0, 2) = 0.5;
+    const RasterInterval bounds = probability_bounds({p}, runs, Quantity::depth, {0.5}, grid_).front();
+    EXPECT_DOUBLE_EQ(bounds.lower.at(0, 0), 1);  // 1/2 + (1 - 1)/2 + (1 - 0)/2
+    EXPECT_DOUBLE_EQ(bounds.upper.at(0, 0), 1);
+    EXPECT_DOUBLE_EQ(bounds.lower.at(0, 1), 0);
+    EXPECT_DOUBLE_EQ(bounds.upper.at(0, 1), 0);  // 0 + (1 - 1)/2
+    EXPECT_DOUBLE_EQ(bounds.lower.at(0, 2), 0);  // 0 + (1 - 1)/2
+    EXPECT_DOUBLE_EQ(bounds.upper.at(0, 2), 1);  // 0 + (1 - 0)/2 + (1 - 0)/2
+    EXPECT_DOUBLE_EQ(bounds.lower.at(2, 3), 0);
+    EXPECT_DOUBLE_EQ(bounds.upper.at(2, 3), 0.5);
 }
 
 TEST_F(Cells, WeightsCountAsCopiesOfMembers) {

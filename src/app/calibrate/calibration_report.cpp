@@ -64,8 +64,10 @@ struct EventGround {
     const EventRuns& runs;
     const study::EventSpec& event;
     double threshold;
-    study::FinishedMembers members;
+    study::OpenRuns all;  ///< those that the surveys give weight
     CellWindow window;
+
+    [[nodiscard]] const study::FinishedMembers& members() const { return all.runs; }
 };
 
 EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
@@ -75,10 +77,11 @@ EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs
                        {}};
     for (std::size_t i = 0; i < result.weights.size(); ++i) {
         if (!(result.weights[i] > 0)) continue;
-        ground.members.records.push_back(record_file(ground.runs.records, i));
-        ground.members.weights.push_back(result.weights[i]);
+        ground.all.runs.records.push_back(record_file(ground.runs.records, i));
+        ground.all.runs.weights.push_back(result.weights[i]);
+        ground.all.is_open.push_back(ground.runs.members[i].end.is_open());
     }
-    ground.window = window_of(ground.members, study.base.scene.grid);
+    ground.window = window_of(ground.members(), study.base.scene.grid);
     return ground;
 }
 
@@ -90,12 +93,13 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result, 
     source.title = output.title.value_or(ground.event.name);
     const auto number = [&](double value) { return source.style.words.number(number_text(value, 3)); };
     source.subtitle = source.style.words("{1} runs weighted by the surveys, effective number {2}",
-                                         {std::to_string(ground.members.size()), number(result.effective)});
+                                         {std::to_string(ground.members().size()), number(result.effective)});
     source.notes = {source.style.words("Deeper than {1} m counts", {number(ground.threshold)})};
     if (troubles.are_first())
         source.scenario = headline(troubles).in(source.style.words) + ". " + source.subtitle;
     else if (troubles.any())
         source.notes.push_back(headline(troubles).in(source.style.words));
+    if (troubles.flew > 0) source.notes.push_back(source.style.words(k_below_flights));
     source.terrain = part_of(base.scene.terrain, ground.window);
     const GridSpec& grid = source.terrain.grid;
     source.crs_label = gis::crs_name(grid.crs_wkt);
@@ -127,8 +131,14 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
         const Prepared& base = ground.study.base;
         const std::string name = "posterior_" + ground.event.name;
         const study::QuantityMaps maps = study::quantity_maps(
-            ground.members, study::Quantity::depth, part_of(base.scene.grid, ground.window), {ground.threshold});
-        MapWriter(base, directory).write_probability(name, maps.probability.front(), maps.error.front());
+            ground.members(), study::Quantity::depth, part_of(base.scene.grid, ground.window), {ground.threshold});
+        std::optional<study::RasterInterval> bounds;
+        if (std::find(ground.all.is_open.begin(), ground.all.is_open.end(), true) != ground.all.is_open.end())
+            bounds = std::move(study::probability_bounds(maps.probability, ground.all, study::Quantity::depth,
+                                                         {ground.threshold}, maps.probability.front().grid)
+                                   .front());
+        MapWriter(base, directory)
+            .write_probability(name, maps.probability.front(), maps.error.front(), bounds ? &bounds->upper : nullptr);
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
         good &= is_drawn("maps/" + name, log, [&] {

@@ -87,7 +87,7 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.wall_seconds = result.engine_seconds;
     level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
     RunLog log(true);
-    warn_of_result(prepared, result, log);
+    warn_without_pages(prepared, result, log);
     const Sentence size = numeral(number_text(level.cell_size));
     for (const Sentence& warning : log.warnings())
         level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning}));

@@ -42,37 +42,36 @@ study::RecordExtras record_extras(const SceneSpec& scene) {
 }
 
 MapWriter::MapWriter(const Prepared& base, const ResultDirectory& directory)
-
     : directory_(directory), metadata_(provenance(base)), output_(base.spec.output), words_(words_of(base.spec)) {}
 
 void MapWriter::write(const std::string& name, const Raster& raster) const {
     write(name, {band_of(name, raster)});
 }
 
+gis::BandText MapWriter::bound_text(const std::string& name, const char* bound, const std::string& unit) const {
+    return {name + "_" + bound, std::string(bound) + " bound: runs whose full reach is not known could have come", unit,
+            metadata_};
+}
+
 void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& error,
-                                  const Raster* upper) const {
+                                  const Raster* upper, const Raster* lower) const {
     gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
     gis::RasterBand band = band_of(name, probability);
     band.zero_elsewhere = true;
     std::vector<gis::RasterBand> bands{band, {error, text, true}};
-    if (upper != nullptr)
-        bands.push_back(
-            {*upper,
-             {name + "_upper", "Upper bound of the probability: runs that were cut or failed could have come", "-",
-              metadata_},
-             true});
+    if (upper != nullptr) bands.push_back({*upper, bound_text(name, "upper", "-"), true});
+    if (lower != nullptr) bands.push_back({*lower, bound_text(name, "lower", "-"), true});
     write(name, bands);
 }
 
-void MapWriter::write_quantile(const std::string& name, const Raster& quantile,
-                               const std::optional<Raster>& upper) const {
+void MapWriter::write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper,
+                               const Raster* lower) const {
     gis::RasterBand band = band_of(name, quantile);
-    band.text.description += upper ? ", at least" : ", at least; without an upper bound";
+    if (lower == nullptr) band.text.description += ", at least";
+    if (!upper) band.text.description += "; without an upper bound";
     std::vector<gis::RasterBand> bands{band};
-    if (upper)
-        bands.push_back({*upper,
-                         {name + "_upper", "Upper bound of the quantile: runs that were cut or failed could have come",
-                          band.text.unit, metadata_}});
+    if (upper) bands.push_back({*upper, bound_text(name, "upper", band.text.unit)});
+    if (lower != nullptr) bands.push_back({*lower, bound_text(name, "lower", band.text.unit)});
     write(name, bands);
 }
 

@@ -36,14 +36,19 @@ class MapWriter {
     MapWriter(const Prepared& base, const ResultDirectory& directory);
 
     void write(const std::string& name, const Raster& raster) const;
-    /// With its standard error as second band; 0, not nodata, where nothing came.
+    /// With its standard error as second band; 0, not nodata, where nothing came. Bounds, where there are any, follow.
     void write_probability(const std::string& name, const Raster& probability, const Raster& error,
-                           const Raster* upper = nullptr) const;
+                           const Raster* upper = nullptr, const Raster* lower = nullptr) const;
 
-    /// With its upper bound as second band, NaN where it has none.
-    void write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper) const;
+    /// With bounds as next bands.
+    /// @param upper none: the quantile has none
+    /// @param lower null: the quantile itself is the lower one
+    void write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper,
+                        const Raster* lower) const;
 
   private:
+    /// Of the band with the "upper" or "lower" bound of a raster.
+    [[nodiscard]] gis::BandText bound_text(const std::string& name, const char* bound, const std::string& unit) const;
     [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;
     void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const;
 

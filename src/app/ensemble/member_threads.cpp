@@ -6,7 +6,6 @@
 
 #include "app/ensemble/map_writer.h"
 #include "app/ensemble/region_input.h"
-#include "app/input/check_ground.h"
 #include "app/process/signals.h"
 #include "app/publish/publish.h"
 #include "app/store/interrupted_run.h"
@@ -39,21 +38,6 @@ std::optional<study::MemberRecord> own_record(const StudyInput& input, const std
     return record;
 }
 
-namespace {
-
-/// What a run of its own tells on its pages, not as a warning.
-void warn_of_what_pages_tell(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    const auto path = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold).path_ground;
-    if (path) warn_of_path_ground(*path, log);
-    if (result.jumps)
-        log.warn(
-            worded("{1} m3 flew over edges, up to {2} m above the ground: maps of depth, velocity and pressure "
-                   "show nothing where everything passes overhead",
-                   {numeral(grouped(result.jumps->volume)), numeral(number_text(result.jumps->highest, 3))}));
-}
-
-}  // namespace
-
 std::optional<study::MemberRecord> run_member(const StudyInput& input, const MemberTask& task,
                                               const std::function<bool()>& stops) {
     RunLog log(true);
@@ -71,8 +55,7 @@ std::optional<study::MemberRecord> run_member(const StudyInput& input, const Mem
         extras.final_depth = input.keeps_final_depth;
         study::MemberRecord record =
             study::record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
-        warn_of_result(prepared, result, log);
-        warn_of_what_pages_tell(prepared, result, log);
+        warn_without_pages(prepared, result, log);
         record.end.warnings = log.warnings();
         record.key_values = study::values_text(task.overrides);
         return record;

@@ -289,7 +289,7 @@ bool warn_of_failures(const StudyInput& input, const StudyResult& result, const 
     log.warn(worded(
         "{1} of {2} members failed and are in no map; the first, member {3}: {4}. members.csv has the reason of each",
         {std::to_string(result.failed()), std::to_string(result.members.size()), std::to_string(first->member),
-         first->failure}));
+         first->failure.c_str()}));
     const bool level_failed = std::any_of(levels.begin(), levels.end(), [](const LevelSummary& level) {
         return static_cast<double>(level.failed) > k_most_failed * static_cast<double>(level.statistics.members);
     });

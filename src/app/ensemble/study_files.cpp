@@ -293,14 +293,14 @@ namespace {
 
 /// Quantiles and moments, of depth and velocity alone.
 void write_distribution(const StudyResult& result, const study::QuantityMaps& maps, study::Quantity quantity,
-                        const std::string& name, const MapWriter& writer) {
-    const bool is_open = result.open_weight > 0;
-    const auto upper = is_open ? study::upper_quantiles(result.closed, result.open_weight, quantity, result.grid)
-                               : std::vector<std::optional<Raster>>{};
+                        const std::string& name, bool on_levels, const MapWriter& writer) {
+    std::vector<std::optional<Raster>> upper, lower;
+    if (result.open.any()) upper = study::quantile_bounds(result.open, true, quantity, result.grid);
+    if (result.open.any() && on_levels) lower = study::quantile_bounds(result.open, false, quantity, result.grid);
     for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
         const std::string file = "quantile_max_" + name + "_" + k_study_quantiles[q].name;
-        if (is_open)
-            writer.write_quantile(file, maps.quantile[q], upper[q]);
+        if (result.open.any())
+            writer.write_quantile(file, maps.quantile[q], upper[q], on_levels ? &*lower[q] : nullptr);
         else
             writer.write(file, maps.quantile[q]);
     }
@@ -355,19 +355,6 @@ bool is_drawn_at_once(const std::string& name) {
            name == "hazard_degree";
 }
 
-/// The runs that were cut, left the ground or failed. None of a multilevel study: its weights have either sign.
-std::vector<study::OpenRun> open_runs(const StudyInput& input, const StudyResult& result, const std::string& folder) {
-    std::vector<study::OpenRun> open;
-    if (!input.levels.empty()) return open;
-    double sum = 0;
-    for (const MemberResult& one : result.members) sum += input.table.weights[one.member];
-    for (const MemberResult& one : result.members)
-        if (one.end.is_open() || !one.failure.empty())
-            open.push_back(
-                {record_file(folder, one.member), input.table.weights[one.member] / sum, one.failure.empty()});
-    return open;
-}
-
 }  // namespace
 
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
@@ -394,19 +381,21 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                         StudyFacts& facts) {
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input.base, directory);
-    const std::vector<study::OpenRun> open = open_runs(input, result, directory.folder());
+    const bool on_levels = !input.levels.empty();
     std::vector<Raster> errors;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
         study::QuantityMaps maps =
             study::quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
-        const std::vector<Raster> upper =
-            open.empty() ? std::vector<Raster>{}
-                         : study::upper_bounds(maps.probability, open, events.quantity, events.thresholds, result.grid);
+        std::vector<study::RasterInterval> bounds;
+        if (result.open.any())
+            bounds = study::probability_bounds(maps.probability, result.open, events.quantity, events.thresholds,
+                                               result.grid);
         for (std::size_t t = 0; t < events.rasters.size(); ++t)
             writer.write_probability(events.rasters[t], maps.probability[t], maps.error[t],
-                                     open.empty() ? nullptr : &upper[t]);
+                                     bounds.empty() ? nullptr : &bounds[t].upper,
+                                     bounds.empty() || !on_levels ? nullptr : &bounds[t].lower);
         if (events.quantity == study::Quantity::depth) {
-            write_distribution(result, maps, events.quantity, "depth", writer);
+            write_distribution(result, maps, events.quantity, "depth", on_levels, writer);
             writer.write("hit_count", maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -416,7 +405,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
             }
         }
         if (events.quantity == study::Quantity::velocity)
-            write_distribution(result, maps, events.quantity, "velocity", writer);
+            write_distribution(result, maps, events.quantity, "velocity", on_levels, writer);
         std::move(maps.error.begin(), maps.error.end(), std::back_inserter(errors));
     }
     const study::QuantityMaps arrival =

@@ -110,11 +110,11 @@ Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, con
                            number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
     if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
         text += " " + words(facts.troubles.make_lower_bounds()
-                                ? worded("{1} runs were cut or failed and may have come farther: these values are "
-                                         "lower bounds.")
-                                : worded("{1} runs were cut or failed and may have come farther: as they count in "
+                                ? worded("The full reach is not known of {1} of {2} runs: these values are lower "
+                                         "bounds.")
+                                : worded("The full reach is not known of {1} of {2} runs: as they count in "
                                          "differences of levels, these values may be too small or too large."),
-                            {std::to_string(unfinished)});
+                            {std::to_string(unfinished), std::to_string(facts.troubles.runs)});
     return Document().paragraph(words("Where it goes."), text);
 }
 
@@ -176,7 +176,7 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
     return Document().paragraph(words("How sure."), text);
 }
 
-Document figures_table(const StudyResult& result, const Words& words) {
+Document figures_table(const StudyResult& result, const StudyFacts& facts, const Words& words) {
     if (result.figures().empty()) return {};
     const ReportNumbers number(words);
     Table table({words("value"), "", words("mean"), "5 %", "50 %", "95 %"});
@@ -184,10 +184,13 @@ Document figures_table(const StudyResult& result, const Words& words) {
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
         const auto quantile = [&](double q) {
-            const double value = figure_quantile(values, weights, q);
-            const auto upper = result.upper_quantile(f, q);
-            const bool is_bound = !upper || *upper > value;  // runs that were cut or failed may exceed it
-            return (is_bound ? "> " : "") + number.of_any_size(value);
+            const double value = figure_quantile(values, weights, q), upper = result.quantile_bound(f, q, true);
+            const bool on_levels = result.open.any() && !facts.levels.empty();
+            const double least = on_levels ? result.quantile_bound(f, q, false) : value;
+            if (on_levels && std::isfinite(upper))
+                return words("{1} to {2}", {number.of_any_size(least), number.of_any_size(upper)});
+            const bool is_bound = on_levels || upper > value;  // open runs may exceed it
+            return (is_bound ? "> " : "") + number.of_any_size(least);
         };
         const study::Figure& figure = result.figures()[f];
         table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
@@ -260,7 +263,7 @@ Document study_answer(const StudyInput& input, const StudyResult& result, const 
 /// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
 Document study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
-    return figures_table(result, words);
+    return figures_table(result, facts, words);
 }
 
 /// The sources of a study in which each fails alone, those that come farthest first; empty for others.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -42,6 +43,8 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
     for (const RunOfStudy& run : runs) {
         all.failed += run.failure.empty() ? 0 : 1;
         all.warned += run.end.warnings.empty() ? 0 : 1;
+        all.flew += std::any_of(run.end.warnings.begin(), run.end.warnings.end(),
+                                [](const Sentence& warning) { return warning.pattern() == k_flights_warning; });
         all.held += run.failure.empty() && run.end.is_held ? 1 : 0;
         all.open += run.failure.empty() && run.end.is_open() ? 1 : 0;
         if (run.end.is_cut) {
@@ -119,6 +122,30 @@ void add_finished(const StudyInput& input, const std::string& folder, std::size_
 void scale_weights(study::FinishedMembers& members) {
     const double sum = std::accumulate(members.weights.begin(), members.weights.end(), 0.0);
     for (double& weight : members.weights) weight /= sum;
+}
+
+/// All runs with their weights among all, if the reach of any is not known.
+study::OpenRuns open_runs(const StudyInput& input, const std::string& folder, const StudyResult& result) {
+    study::OpenRuns all;
+    const auto& runs = input.table.level_runs;
+    std::vector<double> counts(input.level_draws.size());  // of the pairs of each level
+    for (std::size_t i = 0; i < result.members.size() && !counts.empty(); ++i)
+        counts[runs[i].level] += runs[i].is_coarse ? 0 : 1;
+    double sum = 0;
+    for (std::size_t i = 0; i < result.members.size(); ++i) {
+        const MemberResult& one = result.members[i];
+        const double weight = counts.empty()      ? input.table.weights[one.member]
+                              : runs[i].is_coarse ? -1 / counts[runs[i].level]
+                                                  : 1 / counts[runs[i].level];
+        all.runs.records.push_back(record_file(folder, one.member));
+        all.runs.weights.push_back(weight);
+        all.is_open.push_back(one.end.is_open() || !one.failure.empty());
+        sum += weight;
+    }
+    if (std::find(all.is_open.begin(), all.is_open.end(), true) == all.is_open.end()) return {};
+    if (counts.empty())
+        for (double& weight : all.runs.weights) weight /= sum;
+    return all;
 }
 
 /// Takes the members of a multilevel study of which every run finished. Each run counts as one of its level's members,
@@ -202,12 +229,16 @@ std::vector<double> StudyResult::figure(std::size_t index) const {
     return values;
 }
 
-std::optional<double> StudyResult::upper_quantile(std::size_t index, double q) const {
-    if (open_weight == 0) return figure_quantile(figure(index), finished.weights, q);
-    if (q / (1 - open_weight) > 1 || closed_at.empty()) return std::nullopt;
+double StudyResult::quantile_bound(std::size_t index, double q, bool upper) const {
+    if (!open.any()) return figure_quantile(figure(index), finished.weights, q);
     std::vector<double> values;
-    for (const std::size_t place : closed_at) values.push_back(members[place].figures[index].value);
-    return figure_quantile(values, closed.weights, q / (1 - open_weight));
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const std::vector<study::Figure>& of = members[i].figures;
+        values.push_back(open.exceeds(i, upper) ? std::numeric_limits<double>::infinity()
+                         : index < of.size()    ? of[index].value
+                                                : 0);  // it failed before its first step
+    }
+    return figure_quantile(values, open.runs.weights, q);
 }
 
 const std::vector<study::Figure>& StudyResult::figures() const {
@@ -217,7 +248,6 @@ const std::vector<study::Figure>& StudyResult::figures() const {
 
 StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count) {
     StudyResult result;
-    double open = 0, all = 0;
     for (std::size_t member = 0; member < count; ++member) {
         const std::string file = record_file(folder, member);
         auto record = own_record(input, folder, member);
@@ -226,24 +256,14 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
                                                         "--resume computes that member again"});
         result.members.push_back({member, record->failure, std::move(record->end), std::move(record->figures),
                                   record->engine_seconds, record->particle_steps, record->grid().bounds()});
-        if (!input.level_draws.empty()) continue;
-        const MemberResult& one = result.members.back();
-        const bool is_open = one.end.is_open() || !one.failure.empty();
-        const double weight = input.table.weights[member];
-        if (one.failure.empty())
+        if (input.level_draws.empty() && result.members.back().failure.empty())
             add_finished(input, folder, member, result.members.size() - 1, result.finished, result.finished_at);
-        if (is_open)
-            open += weight;
-        else
-            add_finished(input, folder, member, result.members.size() - 1, result.closed, result.closed_at);
-        all += weight;
     }
-    if (open > 0) result.open_weight = open / all;
-    scale_weights(result.closed);
     if (input.level_draws.empty())
         scale_weights(result.finished);
     else
         add_pairs(input, folder, result);
+    result.open = open_runs(input, folder, result);
     choose_design(input, folder, result);
     result.grid = input.base.scene.grid;
     return result;

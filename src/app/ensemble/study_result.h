@@ -67,12 +67,8 @@ struct StudyResult {
     std::vector<std::size_t> design_at;
     study::DesignPoints points;
     std::size_t groups = 0;
-    GridSpec grid;  ///< of all maps
-    /// The runs that were neither cut nor failed, and the weight of the others among all; none of a multilevel study,
-    /// whose weights have either sign.
-    study::FinishedMembers closed;
-    std::vector<std::size_t> closed_at;
-    double open_weight = 0;
+    GridSpec grid;         ///< of all maps
+    study::OpenRuns open;  ///< all runs, in the order of `members`; none if the reach of each is known
 
     /// All members, as far as they may mislead.
     [[nodiscard]] std::vector<RunOfStudy> runs() const;
@@ -82,9 +78,9 @@ struct StudyResult {
     [[nodiscard]] bool equal_weights() const;
     /// Returns a figure of the finished members, in their order.
     [[nodiscard]] std::vector<double> figure(std::size_t index) const;
-    /// Returns an upper bound of a quantile of a figure, if runs that were cut or failed exceed everything; none: it
-    /// has no bound. Without such runs it is the quantile itself.
-    [[nodiscard]] std::optional<double> upper_quantile(std::size_t index, double q) const;
+    /// Returns an upper or a lower bound of a quantile of a figure, if the open runs exceed everything; infinite: it
+    /// has none. Without such runs it is the quantile itself.
+    [[nodiscard]] double quantile_bound(std::size_t index, double q, bool upper) const;
     /// Texts of the figures; empty if no member finished.
     [[nodiscard]] const std::vector<study::Figure>& figures() const;
 };

@@ -255,10 +255,11 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
         for (const StudyQuantile& quantile : k_study_quantiles) {
             const std::string name = std::string("q") + quantile.name;
             figure[name] = figure_quantile(values, weights, quantile.fraction);
-            if (!(result.open_weight > 0)) continue;
-            // Runs that were cut or failed may have come farther: null is "more than q".
-            const auto bound = result.upper_quantile(f, quantile.fraction);
-            figure["upper_bound"][name] = bound ? Json(*bound) : Json();
+            if (!result.open.any()) continue;
+            // Runs whose full reach is not known may have come farther: null is "more than q".
+            const double bound = result.quantile_bound(f, quantile.fraction, true);
+            figure["upper_bound"][name] = std::isfinite(bound) ? Json(bound) : Json();
+            if (!facts.levels.empty()) figure["lower_bound"][name] = result.quantile_bound(f, quantile.fraction, false);
         }
     }
     if (const auto& median = facts.median)

@@ -180,9 +180,8 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
-    constexpr std::array k_below_flights{"max_depth", "max_velocity", "max_pressure", "hazard"};
-    const bool has_flights = !foreign &&
-                             std::find(k_below_flights.begin(), k_below_flights.end(), kind) != k_below_flights.end() &&
+    constexpr std::array k_of_maxima{"max_depth", "max_velocity", "max_pressure", "hazard"};
+    const bool has_flights = !foreign && std::find(k_of_maxima.begin(), k_of_maxima.end(), kind) != k_of_maxima.end() &&
                              std::filesystem::exists(file.parent_path() / raster_file("jump_height"));
     const auto probability = probability_of(text);
     const std::string direction = depth_direction(text.description);
@@ -204,7 +203,7 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
             depth != text.metadata.end() && kind != "comparison")
             layer.notes.push_back(words.labelled(words("Flow depth"), words(depth->second)));
     }
-    if (has_flights) layer.notes.push_back(words("Nothing shown below flights"));
+    if (has_flights) layer.notes.push_back(words(k_below_flights));
     return layer;
 }
 

@@ -57,6 +57,9 @@ std::string release_words(const MapSource& source) {
 
 std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) {
     std::vector<render::Outline> outlines = source.marks;
+    // Buildings or zones of a whole country do not make the flow a dot.
+    if (source.extent.grid.columns > 0)
+        for (render::Outline& mark : outlines) mark.frames_map = false;
     if (!source.release.empty())
         outlines.push_back({release_words(source), source.release, k_release_colour, 2.5, true});
     if (!source.scar.empty()) {

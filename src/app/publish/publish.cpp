@@ -412,6 +412,15 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     }
 }
 
+void warn_without_pages(const Prepared& prepared, const RunResult& result, RunLog& log) {
+    warn_of_result(prepared, result, log);
+    const auto path = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold).path_ground;
+    if (path) warn_of_path_ground(*path, log);
+    if (result.jumps)
+        log.warn(worded(k_flights_warning,
+                        {numeral(grouped(result.jumps->volume)), numeral(number_text(result.jumps->highest, 3))}));
+}
+
 PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     if (frames.count() > 0) frames.finish();
     const std::optional<CellWindow> window = reached_window(run.prepared, run.result);

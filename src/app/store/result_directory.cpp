@@ -31,13 +31,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& reason) {
-    throw Error(ErrorKind::environment,
-                Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
+[[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& reason,
+                       const std::string& remedy = "Check the place's rights and free space") {
+    throw Error(ErrorKind::environment, Problem{what + (reason.empty() ? "" : ": " + reason), path, "", "", remedy});
 }
 
 std::string kept_in(const std::string& partial) {
-    return "; the new result is complete in " + partial + ": the same command with --resume publishes it";
+    return "; the new result is complete in " + partial;
+}
+
+constexpr const char* k_publish_again = "publish it by the same command with --resume";
+
+std::string rights() {
+    return std::string("Check the place's rights and ") + k_publish_again;
 }
 
 /// Lists every file of frana below a folder in which a result was built, and syncs each to the disk. What a killed
@@ -125,7 +131,7 @@ void ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
     if (has_files(directory_))
         replace_older();
     else if (std::rename(partial_.c_str(), directory_.c_str()) != 0)
-        fail("the result cannot take its name", directory_, std::strerror(errno) + kept_in(partial_));
+        fail("the result cannot take its name", directory_, std::strerror(errno) + kept_in(partial_), rights());
     published_ = true;
     sync_path(fs::path(directory_).parent_path().string());
     lock_.reset();  // later changes of the manifest need it
@@ -137,17 +143,20 @@ void ResultDirectory::replace_older() {
     const FolderLock older(directory_, true);  // a command that adds pictures to it
     const std::vector<std::string> users = users_files(directory_);
     if (!overwrite_ || !users.empty())  // since the run began; the computed result is not discarded
-        fail(overwrite_ ? "contains " + told(users) : "another result has appeared there meanwhile", directory_,
-             kept_in(partial_));
+        fail((overwrite_ ? "contains " + told(users) : "another result has appeared there meanwhile") +
+                 kept_in(partial_),
+             directory_, "",
+             std::string(overwrite_ ? "Move these files elsewhere" : "Move that result elsewhere") + " and " +
+                 k_publish_again);
     note_replaced(directory_);
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0) return;
     const std::string waiting = partial_ + k_waiting;  // a file system without this operation
     std::error_code error, ignored;
     fs::rename(directory_, waiting, error);
-    if (error) fail("the older result cannot be moved away", directory_, error.message() + kept_in(partial_));
+    if (error) fail("the older result cannot be moved away", directory_, error.message() + kept_in(partial_), rights());
     fs::rename(partial_, directory_, error);
     if (error) fs::rename(waiting, directory_, ignored);
-    if (error) fail("the result cannot take its name", directory_, error.message() + kept_in(partial_));
+    if (error) fail("the result cannot take its name", directory_, error.message() + kept_in(partial_), rights());
     fs::rename(waiting, partial_, ignored);
 }
 

@@ -43,8 +43,7 @@ Sentence headline(const Troubles& t) {
     if (t.failed > 0) parts.push_back(worded("{1} of {2} runs failed", {count(t.failed), count(t.runs)}));
     // A sum of differences: what coarser runs of a pair did not reach raises it.
     if (t.on_levels)
-        return worded("Extent, run-out and probabilities may be too small or too large, without bounds: {1}",
-                      {listed(parts)});
+        return worded("Extent, run-out and probabilities may be too small or too large: {1}", {listed(parts)});
     return worded("Extent, run-out and probabilities are lower bounds: {1}", {listed(parts)});
 }
 
@@ -55,6 +54,7 @@ Json json_of(const Troubles& t) {
             {"held_by_no_data", t.held},
             {"failed", t.failed},
             {"warned", t.warned},
+            {"flew", t.flew},
             {"lower_bounds", t.open},
             {"each_counts", t.each_counts},
             {"on_levels", t.on_levels},
@@ -68,17 +68,20 @@ std::optional<Troubles> troubles_in(const Json& summary) {
             value_in<std::int64_t>(summary, std::string("/run_troubles/") + key).value_or(0));
     };
     if (!value_in<std::int64_t>(summary, "/run_troubles/all")) return std::nullopt;
-    return Troubles{whole("all"),
-                    whole("cut"),
-                    whole("left_ground"),
-                    whole("failed"),
-                    whole("warned"),
-                    whole("lower_bounds"),
-                    whole("held_by_no_data"),
-                    value_in<double>(summary, "/run_troubles/greatest_moving_fraction").value_or(0),
-                    value_in<double>(summary, "/run_troubles/greatest_left_domain_fraction").value_or(0),
-                    value_in<bool>(summary, "/run_troubles/each_counts").value_or(false),
-                    value_in<bool>(summary, "/run_troubles/on_levels").value_or(false)};
+    Troubles t;
+    t.runs = whole("all");
+    t.cut = whole("cut");
+    t.left = whole("left_ground");
+    t.failed = whole("failed");
+    t.warned = whole("warned");
+    t.open = whole("lower_bounds");
+    t.held = whole("held_by_no_data");
+    t.flew = whole("flew");
+    t.most_moving = value_in<double>(summary, "/run_troubles/greatest_moving_fraction").value_or(0);
+    t.most_left = value_in<double>(summary, "/run_troubles/greatest_left_domain_fraction").value_or(0);
+    t.each_counts = value_in<bool>(summary, "/run_troubles/each_counts").value_or(false);
+    t.on_levels = value_in<bool>(summary, "/run_troubles/on_levels").value_or(false);
+    return t;
 }
 
 RunEnd run_end(const RunResult& result) {

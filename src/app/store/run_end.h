@@ -19,6 +19,7 @@ struct Troubles {
     std::size_t open = 0;                   ///< that were cut, held or left the ground, each once
     std::size_t held = 0;                   ///< by cells without elevation
     double most_moving = 0, most_left = 0;  ///< fractions of the volume, of the runs that were cut, that left
+    std::size_t flew = 0;                   ///< over edges, where maps of maxima show nothing below
     bool each_counts = false;               ///< of a region: every slope is somebody's
     bool on_levels = false;                 ///< of a multilevel study: a coarser run of a pair counts negatively
 
@@ -33,7 +34,7 @@ struct Troubles {
 };
 
 /// "Extent, run-out and probabilities are lower bounds: 12 of 12 runs were cut while they still moved (up to 70
-/// % of the volume); ...", or on levels "... may be too small or too large, without bounds: ...".
+/// % of the volume); ...", or on levels "... may be too small or too large: ...".
 Sentence headline(const Troubles& troubles);
 
 /// As `run_troubles` of summary.json, and back; none: an older summary.

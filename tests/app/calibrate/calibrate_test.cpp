@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calibrations, as a user sees them.
+#include <gdal_priv.h>
+
 #include <sys/mount.h>
 
 #include <algorithm>
@@ -132,6 +134,19 @@ TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
     }
     EXPECT_GT(named, 0);
     for (const auto& row : table("out/posterior.csv")) EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
+    // All runs were cut: anything may have been reached.
+    int maps = 0;
+    for (const auto& file : std::filesystem::directory_iterator(path("out"))) {
+        const std::string name = file.path().filename().string();
+        if (!name.starts_with("posterior_") || file.path().extension() != ".tif") continue;
+        ++maps;
+        const GDALDatasetUniquePtr raster(GDALDataset::Open(file.path().c_str(), GDAL_OF_RASTER));
+        ASSERT_EQ(raster->GetRasterCount(), 3) << name;
+        double range[2];
+        ASSERT_EQ(raster->GetRasterBand(3)->ComputeRasterMinMax(FALSE, range), CE_None);
+        EXPECT_EQ(range[0], 1) << name;
+    }
+    EXPECT_GT(maps, 0);
     EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
 }
 

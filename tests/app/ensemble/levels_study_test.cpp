@@ -188,12 +188,30 @@ TEST_F(LevelsStudy, APairWithAFailedRunIsLeftOut) {
     EXPECT_NEAR(weights["100"], 1, 1e-12);
     EXPECT_NEAR(weights["51"], 1, 1e-12);
     EXPECT_NEAR(weights["101"], -1, 1e-12);
-    const Raster p = gis::read_result_raster(path("out/probability_depth_0.5.tif"));
-    for (const double value : p.values) {
-        EXPECT_GE(value, 0);
-        EXPECT_LE(value, 1);
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/probability_depth_0.5.tif").c_str(), GDAL_OF_RASTER));
+    ASSERT_EQ(file->GetRasterCount(), 4);
+    const int width = file->GetRasterXSize(), height = file->GetRasterYSize();
+    std::vector<std::vector<float>> bands(5);  // from 1: value, error, upper and lower bound
+    for (int band = 1; band <= 4; ++band) {
+        std::vector<float>& values = bands[static_cast<std::size_t>(band)];
+        values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        ASSERT_EQ(file->GetRasterBand(band)->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height,
+                                                      GDT_Float32, 0, 0),
+                  CE_None);
     }
-    // Neither a lower nor an upper bound, as the first line says.
+    double widest = 0;
+    for (std::size_t i = 0; i < bands[1].size(); ++i) {
+        EXPECT_LE(0, bands[4][i]);
+        EXPECT_LE(bands[4][i], bands[1][i]);
+        EXPECT_LE(bands[1][i], bands[3][i]);
+        EXPECT_LE(bands[3][i], 1);
+        widest = std::max(widest, static_cast<double>(bands[3][i] - bands[4][i]));
+    }
+    EXPECT_GT(widest, 0);
+    const Json run_out = json_value(read_text(path("out/summary.json")), "figures.runout_m");
+    EXPECT_LE(run_out["lower_bound"]["q05"].get<double>(), run_out["q05"].get<double>());
+    EXPECT_TRUE(run_out["upper_bound"].contains("q95"));
+    // The values themselves are no bounds, as the first line says.
     const std::string first = parse_json(read_text(path("out/summary.json")))["warnings"][0];
     EXPECT_NE(first.find("too small or too large"), std::string::npos) << first;
     EXPECT_NE(first.find(std::to_string(failed) + " of "), std::string::npos) << first;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a flow does to buildings, roads and people.
+#include <gdal_priv.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -147,6 +149,26 @@ TEST_F(Exposure, OfAnEnsembleHasProbabilities) {
     }
     EXPECT_EQ(all[1].at("probability_reached"), "0");
     EXPECT_EQ(all[5].at("probability_reached"), "");
+}
+
+// A building far outside does not make the flow a dot on the map.
+TEST_F(Exposure, FarFeaturesDoNotSetTheMapsScale) {
+    write_exposed();
+    write(
+        "far.geojson",
+        R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"what": "far", "people": 1}, "geometry": )"
+        R"({"type": "Polygon", "coordinates": [[[11, 46.5], [11.001, 46.5], [11.001, 46.501], [11, 46.5]]]}}]})");
+    const auto width = [&](const std::string& exposed) {
+        const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--quiet", "--overwrite", "--set",
+                                       "output.exposure=" + exposed + ".geojson", "--set", "output.maps=max_depth",
+                                       "--set", "output.map-formats=pdf"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        double place[6] = {};
+        const GDALDatasetUniquePtr map(GDALDataset::Open(path("out/maps/max_depth.pdf").c_str(), GDAL_OF_RASTER));
+        EXPECT_TRUE(map && map->GetGeoTransform(place) == CE_None);
+        return place[1];
+    };
+    EXPECT_EQ(width("far"), width("exposed"));
 }
 
 // What a mayor asks first: how many are reached, in the log, in the report and on the map.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/pictures/map_layer.h"
+#include "app/pictures/result_reader.h"
 #include "gis/raster/raster_in.h"
 #include "support/tiny_scene.h"
 
@@ -53,6 +54,20 @@ TEST_F(FlightFiles, OfAStudyAreAWarning) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("2 of 2 runs warn, most of all member"), std::string::npos) << outcome.err;
     EXPECT_NE(read_text(path("result/summary.json")).find("m3 flew over edges, up to"), std::string::npos);
+    EXPECT_EQ(json_number(read_text(path("result/summary.json")), "run_troubles.flew"), 2);
+    const auto notes = app::ResultReader(path("result")).map_source().notes;
+    EXPECT_EQ(std::count(notes.begin(), notes.end(), "Nothing shown below flights"), 1);
+}
+
+// `converge` has no pages either: it warns of each resolution.
+TEST_F(FlightFiles, OfResolutionsAreWarnings) {
+    write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
+    const Outcome outcome =
+        frana({"converge", "scene.ini", "--set", "release.perimeter=near.geojson", "--set", "release.velocity=10",
+               "--set", "release.direction=90", "--set", "material.friction-angle=0", "--set",
+               "material.turbulence=1e9", "--set", "release.thickness=0.2", "--set", "time.end=8"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("m3 flew over edges, up to"), std::string::npos) << outcome.err;
 }
 
 TEST_F(FlightFiles, AgreeWithTheParabola) {
