@@ -117,8 +117,9 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
 
 // Adds to the problem the parts that can be saved of a run stopped by the disk.
 [[noreturn]] void explain_problem(const Error& error, const std::string& folder) {
-    if (error.kind() != ErrorKind::environment) throw error;
     std::vector<Problem> problems = error.problems();
+    const bool says_how = problems.front().remedy.find("--resume") != std::string::npos;
+    if (error.kind() != ErrorKind::environment || says_how) throw error;
     std::error_code unknown;
     const auto space = std::filesystem::space(std::filesystem::path(folder).parent_path(), unknown);
     if (!unknown)

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& reason,
                        const std::string& remedy = "Check the place's rights and free space") {
-    throw Error(ErrorKind::environment, Problem{what + (reason.empty() ? "" : ": " + reason), path, "", "", remedy});
+    throw Error(ErrorKind::environment, Problem{what + ": " + reason, path, "", "", remedy});
 }
 
 std::string kept_in(const std::string& partial) {
@@ -143,11 +143,12 @@ void ResultDirectory::replace_older() {
     const FolderLock older(directory_, true);  // a command that adds pictures to it
     const std::vector<std::string> users = users_files(directory_);
     if (!overwrite_ || !users.empty())  // since the run began; the computed result is not discarded
-        fail((overwrite_ ? "contains " + told(users) : "another result has appeared there meanwhile") +
-                 kept_in(partial_),
-             directory_, "",
-             std::string(overwrite_ ? "Move these files elsewhere" : "Move that result elsewhere") + " and " +
-                 k_publish_again);
+        throw Error(ErrorKind::environment,
+                    Problem{(overwrite_ ? "contains " + told(users) : "another result has appeared there meanwhile") +
+                                kept_in(partial_),
+                            directory_, "", "",
+                            std::string("Move ") + (overwrite_ ? "these files" : "that result") + " elsewhere and " +
+                                k_publish_again});
     note_replaced(directory_);
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0) return;
     const std::string waiting = partial_ + k_waiting;  // a file system without this operation

@@ -333,6 +333,8 @@ TEST_F(Overwrite, AResultWhosePlaceIsNoLongerFreeIsKeptBesideIt) {
         EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
         EXPECT_NE(outcome.err.find("the new result is complete in " + path("result.partial")), std::string::npos)
             << outcome.err;
+        EXPECT_NE(outcome.err.find("elsewhere and publish it by the same command with --resume"), std::string::npos);
+        EXPECT_EQ(outcome.err.find("MB free"), std::string::npos) << "it is not the disk";
         EXPECT_TRUE(bytes_below(path("result")) == before);
         EXPECT_TRUE(exists("result.partial/manifest.json"));
         fs::remove(path("result/notes.txt"));
