@@ -150,6 +150,14 @@ TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
     EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
 }
 
+TEST_F(Calibrate, CheckWarnsOfTheReleaseAsThatOfTheSceneDoes) {
+    write_study("samples = 4\n", k_jaccard + k_two_keys, "[set]\nrelease.thickness = 90\n");
+    const Outcome check = frana({"check", "study.ini"});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    for (const char* part : {"m above the cell beside it", "m thick on average"})
+        EXPECT_NE(check.err.find(part), std::string::npos) << check.err;
+}
+
 TEST_F(Calibrate, SaysThatItsRunsLeftTheGround) {
     write_study("samples = 4\nrefine = 4\n", k_jaccard + k_two_keys,
                 "[set]\ntime.end = 30\nterrain.bounds = 527000 5094000 527100 5094150\n");
