@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/words/sentence.h"
@@ -80,5 +82,34 @@ class Problems {
   private:
     std::vector<Problem> list_;
 };
+
+/// Returns what `work` returns, or that type's empty value after an Error, with which `told` is called. Work that
+/// returns nothing: returns whether it was done. Throws what `told` throws.
+template <class Told, class Work>
+requires std::invocable<const Told&, const Error&>
+auto attempt(const Told& told, const Work& work) {
+    if constexpr (std::is_void_v<decltype(work())>) {
+        return attempt(told, [&] { return work(), true; });
+    } else {
+        try {
+            return work();
+        } catch (const Error& error) {
+            told(error);
+            return decltype(work()){};
+        }
+    }
+}
+
+/// The same; the problems of an Error(input) are added to `problems`, any other is thrown.
+template <class Work>
+auto attempt(Problems& problems, const Work& work) {
+    return attempt([&](const Error& error) { problems.add(error); }, work);
+}
+
+/// The same where the error is reported later, or does not matter.
+template <class Work>
+auto attempt(const Work& work) {
+    return attempt([](const Error&) {}, work);
+}
 
 }  // namespace frana

@@ -36,14 +36,10 @@ void add_once(const Problems& from, Problems& to) {
 /// Prepares what can be prepared; problems are collected over all events.
 std::optional<StudyInput> prepared_event(StudyTexts texts, const std::optional<Problem>& place, RunLog& log,
                                          Problems& problems) {
-    try {
-        return prepare_study(std::move(texts), place, log);
-    } catch (const Error& error) {
-        Problems of_event;
-        of_event.add(error);
-        add_once(of_event, problems);
-        return std::nullopt;
-    }
+    Problems of_event;
+    auto event = attempt(of_event, [&] { return std::optional(prepare_study(std::move(texts), place, log)); });
+    add_once(of_event, problems);
+    return event;
 }
 
 study::StudyReading on_cells_of(study::StudyReading reading, double cell_size) {
@@ -89,11 +85,7 @@ void check_evidence(const CalibrationInput& input, Problems& problems) {
 /// Measures the survey as the members will be compared with it.
 void check_survey(const study::CalibrationSpec& calibration, std::size_t event, const Prepared& base,
                   Problems& problems) {
-    try {
-        const EventSurvey survey(base, calibration.events[event], calibration.objective, {});
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    attempt(problems, [&] { const EventSurvey survey(base, calibration.events[event], calibration.objective, {}); });
 }
 
 /// Figures and outlines of a member use the survey's threshold, and records contain what is compared.
@@ -132,17 +124,15 @@ CalibrationTexts read_calibration_texts(const std::string& path, RunLog& log) {
         const study::EventSpec& event = calibration.events[e];
         study::SampleTable table;
         if (drawable) table = members_at(calibration, e, texts.design, texts.problems);
-        try {
+        Problems of_scene;  // the scene may be no INI
+        attempt(of_scene, [&] {
             StudyTexts one = read_study_scenes(event.members, std::move(table));
             add_once(one.central.problems, texts.problems);
             warn_of_changed_inputs(calibration.study.file, one.central, log);
             if (texts.events.empty()) texts.first_scene = one.central;
             texts.events.push_back(std::move(one));
-        } catch (const Error& error) {  // the scene is no INI
-            Problems of_scene;
-            of_scene.add(error);
-            add_once(of_scene, texts.problems);
-        }
+        });
+        add_once(of_scene, texts.problems);
     }
     if (texts.events.empty()) texts.problems.throw_if_any();
     return texts;

@@ -34,11 +34,9 @@ void read_title_block(const boost::program_options::variables_map& values, MapSt
     const auto logo = text_option(values, "logo");
     if (logo) style.logo = *logo == "none" ? "" : *logo;
     if (style.logo.empty()) return;
-    try {
+    attempt(problems, [&] {
         (void)gis::read_logo(style.logo, logo ? "--logo" : "output.map-logo, replaced by --logo FILE or --logo none");
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
 }
 
 void read_scale(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
@@ -85,11 +83,9 @@ Problem not_one_of(const std::string& option, const std::string& value, const st
 /// Overrides the style by the options; adds their problems.
 void read_style(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
     const auto given = [&](const std::string& name) { return text_option(values, name); };
-    try {
+    attempt(problems, [&] {
         if (const auto size = size_option(values)) style.size = *size;
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     if (const auto formats = text_options(values, "format"); !formats.empty()) {
         for (const std::string& one : formats) {
             const auto& known = picture_formats();
@@ -370,7 +366,7 @@ void check_request_under_way(const ResultReader& result, const Request& request,
 std::vector<MapLayer> difference_layers(const ResultReader& result, const Request& request, MapSource& source,
                                         Problems& problems) {
     std::vector<MapLayer> layers;
-    try {
+    attempt(problems, [&] {
         const ResultReader other(*request.difference, result.words().language());
         for (const std::string& name : request.maps) {
             DifferenceMap map = difference_map(result, other, name);
@@ -379,9 +375,7 @@ std::vector<MapLayer> difference_layers(const ResultReader& result, const Reques
             source = std::move(map.source);
             layers.push_back(std::move(map.layer));
         }
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     return layers;
 }
 
@@ -397,22 +391,14 @@ void render_result(const Values& values, const Request& request, Problems& probl
     const std::string crs = result.grid().crs_wkt;
     if (result.under_way()) check_request_under_way(result, request, problems);
     if (!source.style.background.empty()) {
-        try {
-            gis::check_picture(source.style.background, crs, "--background");
-        } catch (const Error& error) {
-            problems.add(error);
-        }
+        attempt(problems, [&] { gis::check_picture(source.style.background, crs, "--background"); });
     }
     std::vector<MapLayer> layers;
     if (request.difference) {
         layers = difference_layers(result, request, source, problems);
     } else if (!request.animation && !request.charts) {
         for (const std::string& name : request.maps.empty() ? result.drawable() : request.maps) {
-            try {
-                layers.push_back(result.map_layer(name));
-            } catch (const Error& error) {
-                problems.add(error);
-            }
+            attempt(problems, [&] { layers.push_back(result.map_layer(name)); });
         }
     }
     check_folder(result, request, source, problems);

@@ -23,7 +23,8 @@ SlopePlan plan_of(const StudyInput& input, std::size_t member) {
     const Slope& slope = input.slopes[member];
     SlopePlan plan{area(slope.outline), std::nullopt, slope.problem};
     if (!plan.problem.empty()) return plan;
-    try {
+    const auto note = [&](const Error& error) { plan.problem = describe(error.problems().front()); };
+    attempt(note, [&] {
         gis::RememberedReads own;
         const gis::UseRemembered remember(own);
         RunLog silent(true);
@@ -34,9 +35,7 @@ SlopePlan plan_of(const StudyInput& input, std::size_t member) {
         prepare_release(reading, nullptr, files, silent, problems);  // its own columns
         problems.throw_if_any();
         plan.window = reading.scene.terrain.bounds;
-    } catch (const Error& error) {
-        plan.problem = describe(error.problems().front());
-    }
+    });
     return plan;
 }
 

@@ -110,11 +110,8 @@ std::string reliability_csv(const ProbabilityScores& scores) {
 bool is_probability(const std::string& operand) {
     if (fs::is_directory(operand)) return ResultReader(operand).is_of_study();
     if (!fs::is_regular_file(operand)) return false;
-    try {
-        return probability_name(operand).has_value();
-    } catch (const Error&) {  // it is read again, and refused with its name
-        return false;
-    }
+    // One that cannot be read is read again, and refused with its name.
+    return attempt([&] { return probability_name(operand).has_value(); });
 }
 
 ProbabilityMap read_probability_map(const std::string& operand, const std::optional<double>& threshold) {

@@ -317,17 +317,13 @@ std::optional<StudyComparison> compare_study(const StudyInput& input, const Resu
     Survey survey;
     survey.scar = parts_of(input.base.scar->features);
     survey.scar_label = input.base.spec.observed.perimeter.value_or("");
-    try {
+    return attempt(worded("the survey could not be compared: {1}"), log, [&] {
         StudyComparison comparison{read_probability_map(directory.folder(), std::nullopt), {}};
         comparison.map.file = fs::path(comparison.map.file).filename().string();
         comparison.scores = compare_with_survey(comparison.map, survey, log);
         write_probability_comparison(comparison.scores, comparison.map, survey, directory.folder());
-        return comparison;
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::input) throw;
-        log.warn(worded("the survey could not be compared: {1}", {std::string(error.what())}));
-        return std::nullopt;
-    }
+        return std::optional(std::move(comparison));
+    });
 }
 
 /// The files that the central scene and the study name.

@@ -45,11 +45,9 @@ Prepared prepare_slope(const study::RegionSpec& region, SceneReading& slope, con
                        RunLog& log) {
     slope.scene.observed = {};
     slope.scene.output.profiles.reset();
-    try {
-        if (slope.problems.empty()) cut_terrain(region, slope, log);
-    } catch (const Error&) {
-        slope.scene.terrain.bounds.reset();  // what is wrong is told by prepare(), with all else
-    }
+    // What is wrong is told by prepare(), with all else.
+    if (slope.problems.empty() && !attempt([&] { cut_terrain(region, slope, log); }))
+        slope.scene.terrain.bounds.reset();
     return prepare(slope, place, log);
 }
 
@@ -76,14 +74,12 @@ void prepare_central(StudyInput& input, const SceneReading& of_all, const std::o
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::input || place || !input.central.problems.empty()) throw;
         for (const std::size_t member : sound_slopes(input, of_all)) {
-            try {
+            const auto take = [&] {
                 SceneReading slope = input.member(member);
                 input.base = prepare_slope(region, slope, std::nullopt, log);
                 input.central = std::move(slope);
-                return;
-            } catch (const Error&) {
-                continue;
-            }
+            };
+            if (attempt(take)) return;
         }
         throw;
     }

@@ -132,7 +132,7 @@ PolygonMembers polygon_members(const study::StudySpec& study, const std::string&
         return members;
     }
     const std::string key = "release.perimeter-filter", own = release.perimeter_layer.filter.value_or("");
-    try {
+    attempt(problems, [&] {
         gis::LayerChoice choice = layer_choice(scene, release.perimeter_layer, "release.perimeter");
         choice.keep_unusable = study.region.has_value();
         const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
@@ -145,13 +145,11 @@ PolygonMembers polygon_members(const study::StudySpec& study, const std::string&
             members.table.weights.push_back(1);
             members.sizes.push_back(area(layer.features[i].parts));
         }
-        if (!study.region) return members;
+        if (!study.region) return;
         require_columns(*study.region, layer, label, problems);
         add_columns(study, layer, members);
         require_one_period(members.slopes, label, problems);
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     return members;
 }
 
@@ -199,14 +197,12 @@ void refuse_accuracy(SceneReading& central) {
 study::SampleTable read_samples(study::StudyReading& reading) {
     if (reading.study.sampling == study::Sampling::table) {
         const std::string where = reading.where("study.sampling");
-        try {
+        const auto read = [&] {
             const gis::Table file = gis::read_table(reading.study.table, where);
             return study::samples_of_table(file.columns, file.rows, where + ": " + reading.study.table,
                                            reading.problems);
-        } catch (const Error& error) {
-            reading.problems.add(error);
-            return {};
-        }
+        };
+        return attempt(reading.problems, read);
     }
     if (!reading.problems.empty()) return {};  // values of a broken study would be reported for nothing
     return study::draw_samples(reading.study, reading.label, reading.problems);
@@ -308,12 +304,9 @@ void put_levels_on_cells(StudyInput& input, Problems& problems) {
 
 /// Reads the scenes of the central member and of all members, and adds all problems to those of the former.
 void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts& texts) {
-    try {
-        texts.central = read_member(texts.reading, central);
-    } catch (const Error& error) {  // the scene is no INI
-        texts.reading.problems.add(error);
-        texts.reading.problems.throw_if_any();
-    }
+    Problems& problems = texts.reading.problems;
+    // The scene may be no INI.
+    if (!attempt(problems, [&] { texts.central = read_member(texts.reading, central); })) problems.throw_if_any();
     refuse_accuracy(texts.central);
     if (!texts.reading.study.region) add_members_problems(texts.reading, texts.table, quiet, texts.central);
     for (const Problem& problem : texts.reading.problems.list()) texts.central.problems.add(problem);
@@ -400,15 +393,13 @@ StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, 
     const study::SampleTable& all = input.level_draws.empty() ? input.table : input.level_draws.front();
     RunLog silent(true);
     for (const std::size_t member : members_with_every_value(all)) {
-        try {
+        attempt(problems, [&] {
             const Prepared prepared = prepare(read_member(input.reading, all.overrides(member)), silent);
             require_same_lattice(input.base.scene.grid, prepared.scene.grid, "member " + std::to_string(member),
                                  problems);
             input.identity += "member " + std::to_string(member) + ":\n" + scene_identity(prepared);
             for (const ReleaseArea& area : prepared.scene.release) input.other_releases.push_back(area);
-        } catch (const Error& error) {
-            problems.add(error);
-        }
+        });
     }
     problems.throw_if_any();
     return input;

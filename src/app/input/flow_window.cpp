@@ -40,12 +40,8 @@ double distance(const Bounds& box, Point p) {
 
 /// What keeps a file from being read is reported where it is used.
 template <class Read>
-auto if_readable(const Read& read) -> std::optional<decltype(read())> {
-    try {
-        return read();
-    } catch (const Error&) {
-        return std::nullopt;
-    }
+auto if_readable(const Read& read) {
+    return attempt([&] { return std::optional(read()); });
 }
 
 /// Where something comes from, and how high over the ground its energy stands there [m].

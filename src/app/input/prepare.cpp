@@ -99,16 +99,14 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
                                         RunLog& log, Problems& problems) {
     const TerrainSpec& spec = reading.scene.terrain;
     std::optional<Raster> walls;
-    try {
+    attempt(problems, [&] {
         if (spec.obstacles) raise_ground(reading, ground, files, log, problems);
-    } catch (const Error& error) {
-        problems.add(error);
-    }
-    try {
-        if (!spec.walls) return walls;
+    });
+    attempt(problems, [&] {
+        if (!spec.walls) return;
         const std::string key = "terrain.walls";
         const auto layer = read_layer(reading, key, *spec.walls, ground, files, log, problems);
-        if (!layer) return walls;
+        if (!layer) return;
         walls.emplace(ground->terrain.grid);
         CountedTexts warnings;
         for (std::size_t f = 0; f < layer->features.size(); ++f)
@@ -117,9 +115,7 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
         std::int64_t cells = 0;
         walls->values.for_each_stored([&](std::size_t, double wall) { cells += wall == 1; });
         log.note("walls stand on " + grouped(cells) + " cells");
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     return walls;
 }
 
@@ -133,7 +129,7 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     if (!reading.scene.observed.perimeter) return std::nullopt;
     const std::string where = reading.where("observed.perimeter");
-    try {
+    return attempt(problems, [&] {
         const bool local = reading.scene.terrain.crs == "local";
         const std::string crs = ground != nullptr ? ground->terrain.grid.crs_wkt
                                 : local           ? std::string()
@@ -152,11 +148,8 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
                               "Check the coordinate reference systems of both files"});
             }
         }
-        return layer;
-    } catch (const Error& error) {
-        problems.add(error);
-        return std::nullopt;
-    }
+        return std::optional(std::move(layer));
+    });
 }
 
 std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const TerrainInput& ground,

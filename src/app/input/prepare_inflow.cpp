@@ -143,7 +143,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
     std::vector<Inflow> inflows;
     const InflowSpec& spec = reading.scene.inflow;
     if (!spec.line || !spec.hydrograph) return inflows;
-    try {
+    attempt(problems, [&] {
         const gis::LineInputLayer layer =
             gis::read_lines(*spec.line, target_crs(reading, ground), reading.where("inflow.line"));
         log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
@@ -155,7 +155,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             problems.add({"the layer contains several lines for one hydrograph", reading.where("inflow.line"),
                           std::to_string(layer.features.size()) + " lines", "1",
                           "Give each line its own: inflow.hydrograph = attribute:NAME"});
-            return inflows;
+            return;
         }
         for (std::size_t i = 0; i < layer.features.size(); ++i) {
             const gis::LineInput& feature = layer.features[i];
@@ -164,14 +164,12 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             std::string hydrograph;
             if (spec.direction) inflow.azimuth = *spec.direction * std::numbers::pi / 180;
             const double length = ground != nullptr ? length_of(feature.line) : 1;
-            try {
+            const auto read = [&] {
                 hydrograph = hydrograph_file(reading, feature, i + 1);
                 inflow.hydrograph = read_hydrograph(hydrograph, reading.where("inflow.hydrograph"),
                                                     reading.scene.numerics.gravity, length);
-            } catch (const Error& error) {
-                problems.add(error);
-                continue;
-            }
+            };
+            if (!attempt(problems, read)) continue;
             if (ground == nullptr) continue;
             const Bounds box = bounds(MultiPolygon{{feature.line, {}}});
             if (!is_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;
@@ -181,9 +179,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             files.push_back(used_hydrograph(hydrograph, inflow.hydrograph));
             inflows.push_back(std::move(inflow));
         }
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     return inflows;
 }
 

@@ -297,19 +297,19 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     std::vector<Raster> rasters;
     std::vector<std::shared_ptr<const gis::RasterOnDemand>> unread;
     for (const std::string& file : names) {
-        try {
+        attempt(problems, [&] {
             gis::RasterInfo info = gis::inspect_raster(file, where);
             if (reading.scene.release.thickness_crs) {
                 info.crs_wkt =
                     gis::crs_from_user(*reading.scene.release.thickness_crs, reading.where("release.thickness-crs"));
                 info.crs_label = gis::crs_name(info.crs_wkt);
             }
-            if (ground == nullptr) continue;
+            if (ground == nullptr) return;
             const bool local = ground->terrain.grid.crs_wkt.empty();
             if (!local && info.crs_wkt.empty()) {
                 problems.add({"has no coordinate reference system", where, file, "",
                               "State it with release.thickness-crs = EPSG:..."});
-                continue;
+                return;
             }
             gis::RasterRead read;
             if (ground->on_demand) {
@@ -329,9 +329,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             if (ground->on_demand && spec.kind == ThicknessSpec::Kind::phases)
                 read.raster = phase_on_demand(ground->terrain.grid, unread.back(), info, where);
             rasters.push_back(std::move(read.raster));
-        } catch (const Error& error) {
-            problems.add(error);
-        }
+        });
     }
     if (rasters.size() != names.size()) return std::nullopt;
     if (ground->on_demand && spec.kind == ThicknessSpec::Kind::phases)
@@ -366,14 +364,13 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
 void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files, RunLog& log,
                     Problems& problems, ReleaseInput& release) {
     if (!reading.scene.release.perimeter) return;
-    try {
-        release.perimeter = gis::read_polygons(
-            *reading.scene.release.perimeter, target_crs(reading, ground), reading.where("release.perimeter"),
-            layer_choice(reading, reading.scene.release.perimeter_layer, "release.perimeter"));
-    } catch (const Error& error) {
-        problems.add(error);
-        return;
-    }
+    const std::string key = "release.perimeter";
+    const auto read = [&] {
+        release.perimeter =
+            gis::read_polygons(*reading.scene.release.perimeter, target_crs(reading, ground), reading.where(key),
+                               layer_choice(reading, reading.scene.release.perimeter_layer, key));
+    };
+    if (!attempt(problems, read)) return;
     const gis::PolygonLayer& layer = *release.perimeter;
     files.push_back(used_polygons(worded("Release perimeter"), *reading.scene.release.perimeter, layer));
     log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +

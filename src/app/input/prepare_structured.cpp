@@ -282,20 +282,16 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
     std::optional<gis::PolygonLayer> own;
     const auto asking = std::find_if(list.begin(), list.end(),
                                      [](const Property& p) { return has_kind(p, SourceSpec::Kind::attribute); });
-    try {
+    attempt(problems, [&] {
         if (asking != list.end()) layer = polygons(reading, ground, release, *asking, own, files, log, problems);
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     for (Property& property : list) {
-        try {
+        attempt(problems, [&] {
             if (has_kind(property, SourceSpec::Kind::attribute) && layer != nullptr && ground != nullptr)
                 burn(reading, *layer, ground->terrain.grid, property, problems);
             if (has_kind(property, SourceSpec::Kind::raster))
                 property.raster = property_raster(reading, ground, released, property, files, log, problems);
-        } catch (const Error& error) {
-            problems.add(error);
-        }
+        });
     }
     if (material->solids && release.solid_fraction)
         material->zones.push_back({&SolidValues::solid_fraction, *release.solid_fraction});

@@ -97,11 +97,9 @@ std::string choose_working_crs(const SceneReading& reading, const gis::RasterInf
     }
     Problems problems;
     std::string crs;
-    try {
+    attempt(problems, [&] {
         if (requested != "auto") crs = requested_crs(reading, dtm);
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     if (dtm.crs_wkt.empty()) {
         problems.add({"has no coordinate reference system", reading.where("terrain.dtm"), dtm.path, "",
                       "State it with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its coordinates, "

@@ -262,28 +262,24 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
                             std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     MaterialZones zones;
     std::vector<Quantity> list = quantities(reading.scene.zones);
-    try {
+    attempt(problems, [&] {
         if (reading.scene.terrain.friction_zones)
             read_polygon_zones(reading, ground, released, list, zones, files, log, problems);
-    } catch (const Error& error) {
-        problems.add(error);
-    }
+    });
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
-        try {
+        attempt(problems, [&] {
             if (ground != nullptr && ground->on_demand) {
                 zones.*quantity.target = friction_raster_on_demand(reading, *ground, quantity, released, files, log);
-                continue;
+                return;
             }
             std::optional<Raster> raster =
                 read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
                                  worded("the material's own value applies there"), files, log, problems);
-            if (!raster) continue;
+            if (!raster) return;
             for (double& value : raster->values) value = converted(value, quantity.key->degrees());
             zones.*quantity.target = std::move(raster);
-        } catch (const Error& error) {
-            problems.add(error);
-        }
+        });
     }
     return zones;
 }

@@ -36,12 +36,7 @@ void require_inside(const std::string& name, const Polyline& places, const GridS
 std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const std::string& key,
                                    const SceneReading& reading, const GridSpec& grid, Problems& problems) {
     if (!file) return std::nullopt;
-    try {
-        return gis::read_marks(*file, grid.crs_wkt, reading.where(key));
-    } catch (const Error& error) {
-        problems.add(error);
-        return std::nullopt;
-    }
+    return attempt(problems, [&] { return std::optional(gis::read_marks(*file, grid.crs_wkt, reading.where(key))); });
 }
 
 /// Returns the lines of a key that requires lines.
@@ -125,12 +120,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
 UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
                      Survey& survey) {
     survey.deposit_label = file;
-    std::optional<gis::RasterInfo> info;
-    try {
-        info = gis::inspect_raster(file, where);
-    } catch (const Error&) {
-        info.reset();  // polygons: read by the next call
-    }
+    const auto info = attempt([&] { return std::optional(gis::inspect_raster(file, where)); });
     if (!info) {
         const gis::PolygonLayer layer = gis::read_polygons(file, grid.crs_wkt, where);
         log.warn_of(worded("deposit"), layer.warnings);
@@ -179,35 +169,28 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     extra.recording.normal_depth = output.depth == k_normal_depth;
     extra.recording.intensity =
         hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();
-    const auto attempt = [&](const auto& read) {
-        try {
-            read();
-        } catch (const Error& error) {
-            problems.add(error);
-        }
-    };
     if (const auto& picture = output.map_background) {
-        attempt([&] {
+        attempt(problems, [&] {
             files.push_back(
                 used_picture(worded("Map background"), *picture,
                              gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background"))));
         });
     }
     if (const auto& logo = output.map_logo) {
-        attempt([&] {
+        attempt(problems, [&] {
             const std::string where = reading.where("output.map-logo");
             files.push_back(used_picture(worded("Logo"), *logo, gis::read_logo(*logo, where).checksum));
         });
     }
     if (const auto& exposed = output.exposure) {
-        attempt([&] {
+        attempt(problems, [&] {
             extra.exposure = gis::read_exposed(*exposed, grid.crs_wkt, reading.where("output.exposure"),
                                                output.exposure_name.value_or(""), output.exposure_count.value_or(""));
             files.push_back(used_exposed(*exposed, *extra.exposure));
         });
     }
     if (const auto& front = reading.scene.observed.front) {
-        attempt([&] {
+        attempt(problems, [&] {
             const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
             files.push_back(used_marks(worded("Surveyed front"), *front, marks));
             add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
@@ -218,7 +201,8 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
         });
     }
     if (const auto& deposit = reading.scene.observed.deposit)
-        attempt([&] { files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey)); });
+        attempt(problems,
+                [&] { files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey)); });
     return extra;
 }
 

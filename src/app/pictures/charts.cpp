@@ -272,12 +272,10 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     std::vector<NamedChart> charts;
     const auto table = [&](const std::string& name, const auto& draw) {
         if (!result.has(name)) return;
-        try {
+        attempt(problems, [&] {
             // A table without rows means no flow, or no line found.
             if (has_rows(result.path(name))) draw(Columns(result.path(name)));
-        } catch (const Error& error) {
-            problems.add(error);
-        }
+        });
     };
     table(k_profile_table, [&](const Columns& columns) {
         const std::vector<std::string> lines = kinds_of(columns, "line");
@@ -333,14 +331,10 @@ std::vector<std::string> draw_charts(const ResultReader& result, const MapSource
 }
 
 bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw) {
-    try {
-        draw();
-        log.note("drew " + what);
-    } catch (const Error& error) {
+    const auto warn = [&](const Error& error) {
         log.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
-        return false;
-    }
-    return true;
+    };
+    return attempt(warn, [&] { draw(), log.note("drew " + what); });
 }
 
 void write_chart(const NamedChart& one, const MapStyle& style, const std::string& folder, bool for_page) {

@@ -394,13 +394,6 @@ std::vector<std::string> ResultReader::drawable() const {
 std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) const {
     constexpr Rgb k_zones{110, 70, 20}, k_obstacles{90, 90, 90}, k_lines{70, 50, 120}, k_gauges{150, 0, 60};
     std::vector<render::Outline> all;
-    const auto attempt = [](const auto& read) {
-        try {
-            read();
-        } catch (const Error&) {
-            return;
-        }
-    };
     const auto areas = [&](const std::string& key, const std::string& label, Rgb colour, bool is_dashed) {
         const auto file = scene_value(key);
         if (!file) return;

@@ -281,17 +281,13 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
 std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, RunLog& log) {
     const ComparisonInput input = comparison_input(run);
     if (input.survey.empty()) return std::nullopt;
-    try {
+    return attempt(worded("the survey could not be compared: {1}"), log, [&] {
         Comparison comparison = compare_with_survey(input, log);
         write_comparison(comparison, input, directory.path(""));
         const std::string headline = comparison_headline(comparison);
         if (!headline.empty()) log.info(headline);
-        return comparison;
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::input) throw;
-        log.warn(worded("the survey could not be compared: {1}", {std::string(error.what())}));
-        return std::nullopt;
-    }
+        return std::optional(std::move(comparison));
+    });
 }
 
 /// Writes a result on the cells that its rasters have.

@@ -111,11 +111,8 @@ void draw_maps(const std::vector<std::string>& requested, const ResultReader& wr
 void draw_all_charts(const ResultReader& written, const MapSource& source, Drawings& drawings) {
     const std::string folder = written.path("charts");
     std::vector<std::string> files;
-    try {
-        files = chart_files(written, source, folder);
-    } catch (const Error&) {
-        files.emplace_back();  // the error is reported when they are drawn
-    }
+    // The error is reported when they are drawn.
+    if (!attempt([&] { files = chart_files(written, source, folder); })) files.emplace_back();
     drawings.attempt("charts", files, [&] {
         make_folder(folder);
         Problems problems;

@@ -180,12 +180,10 @@ std::string origin_text(const SceneSpec& spec, const std::string& key, const Wor
 
 std::vector<std::string> preset_comments(const SceneSpec& spec) {
     if (!spec.material.preset) return {};
-    try {
-        for (const MaterialPreset& preset : material_presets(materials_directory()))
-            if (preset.name == *spec.material.preset) return preset.comments;
-    } catch (const Error&) {
-        // Its values are in the report, whether its file can still be read or not.
-    }
+    // Its values are in the report, whether its file can still be read or not.
+    const auto presets = attempt([] { return material_presets(materials_directory()); });
+    for (const MaterialPreset& preset : presets)
+        if (preset.name == *spec.material.preset) return preset.comments;
     return {};
 }
 

@@ -88,7 +88,8 @@ CheckpointHead Checkpoints::head(const Progress& now) {
 
 void Checkpoints::save(const Progress& now, const SaveState& state) {
     const Stopwatch watch;
-    try {
+    const auto warn = [&](const Error& error) { warn_once(error); };
+    attempt(warn, [&] {
         make_folder(folder_);
         log_.note("checkpoint at " + number_text(now.time, 6) + " s, step " + std::to_string(now.step));
         CheckpointHead described = head(now);
@@ -105,9 +106,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
         const std::vector<std::string> all = checkpoints_in(directory_);
         std::error_code ignored;
         for (std::size_t i = k_checkpoints_kept; i < all.size(); ++i) fs::remove(all[i], ignored);
-    } catch (const Error& error) {
-        warn_once(error);
-    }
+    });
     since_last_ = Stopwatch();
     next_check_ = 0;
 }
@@ -118,7 +117,8 @@ void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
     constexpr double k_growth = 1.5, k_fraction_of_time = 0.2, k_longest = 10, k_times_cost = 50;
     constexpr std::uint64_t k_least = 1'000'000;
     const double begun = session_.seconds();
-    try {
+    const auto warn = [&](const Error& error) { warn_once(error); };
+    attempt(warn, [&] {
         make_folder(folder_);
         const std::uint64_t needed =
             checkpoint_bytes(head(now), state) + (frames_ != nullptr ? frames_->most_bytes_waiting() : 0);
@@ -128,9 +128,7 @@ void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
                         Problem{"the disk has not enough free space for a checkpoint of " +
                                     number_text(static_cast<double>(needed) / 1e6, 3) + " MB",
                                 folder_, std::strerror(errno), "", "Free some space: the run continues meanwhile"});
-    } catch (const Error& error) {
-        warn_once(error);
-    }
+    });
     const double ended = session_.seconds();
     next_check_ = ended + std::max(k_times_cost * (ended - begun), std::min(k_longest, k_fraction_of_time * ended));
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/process/stopwatch.h"
+#include "core/error.h"
 #include "core/words/sentence.h"
 
 namespace frana::app {
@@ -43,5 +44,18 @@ class RunLog {
     std::vector<std::string> lines_;
     std::vector<Sentence> warnings_;
 };
+
+using frana::attempt;
+
+/// Returns what `work` returns, or its empty value after an Error(input), which becomes a warning: `failed` has a place
+/// for its message, "the survey could not be compared: {1}". Throws Error of other kinds.
+template <class Work>
+auto attempt(const char* failed, RunLog& log, const Work& work) {
+    const auto warn = [&](const Error& error) {
+        if (error.kind() != ErrorKind::input) throw error;
+        log.warn(worded(failed, {std::string(error.what())}));
+    };
+    return attempt(warn, work);
+}
 
 }  // namespace frana::app
