@@ -43,6 +43,7 @@ int dispatch(Arguments words) {
         return static_cast<int>(ExitCode::input);
     }
     if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
+    if (words.front() == "completion") words.front() = "complete";  // as users' start files may still call it
     const std::string& name = words.front();
     if (name == "--help" || name == "-h" || name == "help") {
         std::cout << folded(help_text(), output_width());

@@ -27,7 +27,7 @@ const std::vector<Command>& commands() {
         {"bench", "tests of frana: exact solutions, hard cases, throughput, changes of a scene's grid", bench_form,
          cmd_bench},
         {"qgis-plugin", "put the plugin into a profile of QGIS, or remove it", qgis_plugin_form, cmd_qgis_plugin},
-        {"completion", "completion of commands, options, keys and values for a shell", completion_form, cmd_completion},
+        {"complete", "completion of commands, options, keys and values for a shell", complete_form, cmd_complete},
         {"man", "the manual pages", man_form, cmd_man},
     };
     return list;

@@ -62,8 +62,8 @@ CommandForm qgis_plugin_form();
 int cmd_qgis_plugin(const Arguments& arguments);
 CommandForm materials_form();
 int cmd_materials(const Arguments& arguments);
-CommandForm completion_form();
-int cmd_completion(const Arguments& arguments);
+CommandForm complete_form();
+int cmd_complete(const Arguments& arguments);
 CommandForm man_form();
 int cmd_man(const Arguments& arguments);
 
