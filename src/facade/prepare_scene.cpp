@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <iterator>
 #include <numbers>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -84,15 +83,6 @@ bool check_number(const std::string& key, double value, const std::string& where
     problem->where = where;
     problems.add(*problem);
     return false;
-}
-
-void check_thickness(double thickness, const std::string& where, Problems& problems) {
-    if (thickness >= k_least_thickness && thickness <= k_most_thickness) return;
-    problems.add(
-        {std::string("would be ") + (thickness > k_most_thickness ? "thicker" : "thinner") + " than any landslide",
-         where, shortest_text(thickness) + " m",
-         shortest_text(k_least_thickness) + " to " + shortest_text(k_most_thickness) + " m",
-         "Check the unit and the sign"});
 }
 
 bool check_thicknesses(std::span<const double> cells, const std::string& where, Problems& problems) {
@@ -171,9 +161,7 @@ MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, con
         const auto found = data.by_place.find(key.name);
         if (found == data.by_place.end()) continue;
         const Values& values = found->second;
-        if (readers_of(key.name, laws).empty())
-            problems.add({"gives the " + key.what + ", which the scene's laws do not use", key.name, "", "",
-                          "Set " + selected_by(readers_of(key.name)) + ", or remove the values"});
+        check_zone_use(key, spec, key.name, problems);
         double greatest = -HUGE_VAL;
         for (const double value : values.cells) {
             if (std::isnan(value)) continue;
@@ -204,10 +192,6 @@ MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, con
     return zones;
 }
 
-bool is_amount(double value) {
-    return value >= 0 && value <= k_most_of_hydrograph;
-}
-
 bool check_line(const std::vector<Point>& line, const std::string& where, Problems& problems) {
     const bool finite =
         std::all_of(line.begin(), line.end(), [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
@@ -215,41 +199,6 @@ bool check_line(const std::vector<Point>& line, const std::string& where, Proble
     problems.add({"has no line", where, std::to_string(line.size()) + " points", "2 or more, finite",
                   "Give the points of a line"});
     return false;
-}
-
-bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std::string& where, Problems& problems) {
-    if (hydrograph.size() < 2) {
-        problems.add({"the hydrograph has fewer than two rows", where, std::to_string(hydrograph.size()), "2 or more",
-                      "Give its start and its end"});
-        return false;
-    }
-    bool flows = false;
-    double before = 0;
-    for (const HydrographPoint& point : hydrograph) {
-        const double speed = point.velocity.value_or(0);
-        if (!is_amount(point.time) || !is_amount(point.discharge) || !is_amount(speed)) {
-            problems.add({"the hydrograph is out of range", where,
-                          shortest_text(point.time) + " s, " + shortest_text(point.discharge) + " m3/s, " +
-                              shortest_text(speed) + " m/s",
-                          "0 to " + shortest_text(k_most_of_hydrograph), "Correct it"});
-            return false;
-        }
-        if (point.time < before) {
-            problems.add({"the times of the hydrograph fall", where, shortest_text(point.time) + " s",
-                          shortest_text(before) + " s or later", "Sort it by time"});
-            return false;
-        }
-        if (point.discharge > 0 && point.velocity && !(speed > 0)) {
-            problems.add({"the hydrograph has a discharge without velocity", where,
-                          "at " + shortest_text(point.time) + " s", "greater than 0 m/s",
-                          "Correct it, or give none for the critical speed"});
-            return false;
-        }
-        flows = flows || point.discharge > 0;
-        before = point.time;
-    }
-    if (!flows) problems.add({"the hydrograph has no discharge", where, "", "", "Give a discharge above zero"});
-    return flows;
 }
 
 /// The inflows, checked as frana run checks those of files; where they lie on the ground is checked by the engine.
@@ -267,14 +216,13 @@ std::vector<frana::Inflow> inflows_of(const Scene::Data& data, const SceneSpec& 
                               "0 to " + shortest_text(k_turn), "Count clockwise from north"});
             own.azimuth = *inflow.direction * std::numbers::pi / 180;
         }
-        if (!check_line(inflow.line, where, problems) || !check_hydrograph(inflow.hydrograph, where, problems))
-            continue;
+        if (!check_line(inflow.line, where, problems)) continue;
         const double length = length_of(own.line);
         for (const HydrographPoint& point : inflow.hydrograph) {
             const double critical = critical_speed(spec.numerics.gravity, point.discharge, length);
             own.hydrograph.push_back({point.time, point.discharge, point.velocity.value_or(critical)});
         }
-        inflows.push_back(std::move(own));
+        if (check_hydrograph(own.hydrograph, where, problems)) inflows.push_back(std::move(own));
     }
     return inflows;
 }
@@ -292,49 +240,39 @@ void check_inside(const std::vector<Point>& places, const std::string& where, co
     const Bounds map = grid.bounds();
     for (const Point& p : places) {
         if (p.x >= map.west && p.x <= map.east && p.y >= map.south && p.y <= map.north) continue;
-        problems.add({"lies outside the terrain", where, shortest_text(p.x) + ", " + shortest_text(p.y),
-                      "west " + shortest_text(map.west) + " south " + shortest_text(map.south) + " east " +
-                          shortest_text(map.east) + " north " + shortest_text(map.north),
+        problems.add({"lies outside the terrain", where, shortest_text(p.x) + ", " + shortest_text(p.y), extent_of(map),
                       "Check the coordinates of both, or give a larger terrain"});
         return;
     }
 }
 
-/// Names what is to be recorded: each has its own.
-class Names {
-  public:
-    Names(std::string what, Problems& problems) : what_(std::move(what)), problems_(problems) {}
-    std::string next(const std::string& given) {
-        ++count_;
-        std::string name = given.empty() ? std::to_string(count_) : given;
-        if (!names_.insert(name).second)
-            problems_.add({"two have the same name", what_, name, "", "Give each a unique name"});
-        return name;
-    }
-
-  private:
-    std::string what_;
-    Problems& problems_;
-    std::set<std::string> names_;
-    std::size_t count_ = 0;
-};
+/// Their names, of which each has its own; one without is numbered.
+template <class Recorded>
+std::vector<std::string> names_of(const std::vector<Recorded>& list, const std::string& where, Problems& problems) {
+    std::vector<std::string> names;
+    for (const Recorded& one : list) names.push_back(one.name.empty() ? std::to_string(names.size() + 1) : one.name);
+    check_names(names, where, problems);
+    return names;
+}
 
 /// The gauges and cross-sections, checked as frana run checks those of files.
 Recording recording_of(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid, Problems& problems) {
     Recording recording;
-    Names gauges("gauges", problems), sections("cross-sections", problems);
-    for (const Gauge& gauge : data.gauges) {
-        const std::string name = gauges.next(gauge.name);
-        check_inside({gauge.place}, "gauge " + name, grid, problems);
-        recording.gauges.push_back({name, {gauge.place.x, gauge.place.y}});
+    const auto gauges = names_of(data.gauges, "gauges", problems);
+    for (std::size_t i = 0; i < gauges.size(); ++i) {
+        const Point& place = data.gauges[i].place;
+        check_inside({place}, "gauge " + gauges[i], grid, problems);
+        recording.gauges.push_back({gauges[i], {place.x, place.y}});
     }
-    for (const CrossSection& section : data.sections) {
-        const std::string name = sections.next(section.name), where = "cross-section " + name;
+    const auto sections = names_of(data.sections, "cross-sections", problems);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const CrossSection& section = data.sections[i];
+        const std::string where = "cross-section " + sections[i];
         if (section.line.size() < 2)
             problems.add({"has no line", where, std::to_string(section.line.size()) + " points", "2 or more",
                           "Give the points of a line"});
         check_inside(section.line, where, grid, problems);
-        frana::CrossSection& own = recording.sections.emplace_back(frana::CrossSection{name, {}});
+        frana::CrossSection& own = recording.sections.emplace_back(frana::CrossSection{sections[i], {}});
         for (const Point& p : section.line) own.line.push_back({p.x, p.y});
     }
     recording.interval = spec.output.sample_interval.value_or(0);

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/text.h"
 #include "params/keys/laws.h"
 #include "params/keys/material_parameters.h"
+#include "simulation/inflow.h"
+#include "simulation/release.h"
 
 namespace frana {
 namespace {
@@ -86,6 +89,58 @@ void set_uniform_details(const ReleaseSpec& spec, ReleaseArea& area) {
 
 std::optional<double> release_volume_of(const ReleaseSpec& spec) {
     return constant(spec.volume);
+}
+
+bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std::string& where, Problems& problems) {
+    const auto refuse = [&](const char* what, const std::string& value, const std::string& limit, const char* remedy) {
+        problems.add({what, where, value, limit, remedy});
+        return false;
+    };
+    if (hydrograph.size() < 2)
+        return refuse("the hydrograph has fewer than two rows", std::to_string(hydrograph.size()), "2 or more",
+                      "Give its start and its end");
+    const auto good = [](double value) { return value >= 0 && value <= k_most_of_hydrograph; };
+    bool flows = false;
+    double before = 0;
+    for (const HydrographPoint& point : hydrograph) {
+        const std::string time = shortest_text(point.time) + " s";
+        if (!good(point.time) || !good(point.discharge) || !good(point.speed))
+            return refuse(
+                "the hydrograph is out of range",
+                time + ", " + shortest_text(point.discharge) + " m3/s, " + shortest_text(point.speed) + " m/s",
+                "0 to " + shortest_text(k_most_of_hydrograph), "Correct it");
+        if (point.time < before)
+            return refuse("the times of the hydrograph fall", time, shortest_text(before) + " s or later",
+                          "Sort it by time");
+        if (point.discharge > 0 && !(point.speed > 0))
+            return refuse("the hydrograph has a discharge without velocity", "at " + time, "greater than 0 m/s",
+                          "Correct it, or give no velocities for the critical speed");
+        flows = flows || point.discharge > 0;
+        before = point.time;
+    }
+    return flows || refuse("the hydrograph has no discharge", "", "", "Give a discharge above zero");
+}
+
+void check_thickness(double thickness, const std::string& where, Problems& problems) {
+    if (thickness >= k_least_thickness && thickness <= k_most_thickness) return;
+    const bool thick = thickness > k_most_thickness;
+    problems.add(
+        {std::string("would be ") + (thick ? "thicker" : "thinner") + " than any landslide", where,
+         shortest_text(thickness) + " m",
+         (thick ? "at most " + shortest_text(k_most_thickness) : "at least " + shortest_text(k_least_thickness)) + " m",
+         "Check the unit, the sign and the values that stand for no data"});
+}
+
+void check_names(std::vector<std::string> names, const std::string& where, Problems& problems) {
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end()) problems.add({"two have the same name", where, *twice, "", "Give each a unique name"});
+}
+
+void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const std::string& where, Problems& problems) {
+    if (!readers_of(key.name, laws_of(spec)).empty()) return;
+    problems.add({"gives the " + key.what + ", which the scene's laws do not use", where, "", "",
+                  "Set " + selected_by(readers_of(key.name)) + ", or remove the values"});
 }
 
 }  // namespace frana

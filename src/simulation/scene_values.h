@@ -3,8 +3,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "core/error.h"
 #include "params/keys/scene_spec.h"
+#include "params/keys/zone_keys.h"
 #include "simulation/scene.h"
 
 namespace frana {
@@ -18,5 +22,18 @@ TimeControl time_of(const SceneSpec& spec);
 /// The volume of all areas is the scene's (release_volume_of).
 void set_uniform_details(const ReleaseSpec& spec, ReleaseArea& area);
 std::optional<double> release_volume_of(const ReleaseSpec& spec);
+
+// Rules for values in memory, read from files or given by a user of the library. `where` names their source; what
+// breaks a rule is added to `problems`.
+
+/// Two points or more, of numbers in range and times that do not fall [s, m3/s, m/s]; any discharge, and none without
+/// speed. Returns whether it is so.
+bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std::string& where, Problems& problems);
+/// A thickness [m] that a landslide can have.
+void check_thickness(double thickness, const std::string& where, Problems& problems);
+/// Names identify rows: each is there once.
+void check_names(std::vector<std::string> names, const std::string& where, Problems& problems);
+/// The scene's laws use the values by place of this key.
+void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const std::string& where, Problems& problems);
 
 }  // namespace frana

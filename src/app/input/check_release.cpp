@@ -15,6 +15,7 @@
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
 #include "simulation/release.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 
@@ -179,15 +180,6 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
 /// volume in other units.
 void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
                     const Raster& cover, Problems& problems) {
-    const auto refuse_beyond = [&](double thickness, const std::string& key) {
-        const bool thick = thickness > k_most_thickness;
-        if (!thick && !(thickness > 0 && thickness < k_least_thickness)) return;
-        problems.add({std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
-                      reading.where(key), number_text(thickness, 6) + " m",
-                      thick ? "at most " + number_text(k_most_thickness) + " m"
-                            : "at least " + number_text(k_least_thickness) + " m",
-                      "Check the unit, the sign and the nodata value of its source"});
-    };
     double least = k_most_thickness, greatest = 0, mean = 0;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
         release_area->thickness_raster->values.for_each_stored([&](std::size_t cell, double thickness) {
@@ -203,8 +195,9 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     }
     const auto& volume = reading.scene.release.volume;
     if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
-    refuse_beyond(least < k_least_thickness ? least : greatest, "release.thickness");
-    refuse_beyond(mean, "release.volume");
+    if (least < k_least_thickness) greatest = least;
+    if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
+    if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
 }
 
 /// The least that a map shows is the release; the flow, of which nothing is known yet, needs more.

@@ -17,6 +17,7 @@
 #include "params/grammar/value_text.h"
 #include "params/scene/read_scene.h"
 #include "simulation/inflow.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
@@ -83,8 +84,6 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
                           "Give the volume since the start, or name the column discharge"});
         rows.push_back(row);
     }
-    if (problems.empty() && rows.size() < 2)
-        problems.add({"the hydrograph has fewer than two rows", place, "", "", "Give its start and its end"});
     problems.throw_if_any();
     return rows;
 }
@@ -121,20 +120,11 @@ std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std:
             points.push_back({rows[i].time, discharge, rows[i].speed});
         }
     }
-    bool flows = false;
-    for (HydrographPoint& point : points) {
-        flows = flows || point.discharge > 0;
-        if (!columns.speed) point.speed = critical_speed(gravity, point.discharge, line_length);
-        if (point.discharge > 0 && !(point.speed > 0)) {
-            throw Error(ErrorKind::input, Problem{"the hydrograph has a discharge without velocity", place,
-                                                  "at " + shortest_text(point.time) + " s", "greater than 0 m/s",
-                                                  "Correct it, or omit the column for the critical speed"});
-        }
-    }
-    if (!flows) {
-        throw Error(ErrorKind::input,
-                    Problem{"the hydrograph has no discharge", place, "", "", "Give a discharge above zero"});
-    }
+    if (!columns.speed)
+        for (HydrographPoint& point : points) point.speed = critical_speed(gravity, point.discharge, line_length);
+    Problems problems;
+    check_hydrograph(points, place, problems);
+    problems.throw_if_any();
     return points;
 }
 

@@ -20,6 +20,7 @@
 #include "gis/vector/vector_in.h"
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
@@ -285,14 +286,11 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
 }
 
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems) {
-    const std::vector<const Law*> laws = laws_of(reading.scene);
     std::string reported;  // friction once, though it has two keys
     for (const Quantity& quantity : quantities(reading.scene.zones)) {
         const ZoneKey& key = *quantity.key;
-        if (!(scene.zones.*quantity.target) || !readers_of(key.name, laws).empty() || key.what == reported) continue;
-        problems.add({"the zones give the " + key.what + ", which the scene's laws do not use",
-                      reading.where("terrain.friction-zones"), "", "",
-                      "Set " + selected_by(readers_of(key.name)) + ", or remove the zones"});
+        if (!(scene.zones.*quantity.target) || key.what == reported) continue;
+        check_zone_use(key, reading.scene, reading.where("terrain.friction-zones"), problems);
         reported = key.what;
     }
     if (const auto& friction = scene.zones.friction_coefficient; friction && !friction->values.is_tiled())

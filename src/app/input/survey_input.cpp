@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "core/words/words.h"
 #include "params/keys/scene_spec.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
@@ -63,15 +64,11 @@ std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::
     return gauges;
 }
 
-/// Names identify rows.
 template <class Named>
 void require_different_names(const std::vector<Named>& list, const std::string& where, Problems& problems) {
     std::vector<std::string> names;
     for (const Named& one : list) names.push_back(one.name);
-    std::sort(names.begin(), names.end());
-    const auto twice = std::adjacent_find(names.begin(), names.end());
-    if (twice != names.end())
-        problems.add({"two features have the same name", where, *twice, "", "Give each a unique name"});
+    check_names(std::move(names), where, problems);
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ TEST_F(Site, ZonesOfFrictionForRammsYield) {
     const Outcome unread = frana({"check", "scene.ini", "--set", no_voellmy[0]});
     EXPECT_EQ(unread.exit_code, 2);
     EXPECT_NE(unread.err.find(
-                  "Set material.bed-friction = coulomb or ramms-yield or pouliquen-forterre, or remove the zones"),
+                  "Set material.bed-friction = coulomb or ramms-yield or pouliquen-forterre, or remove the values"),
               std::string::npos)
         << unread.err;
 }

@@ -282,9 +282,9 @@ TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
     write_scene("[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string words : {"output.gauges: lies outside the working grid (value gauge far at 528000",
-                                    "output.cross-sections: is not a layer of lines",
-                                    "output.profiles: two features have the same name (value a"})
+    for (const std::string words :
+         {"output.gauges: lies outside the working grid (value gauge far at 528000",
+          "output.cross-sections: is not a layer of lines", "output.profiles: two have the same name (value a"})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << words << " in\n" << outcome.err;
     EXPECT_FALSE(fs::exists(path("result")));
 }
