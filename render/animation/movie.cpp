@@ -8,10 +8,16 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/module.h"
 #include "render/animation/gif_palette.h"
-#include "render/canvas/drawing.h"
 
 namespace frana::render {
+
+const LibavFunctions& libav() {
+    static const auto& functions = module_table<LibavFunctions>("libav");
+    return functions;
+}
+
 namespace {
 
 bool is_gif(const std::string& path) {

@@ -5,8 +5,12 @@
 #include <string>
 
 #include "render/canvas/image.h"
+#include "render/libav/functions.h"
 
 namespace frana::render {
+
+/// Loads the encoders of animations when it is first called. Throws Error(environment) if that is not possible.
+const LibavFunctions& libav();
 
 /// Writes an animation frame by frame: MP4 (H.264, yuv420p, index in front so that browsers start at once), or an
 /// endlessly repeating GIF if the path ends in ".gif". The file is written aside and renamed in finish(); without

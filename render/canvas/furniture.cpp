@@ -98,20 +98,20 @@ TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, Te
     return style;
 }
 
-TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::string& title, const std::string& subtitle,
+TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title, const std::string& subtitle,
                         bool subtitle_later, Point corner, double width) {
     double y = corner.y;
     constexpr double k_least_fraction = 0.7;
     if (!title.empty()) {
-        const TextStyle fitting = shrunk_to_fit(drawing.lettering(), title, style.title, width, k_least_fraction);
-        y = drawing.lines(drawing.wrapped(title, fitting, width), {corner.x, y}, fitting, Across::left);
+        const TextStyle fitting = shrunk_to_fit(sheet.lettering(), title, style.title, width, k_least_fraction);
+        y = sheet.lines(sheet.wrapped(title, fitting, width), {corner.x, y}, fitting, Across::left);
     }
     TitleResult result{y, {corner.x, y}};
     if (subtitle_later) {
-        result.bottom = y + Drawing::line_height(style.subtitle);
+        result.bottom = y + Sheet::line_height(style.subtitle);
     } else if (!subtitle.empty()) {
-        const TextStyle fitting = shrunk_to_fit(drawing.lettering(), subtitle, style.subtitle, width, k_least_fraction);
-        result.bottom = drawing.lines(drawing.wrapped(subtitle, fitting, width), {corner.x, y}, fitting, Across::left);
+        const TextStyle fitting = shrunk_to_fit(sheet.lettering(), subtitle, style.subtitle, width, k_least_fraction);
+        result.bottom = sheet.lines(sheet.wrapped(subtitle, fitting, width), {corner.x, y}, fitting, Across::left);
     }
     return result;
 }
@@ -133,22 +133,21 @@ Overlay late_subtitle(int width, int height, const PageStyle& style, const std::
     return sheet.take();
 }
 
-double foot_height(const Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts,
-                   double width) {
-    const std::vector<std::string> lines = drawing.wrapped(foot_text(parts), style.small, width);
+double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width) {
+    const std::vector<std::string> lines = sheet.wrapped(foot_text(parts), style.small, width);
     if (lines.empty()) return 0;
     // Keeps the last line's descenders above the bottom.
-    return 0.3 * style.small.size_px + Drawing::line_height(style.small) * static_cast<double>(lines.size() - 1) +
+    return 0.3 * style.small.size_px + Sheet::line_height(style.small) * static_cast<double>(lines.size() - 1) +
            capital_height(style.small) + style.gap / 2;
 }
 
-double draw_foot(Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double left,
+double draw_foot(Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double left,
                  double bottom, double width) {
-    const double top = bottom - foot_height(drawing, style, parts, width);
+    const double top = bottom - foot_height(sheet, style, parts, width);
     double y = top + style.gap / 2 + capital_height(style.small);
-    for (const std::string& line : drawing.wrapped(foot_text(parts), style.small, width)) {
-        drawing.text(line, {left, y}, style.small, Across::left, Upright::baseline);
-        y += Drawing::line_height(style.small);
+    for (const std::string& line : sheet.wrapped(foot_text(parts), style.small, width)) {
+        sheet.text(line, {left, y}, style.small, Across::left, Upright::baseline);
+        y += Sheet::line_height(style.small);
     }
     return top;
 }

@@ -35,7 +35,7 @@ struct TitleResult {
     double bottom = 0;
     Point subtitle_at;
 };
-TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::string& title, const std::string& subtitle,
+TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title, const std::string& subtitle,
                         bool subtitle_later, Point corner, double width);
 
 /// Returns a drawing of a subtitle alone, at the place that draw_titles left free. Line ends separate its parts: those
@@ -47,9 +47,9 @@ TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, Te
                         double least_fraction);
 
 /// Height of draw_foot's small print.
-double foot_height(const Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double width);
+double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width);
 /// Draws small print at the foot of the page, upwards from the bottom; returns the y of its upper edge.
-double draw_foot(Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double left,
+double draw_foot(Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double left,
                  double bottom, double width);
 
 }  // namespace frana::render

@@ -2,6 +2,9 @@
 #include "render/canvas/page.h"
 
 #include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <pango/pangocairo.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +13,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "render/canvas/drawing.h"
-#include "render/canvas/lettering.h"
 
 namespace frana::render {
 
@@ -35,39 +36,6 @@ PageStyle::PageStyle(int width, int height, double density, int least_px) {
 
 double PageStyle::line(double at_full_size) const {
     return std::max(0.6, at_full_size * std::sqrt(scale));
-}
-
-Sheet::Sheet(int width, int height) : content_(std::make_shared<Overlay::Content>()) {
-    content_->width = width;
-    content_->height = height;
-}
-
-void Sheet::line(std::span<const Point> points, const LineStyle& style, bool closed) {
-    content_->shapes.push_back(
-        {closed ? Overlay::Shape::Kind::ring : Overlay::Shape::Kind::line, {points.begin(), points.end()}, style});
-}
-
-void Sheet::fill(std::span<const Point> corners, Rgb colour, double opacity) {
-    content_->shapes.push_back(
-        {Overlay::Shape::Kind::area, {corners.begin(), corners.end()}, LineStyle{0, colour, opacity}});
-}
-
-void Sheet::frame(const PageBox& box, const LineStyle& style) {
-    content_->shapes.push_back({Overlay::Shape::Kind::frame, {{box.left, box.top}, {box.right, box.bottom}}, style});
-}
-
-void Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) {
-    content_->texts.push_back({words, at, style, across, upright, lettering().set(words, at, style, across, upright)});
-    boxes_.push_back(text_box(words, content_->texts.back().glyphs, style));
-}
-
-Overlay Sheet::take() {
-    Overlay overlay;
-    auto rest = std::make_shared<Overlay::Content>();
-    rest->width = content_->width;
-    rest->height = content_->height;
-    overlay.content_ = std::exchange(content_, std::move(rest));
-    return overlay;
 }
 
 void Page::put(std::shared_ptr<const Image> picture, int left, int top) {
@@ -102,7 +70,7 @@ Image Page::paint() const {
     return page;
 }
 
-// Pages as PDF: Cairo receives the drawing calls that Canvas turns into triangles.
+// Pages as PDF and SVG: Cairo receives the shapes that Canvas turns into triangles.
 
 namespace {
 
@@ -114,40 +82,79 @@ void check(cairo_status_t status) {
                 Problem{"a page could not be drawn", "Cairo", cairo_status_to_string(status), "", ""});
 }
 
-class CairoDrawing : public Drawing {
+std::string attribute(const char* name, const std::string& value) {
+    return std::string(" ") + name + "=\"" + value + '"';
+}
+
+/// To a hundredth of a pixel.
+std::string px(double value) {
+    return shortest_text(std::round(100 * value) / 100 + 0.0);  // no "-0"
+}
+
+class CairoPen {
   public:
-    explicit CairoDrawing(cairo_t* on) : on_(on) {
+    explicit CairoPen(cairo_t* on) : on_(on) {
         cairo_set_line_join(on_, CAIRO_LINE_JOIN_ROUND);
         cairo_set_line_cap(on_, CAIRO_LINE_CAP_BUTT);
     }
 
-    void line(std::span<const Point> points, const LineStyle& style, bool closed) override {
-        if (points.size() < 2) return;
-        path(points, closed);
-        stroke(style);
-    }
-    void fill(std::span<const Point> corners, Rgb colour, double opacity) override {
-        path(corners, true);
-        set_colour(colour, opacity);
-        cairo_fill(on_);
-    }
-    void frame(const PageBox& box, const LineStyle& style) override {
-        cairo_set_line_join(on_, CAIRO_LINE_JOIN_MITER);
-        cairo_rectangle(on_, box.left, box.top, box.width(), box.height());
-        stroke(style);
-        cairo_set_line_join(on_, CAIRO_LINE_JOIN_ROUND);
-    }
-    void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) override {
-        const TextLine line(words, style);
-        const Point origin = line.origin(at, across, upright);
-        if (style.halo_px > 0) {
-            line.trace(on_, origin);
-            stroke({2 * style.halo_px, style.halo});
+    void draw(const Page& page) {
+        for (const Page::Part& part : page.parts()) {
+            cairo_save(on_);
+            cairo_translate(on_, part.left, part.top);
+            if (part.picture) {
+                picture(*part.picture);
+            } else {
+                const Overlay::Content& drawing = part.drawing.content();
+                cairo_rectangle(on_, 0, 0, drawing.width, drawing.height);
+                cairo_clip(on_);
+                for (const Overlay::Shape& one : drawing.shapes) shape(one);
+                for (const Overlay::Text& one : drawing.texts) text(one);
+            }
+            cairo_restore(on_);
         }
-        set_colour(style.colour, 1);
-        line.show(on_, origin);
+        check(cairo_status(on_));
     }
+    /// The texts drawn so far as SVG elements.
+    [[nodiscard]] const std::string& words() const { return words_; }
 
+  private:
+    void shape(const Overlay::Shape& one) {
+        const bool is_frame = one.kind == Overlay::Shape::Kind::frame;
+        if (one.points.size() < 2) return;
+        if (is_frame)
+            cairo_rectangle(on_, one.points[0].x, one.points[0].y, one.points[1].x - one.points[0].x,
+                            one.points[1].y - one.points[0].y);
+        else
+            for (const Point p : one.points) cairo_line_to(on_, p.x, p.y);
+        if (one.kind == Overlay::Shape::Kind::ring || one.kind == Overlay::Shape::Kind::area) cairo_close_path(on_);
+        if (one.kind == Overlay::Shape::Kind::area) {
+            set_colour(one.style.colour, one.style.opacity);
+            cairo_fill(on_);
+            return;
+        }
+        cairo_set_line_join(on_, is_frame ? CAIRO_LINE_JOIN_MITER : CAIRO_LINE_JOIN_ROUND);
+        stroke(one.style);
+    }
+    void text(const Overlay::Text& one) {
+        const TextLine line(one.words, one.style);
+        const Point origin = line.origin(one.at, one.across, one.upright);
+        if (one.style.halo_px > 0) {
+            cairo_set_line_join(on_, CAIRO_LINE_JOIN_ROUND);
+            line.trace(on_, origin);
+            stroke({2 * one.style.halo_px, one.style.halo});
+        }
+        set_colour(one.style.colour, 1);
+        line.show(on_, origin);
+        double x = origin.x, y = origin.y;
+        cairo_user_to_device(on_, &x, &y);
+        words_ +=
+            "<text" +
+            attribute("transform", "translate(" + px(x) + ' ' + px(y) + ')' +
+                                       (one.style.angle_deg == 0 ? "" : " rotate(" + px(-one.style.angle_deg) + ')')) +
+            attribute("font-size", std::to_string(one.style.size_px)) + attribute("textLength", px(line.ink().right)) +
+            '>' + escaped_markup(one.words) + "</text>\n";
+    }
     void picture(const Image& image) {
         const Surface pixels(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height),
                              &cairo_surface_destroy);
@@ -166,13 +173,6 @@ class CairoDrawing : public Drawing {
         cairo_pattern_set_filter(cairo_get_source(on_), CAIRO_FILTER_NEAREST);
         cairo_paint(on_);
     }
-
-  private:
-    void path(std::span<const Point> points, bool closed) {
-        cairo_new_path(on_);
-        for (const Point p : points) cairo_line_to(on_, p.x, p.y);
-        if (closed) cairo_close_path(on_);
-    }
     void set_colour(Rgb colour, double opacity) {
         constexpr double k_full = 255;
         cairo_set_source_rgba(on_, colour.r / k_full, colour.g / k_full, colour.b / k_full,
@@ -188,7 +188,10 @@ class CairoDrawing : public Drawing {
     // Rims are drawn barely translucent for Canvas, which then omits their joints.
     static constexpr double k_opaque = 0.99;
     cairo_t* on_;
+    std::string words_;
 };
+
+using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned length) {
     static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), length);
@@ -208,25 +211,79 @@ std::string page_pdf(const Page& page, double dots_per_inch, const std::string& 
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, shown_text(title).c_str());
     // The same page must give the same bytes.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
-    const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> on(cairo_create(surface.get()), &cairo_destroy);
+    const Context on(cairo_create(surface.get()), &cairo_destroy);
     cairo_scale(on.get(), point, point);
-    CairoDrawing drawing(on.get());
-    for (const Page::Part& part : page.parts()) {
-        cairo_save(on.get());
-        cairo_translate(on.get(), part.left, part.top);
-        if (part.picture) {
-            drawing.picture(*part.picture);
-        } else {
-            cairo_rectangle(on.get(), 0, 0, part.drawing.width(), part.drawing.height());
-            cairo_clip(on.get());
-            part.drawing.replay(drawing);
-        }
-        cairo_restore(on.get());
-    }
-    check(cairo_status(on.get()));
+    CairoPen(on.get()).draw(page);
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
     return bytes;
+}
+
+namespace {
+
+void replace_all(std::string& text, const std::string& old, const std::string& with) {
+    for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
+        text.replace(at, old.size(), with);
+}
+
+/// Cairo counts the letters of every drawing from zero, but no two in one HTML page may share an id, and the pictures
+/// of all that were ever drawn, but the same page must give the same bytes. Ids become a sum of the content with their
+/// order. Nothing else in what Cairo writes has a '#', ' id=' or '~'.
+void give_own_ids(std::string& svg) {
+    const std::string before = " id=\"";
+    std::size_t count = 0;
+    for (std::size_t at = svg.find(before); at != std::string::npos; at = svg.find(before, at + 1)) {
+        const std::size_t begin = at + before.size();
+        const std::string old = svg.substr(begin, svg.find('"', begin) - begin), own = "~" + std::to_string(count++);
+        replace_all(svg, before + old + '"', before + own + '"');
+        replace_all(svg, "#" + old + '"', "#" + own + '"');
+        replace_all(svg, "#" + old + ')', "#" + own + ')');
+    }
+    const uLong sum = crc32(0, reinterpret_cast<const Bytef*>(svg.data()), static_cast<uInt>(svg.size()));
+    replace_all(svg, "~", "d" + std::to_string(sum) + '-');
+}
+
+/// Drops digits beyond a hundredth of a pixel, a quarter of Cairo's text. Data of pictures have no point.
+std::string shortened(const std::string& svg) {
+    std::string text;
+    int digits = -1;  // behind a point
+    for (const char c : svg) {
+        digits = c == '.' ? 0 : digits >= 0 && c >= '0' && c <= '9' ? digits + 1 : -1;
+        if (digits <= 2) text += c;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string page_svg(const Page& page, double dots_per_inch, const std::string& title) {
+    std::string bytes;
+    const Surface surface(cairo_svg_surface_create_for_stream(&append, &bytes, page.width(), page.height()),
+                          &cairo_surface_destroy);
+    const Context on(cairo_create(surface.get()), &cairo_destroy);
+    CairoPen pen(on.get());
+    pen.draw(page);
+    cairo_surface_finish(surface.get());
+    check(cairo_surface_status(surface.get()));
+    // Cairo's own tag has a size in points; its content contains no words.
+    const std::size_t begin = bytes.find('>', bytes.find("<svg ")) + 1, end = bytes.rfind("</svg>");
+    std::string content = shortened(bytes.substr(begin, end - begin));
+    give_own_ids(content);
+    const double millimetre = dots_per_inch > 0 ? 25.4 / dots_per_inch : 0;
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"" +
+           (millimetre > 0 ? attribute("width", px(page.width() * millimetre) + "mm") +
+                                 attribute("height", px(page.height() * millimetre) + "mm")
+                           : "") +
+           attribute("viewBox", "0 0 " + std::to_string(page.width()) + ' ' + std::to_string(page.height())) +
+           " role=\"img\" image-rendering=\"optimizeSpeed\">\n" +
+           (title.empty() ? "" : "<title>" + escaped_markup(title) + "</title>\n") +
+           "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>" + content +
+           "<g opacity=\"0\" font-family=\"DejaVu Sans, Verdana, sans-serif\">\n" + pen.words() + "</g>\n</svg>\n";
+}
+
+std::string library_versions() {
+    return std::string("VTK " FRANA_VTK_VERSION "\nCairo ") + cairo_version_string() + "\nPango " +
+           pango_version_string() + "\nFFmpeg libavcodec " FRANA_LIBAVCODEC_VERSION "\n";
 }
 
 }  // namespace frana::render

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "render/canvas/drawing.h"
 #include "render/canvas/image.h"
 #include "render/canvas/lettering.h"
-#include "render/canvas/overlay.h"
+#include "render/canvas/sheet.h"
 
 namespace frana::render {
 
@@ -40,29 +39,8 @@ inline constexpr Rgb k_ink{25, 28, 32};            ///< of letters and frames
 inline constexpr Rgb k_soft_ink{84, 90, 98};       ///< of less prominent parts
 inline constexpr Rgb k_no_terrain{236, 237, 238};  ///< inside the frame where there is no terrain
 
-/// A page's lines, shapes and texts, and the positions of the texts.
-class Sheet : public Drawing {
-  public:
-    Sheet(int width, int height);
-
-    [[nodiscard]] const std::vector<TextBox>& texts() const noexcept { return boxes_; }
-
-    void line(std::span<const Point> points, const LineStyle& style, bool closed = false) override;
-    void fill(std::span<const Point> corners, Rgb colour, double opacity = 1) override;
-    using Drawing::fill;
-    void frame(const PageBox& box, const LineStyle& style) override;
-    void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) override;
-
-    /// Returns everything; the sheet is empty then, but for the positions of its texts.
-    [[nodiscard]] Overlay take();
-
-  private:
-    std::shared_ptr<Overlay::Content> content_;
-    std::vector<TextBox> boxes_;
-};
-
 /// A white page with pictures and drawings on it, later ones over earlier ones, from which any file format is made:
-/// pixels by VTK through OSMesa, or vectors, texts and pictures by Cairo (PDF) or as SVG. Copies share the content.
+/// pixels by VTK through OSMesa, or vectors, texts and pictures by Cairo as PDF or SVG. Copies share the content.
 class Page {
   public:
     /// One thing on it, moved by whole pixels from the upper left corner.
@@ -97,7 +75,13 @@ class Page {
 /// properties. Throws Error(environment) if Cairo fails.
 std::string page_pdf(const Page& page, double dots_per_inch, const std::string& title);
 
-/// Returns the same as an SVG file. Its texts are shown in the viewer's fonts.
+/// Returns the same as an SVG file. Letters are shapes, alike in every viewer; over them is each text as transparent
+/// text, which browsers and editors find, select and copy. With `dots_per_inch` 0 it is an element for an HTML page,
+/// without a size of its own. Its ids are in no other drawing.
 std::string page_svg(const Page& page, double dots_per_inch, const std::string& title);
+
+/// Returns the versions of Cairo and Pango at run time, and those of VTK and FFmpeg's libavcodec, which are not loaded
+/// for this, that frana was built with: one "NAME VERSION" per line.
+std::string library_versions();
 
 }  // namespace frana::render

@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "render/canvas/furniture.h"
 #include "render/canvas/page.h"
-#include "render/canvas/svg_drawing.h"
 #include "render/chart/chart_parts.h"
 
 namespace frana::render {
@@ -66,14 +65,14 @@ std::vector<Point> thinned(const std::vector<Point>& places) {
     return kept;
 }
 
-void fill_under(Drawing& drawing, const ChartSeries& series, const PanelAxes& axes) {
+void fill_under(Sheet& sheet, const ChartSeries& series, const PanelAxes& axes) {
     constexpr double k_opacity = 0.3;
     for (std::size_t i = 0; i + 1 < series.foot.size(); ++i) {
         const Point a = series.points[i], b = series.points[i + 1];
         if (!axes.has(a) || !axes.has(b)) continue;
-        drawing.fill(std::array<Point, 4>{{axes.page(a), axes.page(b), axes.page({b.x, series.foot[i + 1]}),
-                                           axes.page({a.x, series.foot[i]})}},
-                     series.colour, k_opacity);
+        sheet.fill(std::array<Point, 4>{{axes.page(a), axes.page(b), axes.page({b.x, series.foot[i + 1]}),
+                                         axes.page({a.x, series.foot[i]})}},
+                   series.colour, k_opacity);
     }
 }
 
@@ -93,11 +92,10 @@ std::vector<Point> apart(const std::vector<Point>& places, double gap) {
 }
 
 /// Draws a series; returns the places of its points.
-std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const ChartSeries& series,
-                               const PanelAxes& axes) {
+std::vector<Point> draw_series(Sheet& sheet, const PageStyle& style, const ChartSeries& series, const PanelAxes& axes) {
     std::vector<Point> run, all;
     const auto flush = [&] {
-        draw_line(drawing, style, series, thinned(run));
+        draw_line(sheet, style, series, thinned(run));
         run.clear();
     };
     for (const Point p : series.points) {
@@ -109,7 +107,7 @@ std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const C
         }
     }
     flush();
-    draw_markers(drawing, style, series, apart(all, style.length(series.marker_gap_px)));
+    draw_markers(sheet, style, series, apart(all, style.length(series.marker_gap_px)));
     return all;
 }
 
@@ -118,29 +116,29 @@ std::vector<Tick> in_language(std::vector<Tick> ticks, const Words& words) {
     return ticks;
 }
 
-void draw_inside(Drawing& drawing, const PageStyle& style, const ChartPanel& panel, const PageBox& box,
-                 const Words& words, ChartLayout& layout) {
+void draw_inside(Sheet& sheet, const PageStyle& style, const ChartPanel& panel, const PageBox& box, const Words& words,
+                 ChartLayout& layout) {
     if (box.width() < 60 || box.height() < 40) {
         throw Error(ErrorKind::input,
                     Problem{"the page is too small for its charts", "", "", "", "draw a larger picture"});
     }
     const PanelAxes axes(panel, box, style);
     if (axes.any())
-        draw_ticks(drawing, style, box, in_language(axes.x().ticks(), words),
+        draw_ticks(sheet, style, box, in_language(axes.x().ticks(), words),
                    panel.has_rows ? std::vector<Tick>{} : in_language(axes.y().ticks(), words));
-    for (const ChartSeries& series : panel.series) fill_under(drawing, series, axes);
-    for (const ChartSeries& series : panel.series) layout.points.push_back(draw_series(drawing, style, series, axes));
+    for (const ChartSeries& series : panel.series) fill_under(sheet, series, axes);
+    for (const ChartSeries& series : panel.series) layout.points.push_back(draw_series(sheet, style, series, axes));
     if (panel.mark_x && axes.any()) {
         const double x = axes.x().at(*panel.mark_x);
         LineStyle line{style.line(1.4), k_soft_ink};
         line.dashes = {style.length(8), style.length(6)};
-        if (x >= box.left && x <= box.right) drawing.line(std::array{Point{x, box.top}, Point{x, box.bottom}}, line);
+        if (x >= box.left && x <= box.right) sheet.line(std::array{Point{x, box.top}, Point{x, box.bottom}}, line);
     }
-    drawing.frame(box, {style.line(1.5), k_soft_ink});
+    sheet.frame(box, {style.line(1.5), k_soft_ink});
     if (!axes.any())
-        drawing.text(panel.note.empty() ? words("no values") : panel.note,
-                     {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
-                     Upright::middle);
+        sheet.text(panel.note.empty() ? words("no values") : panel.note,
+                   {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
+                   Upright::middle);
     layout.panels.push_back(box);
 }
 
@@ -161,57 +159,57 @@ std::vector<const ChartSeries*> kinds_of(const Chart& chart) {
 }
 
 /// Names in some languages are long.
-TextStyle fitted(const Drawing& drawing, const std::string& words, const TextStyle& style, double width) {
+TextStyle fitted(const Sheet& sheet, const std::string& words, const TextStyle& style, double width) {
     constexpr double k_least_fraction = 0.6;
-    return shrunk_to_fit(drawing.lettering(), words, style, width, k_least_fraction);
+    return shrunk_to_fit(sheet.lettering(), words, style, width, k_least_fraction);
 }
 
 /// With its own key and axis names, if panels differ.
-void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, const ChartPanel& panel,
-                const PageBox& cell, ChartLayout& layout) {
+void draw_panel(Sheet& sheet, const PageStyle& style, const Chart& chart, const ChartPanel& panel, const PageBox& cell,
+                ChartLayout& layout) {
     const double letter = style.small.size_px, above = panel.title.empty() ? 0 : 1.6 * style.heading.size_px;
     const double left = cell.left + (chart.alike ? 4.2 * letter : 5.6 * letter + 1.6 * style.label.size_px);
     const double below = (chart.alike ? 2.6 : 4.2) * letter, right = cell.right - style.gap;
     if (!panel.title.empty())
-        drawing.text(panel.title, {left, cell.top + capital_height(style.heading)},
-                     fitted(drawing, panel.title, style.heading, right - left), Across::left, Upright::baseline);
-    const ChartKey key(drawing, style.small, chart.alike ? std::vector<const ChartSeries*>{} : series_of(panel),
+        sheet.text(panel.title, {left, cell.top + capital_height(style.heading)},
+                   fitted(sheet, panel.title, style.heading, right - left), Across::left, Upright::baseline);
+    const ChartKey key(sheet, style.small, chart.alike ? std::vector<const ChartSeries*>{} : series_of(panel),
                        right - left);
     const PageBox box{left, cell.top + above + key.height(), right, cell.bottom - below};
-    draw_inside(drawing, style, panel, box, chart.words, layout);
-    key.draw(drawing, style, {left, cell.top + above});
+    draw_inside(sheet, style, panel, box, chart.words, layout);
+    key.draw(sheet, style, {left, cell.top + above});
     if (chart.alike) return;
-    drawing.text(panel.x_label, {(left + right) / 2, box.bottom + 2.2 * letter},
-                 fitted(drawing, panel.x_label, style.small, right - left), Across::centre, Upright::top);
+    sheet.text(panel.x_label, {(left + right) / 2, box.bottom + 2.2 * letter},
+               fitted(sheet, panel.x_label, style.small, right - left), Across::centre, Upright::top);
     // In the middle of the axis, but a long name not beyond the cell.
-    const TextStyle upright = fitted(drawing, panel.y_label, style.small, cell.bottom - cell.top);
-    const double half = drawing.lettering().width(panel.y_label, upright) / 2;
+    const TextStyle upright = fitted(sheet, panel.y_label, style.small, cell.bottom - cell.top);
+    const double half = sheet.lettering().width(panel.y_label, upright) / 2;
     const double middle = std::max(std::min((box.top + box.bottom) / 2, cell.bottom - half), cell.top + half);
-    draw_vertical_name(drawing, upright, {cell.left + 0.6 * letter, middle}, panel.y_label);
+    draw_vertical_name(sheet, upright, {cell.left + 0.6 * letter, middle}, panel.y_label);
 }
 
 /// Draws the names that equal panels share; returns the remaining area.
-PageBox draw_common_names(Drawing& drawing, const PageStyle& style, const Chart& chart, PageBox room) {
+PageBox draw_common_names(Sheet& sheet, const PageStyle& style, const Chart& chart, PageBox room) {
     const double letter = style.label.size_px;
-    const ChartKey key(drawing, style.label, kinds_of(chart), room.width());
-    key.draw(drawing, style, {room.left, room.top});
+    const ChartKey key(sheet, style.label, kinds_of(chart), room.width());
+    key.draw(sheet, style, {room.left, room.top});
     const PageBox left{room.left + 1.4 * letter, room.top + key.height() + 0.6 * letter, room.right,
                        room.bottom - 1.4 * letter};
-    drawing.text(chart.panels.front().x_label, {(left.left + left.right) / 2, room.bottom}, style.label, Across::centre,
-                 Upright::baseline);
-    draw_vertical_name(drawing, style.label, {room.left + 0.5 * letter, (left.top + left.bottom) / 2},
+    sheet.text(chart.panels.front().x_label, {(left.left + left.right) / 2, room.bottom}, style.label, Across::centre,
+               Upright::baseline);
+    draw_vertical_name(sheet, style.label, {room.left + 0.5 * letter, (left.top + left.bottom) / 2},
                        chart.panels.front().y_label);
     return left;
 }
 
-ChartLayout draw_on(Drawing& drawing, const Chart& chart, const std::string& subtitle, int width, int height) {
+ChartLayout draw_on(Sheet& sheet, const Chart& chart, const std::string& subtitle, int width, int height) {
     const PageStyle style(width, height);
     const double inner = width - 2 * style.margin;
     const TitleResult titles =
-        draw_titles(drawing, style, chart.title, subtitle, false, {style.margin, style.margin}, inner);
+        draw_titles(sheet, style, chart.title, subtitle, false, {style.margin, style.margin}, inner);
     PageBox room{style.margin, std::max(titles.bottom, style.margin) + style.gap, style.margin + inner,
-                 draw_foot(drawing, style, {chart.foot}, style.margin, height - style.margin, inner) - style.gap};
-    if (chart.alike && !chart.panels.empty()) room = draw_common_names(drawing, style, chart, room);
+                 draw_foot(sheet, style, {chart.foot}, style.margin, height - style.margin, inner) - style.gap};
+    if (chart.alike && !chart.panels.empty()) room = draw_common_names(sheet, style, chart, room);
     ChartLayout layout;
     const auto across = static_cast<std::size_t>(std::max(1, chart.across));
     double fractions = 0;
@@ -221,7 +219,7 @@ ChartLayout draw_on(Drawing& drawing, const Chart& chart, const std::string& sub
         const double cell_width = room.width() / static_cast<double>(across);
         const double x = room.left + cell_width * static_cast<double>(i % across);
         const double cell_height = room.height() * chart.panels[i - i % across].fraction / fractions;
-        draw_panel(drawing, style, chart, chart.panels[i], {x, y, x + cell_width, y + cell_height}, layout);
+        draw_panel(sheet, style, chart, chart.panels[i], {x, y, x + cell_width, y + cell_height}, layout);
         if (i % across + 1 == across) y += cell_height;
     }
     return layout;
@@ -264,11 +262,9 @@ Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout)
     return chart_page(chart, width, height, layout).paint();
 }
 
-std::string chart_svg(const Chart& chart, int width, int height, ChartLayout* layout) {
-    SvgDrawing drawing(width, height);
-    ChartLayout drawn = draw_on(drawing, chart, chart.subtitle, width, height);
-    if (layout != nullptr) *layout = std::move(drawn);
-    return drawing.svg();
+std::string chart_svg(Chart chart, int width, int height, ChartLayout* layout) {
+    chart.long_subtitle.clear();
+    return page_svg(chart_page(chart, width, height, layout), 0, "");
 }
 
 }  // namespace frana::render

@@ -80,6 +80,6 @@ Page chart_page(const Chart& chart, int width, int height, ChartLayout* layout =
 Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
 
 /// Returns the same page as an SVG element for an HTML page.
-std::string chart_svg(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
+std::string chart_svg(Chart chart, int width, int height, ChartLayout* layout = nullptr);
 
 }  // namespace frana::render

@@ -55,50 +55,48 @@ std::vector<Point> corners_of(Marker marker, Point at, double size) {
 
 }  // namespace
 
-void draw_ticks(Drawing& drawing, const PageStyle& style, const PageBox& box, const std::vector<Tick>& x,
+void draw_ticks(Sheet& sheet, const PageStyle& style, const PageBox& box, const std::vector<Tick>& x,
                 const std::vector<Tick>& y) {
     for (const bool fine : {true, false}) {
         const LineStyle hair{style.line(1), fine ? k_fine_grid : k_grid};
         for (const Tick& tick : x)
             if (tick.words.empty() == fine)
-                drawing.line(std::array{Point{tick.at, box.top}, Point{tick.at, box.bottom}}, hair);
+                sheet.line(std::array{Point{tick.at, box.top}, Point{tick.at, box.bottom}}, hair);
         for (const Tick& tick : y)
             if (tick.words.empty() == fine)
-                drawing.line(std::array{Point{box.left, tick.at}, Point{box.right, tick.at}}, hair);
+                sheet.line(std::array{Point{box.left, tick.at}, Point{box.right, tick.at}}, hair);
     }
     const double off = k_off_frame * style.small.size_px;
     for (const Tick& tick : x)
         if (!tick.words.empty())
-            drawing.text(tick.words, {tick.at, box.bottom + off}, style.small, Across::centre, Upright::top);
+            sheet.text(tick.words, {tick.at, box.bottom + off}, style.small, Across::centre, Upright::top);
     for (const Tick& tick : y)
         if (!tick.words.empty())
-            drawing.text(tick.words, {box.left - off, tick.at}, style.small, Across::right, Upright::middle);
+            sheet.text(tick.words, {box.left - off, tick.at}, style.small, Across::right, Upright::middle);
 }
 
-void draw_vertical_name(Drawing& drawing, TextStyle style, Point middle, const std::string& words) {
+void draw_vertical_name(Sheet& sheet, TextStyle style, Point middle, const std::string& words) {
     style.angle_deg = 90;
-    drawing.text(words, middle, style, Across::centre, Upright::middle);
+    sheet.text(words, middle, style, Across::centre, Upright::middle);
 }
 
-void draw_line(Drawing& drawing, const PageStyle& style, const ChartSeries& series, const std::vector<Point>& places) {
-    if (places.size() > 1) drawing.line(places, line_of(style, series));
+void draw_line(Sheet& sheet, const PageStyle& style, const ChartSeries& series, const std::vector<Point>& places) {
+    if (places.size() > 1) sheet.line(places, line_of(style, series));
 }
 
-void draw_markers(Drawing& drawing, const PageStyle& style, const ChartSeries& series,
-                  const std::vector<Point>& places) {
+void draw_markers(Sheet& sheet, const PageStyle& style, const ChartSeries& series, const std::vector<Point>& places) {
     if (!series.marker) return;
     for (const Point place : places)
-        drawing.fill(corners_of(*series.marker, place, 1.2 + style.line(3.2)), series.colour);
+        sheet.fill(corners_of(*series.marker, place, 1.2 + style.line(3.2)), series.colour);
 }
 
-ChartKey::ChartKey(const Drawing& drawing, const TextStyle& letters, std::vector<const ChartSeries*> series,
-                   double width)
+ChartKey::ChartKey(const Sheet& sheet, const TextStyle& letters, std::vector<const ChartSeries*> series, double width)
     : letters_(letters), series_(std::move(series)) {
     std::erase_if(series_, [](const ChartSeries* one) { return one->label.empty(); });
     const double letter = letters.size_px;
     double x = 0, y = 0;
     for (const ChartSeries* one : series_) {
-        const double length = (k_swatch + k_gap) * letter + drawing.lettering().width(one->label, letters);
+        const double length = (k_swatch + k_gap) * letter + sheet.lettering().width(one->label, letters);
         if (x > 0 && x + length > width) {
             x = 0;
             y += k_row * letter;
@@ -109,13 +107,13 @@ ChartKey::ChartKey(const Drawing& drawing, const TextStyle& letters, std::vector
     if (!series_.empty()) height_ = y + k_row * letter;
 }
 
-void ChartKey::draw(Drawing& drawing, const PageStyle& style, Point corner) const {
+void ChartKey::draw(Sheet& sheet, const PageStyle& style, Point corner) const {
     const double letter = letters_.size_px;
     for (std::size_t i = 0; i < series_.size(); ++i) {
         const double x = corner.x + places_[i].x, y = corner.y + places_[i].y + letter / 2;
-        draw_line(drawing, style, *series_[i], {{x, y}, {x + k_swatch * letter, y}});
-        draw_markers(drawing, style, *series_[i], {{x + k_swatch * letter / 2, y}});
-        drawing.text(series_[i]->label, {x + (k_swatch + k_gap) * letter, y}, letters_, Across::left, Upright::middle);
+        draw_line(sheet, style, *series_[i], {{x, y}, {x + k_swatch * letter, y}});
+        draw_markers(sheet, style, *series_[i], {{x + k_swatch * letter / 2, y}});
+        sheet.text(series_[i]->label, {x + (k_swatch + k_gap) * letter, y}, letters_, Across::left, Upright::middle);
     }
 }
 

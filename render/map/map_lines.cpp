@@ -193,12 +193,12 @@ void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, 
     }
 }
 
-void draw_place(Drawing& drawing, const PageStyle& style, Point at, Rgb colour) {
+void draw_place(Sheet& sheet, const PageStyle& style, Point at, Rgb colour) {
     const auto triangle = [&](double reach, Rgb ink) {
-        drawing.fill(std::array<Point, 3>{{{at.x, at.y - reach},
-                                           {at.x + 0.87 * reach, at.y + reach / 2},
-                                           {at.x - 0.87 * reach, at.y + reach / 2}}},
-                     ink);
+        sheet.fill(std::array<Point, 3>{{{at.x, at.y - reach},
+                                         {at.x + 0.87 * reach, at.y + reach / 2},
+                                         {at.x - 0.87 * reach, at.y + reach / 2}}},
+                   ink);
     };
     const double reach = 0.55 * style.label.size_px;
     triangle(reach + 2 * style.line(1.3), {255, 255, 255});

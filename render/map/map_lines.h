@@ -18,7 +18,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
 void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const std::vector<Outline>& outlines);
 
 /// Draws the symbol of a place: a triangle on a light rim.
-void draw_place(Drawing& drawing, const PageStyle& style, Point at, Rgb colour);
+void draw_place(Sheet& sheet, const PageStyle& style, Point at, Rgb colour);
 
 /// Draws coordinates: ticks and labels along the frame's lower and left side, small crosses inside. The caller draws
 /// the frame itself. `projected`: eastings and northings, otherwise plain metres.

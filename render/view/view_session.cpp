@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/module.h"
 #include "render/canvas/canvas.h"
-#include "render/canvas/drawing.h"
 #include "render/canvas/furniture.h"
 #include "render/canvas/page.h"
 #include "render/canvas/ticks.h"

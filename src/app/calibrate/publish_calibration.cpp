@@ -21,7 +21,7 @@
 #include "core/text.h"
 #include "params/grammar/picture_text.h"
 #include "params/scene/write_scene.h"
-#include "render/canvas/drawing.h"
+#include "render/canvas/canvas.h"
 
 namespace frana::app {
 namespace {

@@ -35,7 +35,7 @@
 #include "gis/raster/styles.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/read_scene.h"
-#include "render/canvas/drawing.h"
+#include "render/canvas/canvas.h"
 #include "render/chart/chart.h"
 #include "simulation/run_summary.h"
 #include "simulation/simulation.h"

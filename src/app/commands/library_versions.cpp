@@ -4,7 +4,7 @@
 #include <boost/version.hpp>
 
 #include "gis/access/gdal_session.h"
-#include "render/canvas/versions.h"
+#include "render/canvas/page.h"
 
 namespace frana::app {
 

@@ -28,7 +28,8 @@
 #include "gis/raster/raster_out.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/write_scene.h"
-#include "render/canvas/drawing.h"
+#include "render/animation/movie.h"
+#include "render/canvas/canvas.h"
 #include "study/feature_values.h"
 
 namespace frana::app {

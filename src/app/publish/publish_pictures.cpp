@@ -17,7 +17,8 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
-#include "render/canvas/drawing.h"
+#include "render/animation/movie.h"
+#include "render/canvas/canvas.h"
 
 namespace frana::app {
 namespace {

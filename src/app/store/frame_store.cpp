@@ -21,7 +21,7 @@
 #include "gis/vector/vector_out.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
-#include "render/canvas/drawing.h"
+#include "render/canvas/canvas.h"
 
 namespace frana::app {
 namespace {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
+
 #include "render/map/map2d.h"
 #include "scenes.h"
 
@@ -57,11 +60,35 @@ TEST(Page, SvgHasTextsLinesAndPictures) {
     EXPECT_NE(svg.find("width=\"50.8mm\""), std::string::npos);  // two inches
     EXPECT_NE(svg.find("<title>A &amp; B</title>"), std::string::npos);
     EXPECT_EQ(count(svg, ">Depth &lt;5&gt; m\u00b2</text>"), 1U);
-    EXPECT_NE(svg.find("paint-order=\"stroke\""), std::string::npos);
-    EXPECT_EQ(count(svg, "<image x=\"60\" y=\"2\" width=\"30\" height=\"20\""), 1U);
-    EXPECT_NE(svg.find("stroke-dasharray=\"20 10\""), std::string::npos);
+    EXPECT_LE(count(svg, "<symbol"), 12U) << "the letters' shapes, each once";
+    EXPECT_GE(count(svg, "<use "), 10U);
+    EXPECT_EQ(count(svg, "width=\"30\" height=\"20\" xlink:href=\"data:image/png;base64,iVBORw0KGgo"), 1U);
+    EXPECT_NE(svg.find("matrix(1,0,0,1,60,2)"), std::string::npos) << "where the picture is";
+    EXPECT_NE(svg.find("stroke-dasharray:20,10;"), std::string::npos);
     EXPECT_EQ(count(svg, "<svg"), count(svg, "</svg>"));
     EXPECT_EQ(svg, page_svg(small_page(), 100, "A & B"));
+}
+
+std::set<std::string> ids_of(const std::string& svg) {
+    std::set<std::string> ids;
+    const std::regex id(" id=\"([^\"]+)\""), use("(?:\"|url\\()#([^\")]+)");
+    for (std::sregex_iterator one(svg.begin(), svg.end(), id), end; one != end; ++one)
+        EXPECT_TRUE(ids.insert((*one)[1]).second) << (*one)[1];
+    for (std::sregex_iterator one(svg.begin(), svg.end(), use), end; one != end; ++one)
+        EXPECT_TRUE(ids.contains((*one)[1])) << (*one)[1];
+    return ids;
+}
+
+// Drawings stand side by side in one HTML page, where an id names the first element that has it.
+TEST(Page, SvgsShareNoIds) {
+    Sheet sheet(200, 100);
+    sheet.text("Other", {10, 50}, {20}, Across::left, Upright::baseline);
+    Page other(200, 100);
+    other.put(sheet.take());
+    const std::set<std::string> first = ids_of(page_svg(small_page(), 0, "")), second = ids_of(page_svg(other, 0, ""));
+    EXPECT_GT(first.size(), 10U);
+    EXPECT_GT(second.size(), 4U);
+    for (const std::string& id : second) EXPECT_FALSE(first.contains(id)) << id;
 }
 
 // A map's lines and texts are drawn as such, whatever its relief costs.
@@ -71,7 +98,7 @@ TEST(Page, OfAMapHasEveryTextOfItsPicture) {
     const Page page = map_page(test::full_map(ground, layer, 800, 600), &layout);
     const std::string svg = page_svg(page, 150, "");
     for (const TextBox& text : layout.texts) EXPECT_NE(svg.find(text.text + "</text>"), std::string::npos) << text.text;
-    EXPECT_GT(count(svg, "<polyline"), 20U) << "contour lines";
+    EXPECT_GT(count(svg, "<path style=\"fill:none;"), 20U) << "contour lines";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/canvas/drawing.h"
+#include "render/canvas/canvas.h"
 
 #include <gtest/gtest.h>
 

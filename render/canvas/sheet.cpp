@@ -1,32 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/canvas/drawing.h"
+#include "render/canvas/sheet.h"
 
 #include <algorithm>
 #include <array>
 #include <sstream>
 #include <utility>
 
-#include "core/files.h"
 #include "core/text.h"
 
 namespace frana::render {
 
-const VtkFunctions& vtk() {
-    static const auto& functions = module_table<VtkFunctions>("vtk");
-    return functions;
+void Overlay::rasterise() const {
+    if (content_->has_pixels) return;
+    Canvas canvas(content_->width, content_->height);
+    for (const Shape& one : content_->shapes) {
+        if (one.kind == Shape::Kind::area)
+            canvas.fill(one.points, one.style.colour, one.style.opacity);
+        else if (one.kind == Shape::Kind::frame)
+            canvas.frame({one.points[0].x, one.points[0].y, one.points[1].x, one.points[1].y}, one.style);
+        else
+            canvas.line(one.points, one.style, one.kind == Shape::Kind::ring);
+    }
+    content_->pixels = canvas.draw();
+    content_->has_pixels = true;
 }
 
-const LibavFunctions& libav() {
-    static const auto& functions = module_table<LibavFunctions>("libav");
-    return functions;
+void Overlay::put(Image& page, int left, int top) const {
+    rasterise();
+    compose(page, content_->pixels, left, top);
+    for (const Text& text : content_->texts) blend(page, text.glyphs, text.style, left, top);
 }
 
-void write_vtk_points(const std::string& path, const PointTable& table, const std::vector<double>& heights,
-                      double time) {
-    FileAside file(path);
-    call_module([&] { vtk().write_points(file.partial_path(), path, table, heights, time); });
-    file.sync_to_disk();
-    file.rename_into_place();
+Sheet::Sheet(int width, int height) : content_(std::make_shared<Overlay::Content>()) {
+    content_->width = width;
+    content_->height = height;
+}
+
+void Sheet::line(std::span<const Point> points, const LineStyle& style, bool closed) {
+    content_->shapes.push_back(
+        {closed ? Overlay::Shape::Kind::ring : Overlay::Shape::Kind::line, {points.begin(), points.end()}, style});
+}
+
+void Sheet::fill(std::span<const Point> corners, Rgb colour, double opacity) {
+    content_->shapes.push_back(
+        {Overlay::Shape::Kind::area, {corners.begin(), corners.end()}, LineStyle{0, colour, opacity}});
+}
+
+void Sheet::fill(const PageBox& box, Rgb colour, double opacity) {
+    fill(
+        std::array<Point, 4>{
+            {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}},
+        colour, opacity);
+}
+
+void Sheet::frame(const PageBox& box, const LineStyle& style) {
+    content_->shapes.push_back({Overlay::Shape::Kind::frame, {{box.left, box.top}, {box.right, box.bottom}}, style});
+}
+
+void Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) {
+    content_->texts.push_back({words, at, style, across, upright, lettering_.set(words, at, style, across, upright)});
+    boxes_.push_back(text_box(words, content_->texts.back().glyphs, style));
+}
+
+Overlay Sheet::take() {
+    auto rest = std::make_shared<Overlay::Content>();
+    rest->width = content_->width;
+    rest->height = content_->height;
+    return Overlay(std::exchange(content_, std::move(rest)));
 }
 
 namespace {
@@ -50,14 +90,7 @@ bool belongs_to(const std::string& before, const std::string& word) {
 
 }  // namespace
 
-void Drawing::fill(const PageBox& box, Rgb colour, double opacity) {
-    fill(
-        std::array<Point, 4>{
-            {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}},
-        colour, opacity);
-}
-
-double Drawing::lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across) {
+double Sheet::lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across) {
     for (const std::string& line : words) {
         text(line, top, style, across, Upright::top);
         top.y += line_height(style);
@@ -65,7 +98,7 @@ double Drawing::lines(const std::vector<std::string>& words, Point top, const Te
     return top.y;
 }
 
-std::vector<std::string> Drawing::wrapped(const std::string& words, const TextStyle& style, double width) const {
+std::vector<std::string> Sheet::wrapped(const std::string& words, const TextStyle& style, double width) const {
     const auto fits = [&](const std::string& candidate) {
         return candidate.size() <= k_longest_line && lettering_.width(candidate, style) <= width;
     };
