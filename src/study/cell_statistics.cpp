@@ -88,6 +88,13 @@ void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, co
     }
 }
 
+double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper) {
+    double sum = 0;
+    for (std::size_t m = 0; m < values.size(); ++m)
+        if (static_cast<double>(values[m]) > threshold || runs.exceeds(m, upper)) sum += runs.runs.weights[m];
+    return std::clamp(sum, 0.0, 1.0);
+}
+
 double LevelDifferences::Level::variance() const noexcept {
     if (count < 2) return std::numeric_limits<double>::infinity();
     return std::max(0.0, squares - sum * sum / count) / (count - 1);

@@ -39,6 +39,9 @@ struct OpenRuns {
     }
 };
 
+/// Returns a bound of the probability that a value exceeds a threshold, from the values of all runs.
+double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper);
+
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
 /// for each member, 0 (arrival: infinity) where it did not come. A run on larger cells has one value for all cells of
 /// the grid within each of its own. Reads the records window by window: memory is bounded by a budget, whatever the

@@ -187,24 +187,16 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
 std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs,
                                                Quantity quantity, const std::vector<double>& thresholds,
                                                const GridSpec& grid) {
-    double least = 0, most = 0;  // where none came
-    for (std::size_t m = 0; m < runs.is_open.size(); ++m) {
-        most += runs.exceeds(m, true) ? runs.runs.weights[m] : 0;
-        least += runs.exceeds(m, false) ? runs.runs.weights[m] : 0;
-    }
-    const auto bounded = [](double bound) { return std::clamp(bound, 0.0, 1.0); };
-    std::vector<RasterInterval> bounds(thresholds.size(), {Raster(grid, bounded(least)), Raster(grid, bounded(most))});
+    const std::vector<float> nothing(runs.is_open.size(), 0.0F);
+    std::vector<RasterInterval> bounds;
+    for (const double threshold : thresholds)
+        bounds.push_back({Raster(grid, sum_bound(runs, nothing, threshold, false)),
+                          Raster(grid, sum_bound(runs, nothing, threshold, true))});
     for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
         for (std::size_t t = 0; t < thresholds.size(); ++t) {
-            double low = 0, high = 0;
-            for (std::size_t m = 0; m < values.size(); ++m) {
-                const bool hit = static_cast<double>(values[m]) > thresholds[t];
-                high += hit || runs.exceeds(m, true) ? runs.runs.weights[m] : 0;
-                low += hit || runs.exceeds(m, false) ? runs.runs.weights[m] : 0;
-            }
             const double p = probability[t].values[cell];
-            bounds[t].lower.values[cell] = std::min(p, bounded(low));
-            bounds[t].upper.values[cell] = std::max(p, bounded(high));
+            bounds[t].lower.values[cell] = std::min(p, sum_bound(runs, values, thresholds[t], false));
+            bounds[t].upper.values[cell] = std::max(p, sum_bound(runs, values, thresholds[t], true));
         }
     });
     return bounds;

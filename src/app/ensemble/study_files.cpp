@@ -224,9 +224,15 @@ class Builder {
     }
 
   private:
+    /// Of all runs whose records count: one that failed has hit before it failed.
     template <class Visit>
     void for_each(study::Quantity quantity, const Visit& visit) const {
-        study::for_each_feature(result_.finished.records, quantity, result_.grid, cells_, visit);
+        const bool has_open = result_.open.any();
+        study::for_each_feature((has_open ? result_.open.runs : result_.finished).records, quantity, result_.grid,
+                                cells_, visit);
+    }
+    [[nodiscard]] std::size_t member_of(std::size_t record) const {
+        return result_.members[result_.open.any() ? record : result_.finished_at[record]].member;
     }
     void greatest(study::Quantity quantity, double ExposureValues::*member) {
         for_each(quantity, [&](std::size_t feature, Values values) {
@@ -237,10 +243,18 @@ class Builder {
         const study::ProbabilityEstimate estimate(result_.finished);
         const auto add = [&](study::Quantity quantity, const std::vector<double>& thresholds,
                              const std::vector<std::string>& names) {
+            const auto set = [&](std::size_t feature, const std::string& name, double value) {
+                rows[feature].numbers.emplace_back(name, rows[feature].is_on_map() ? value : k_no_data);
+            };
+            study::for_each_feature(result_.finished.records, quantity, result_.grid, cells_,
+                                    [&](std::size_t feature, Values values) {
+                                        for (std::size_t t = 0; t < thresholds.size(); ++t)
+                                            set(feature, names[t], estimate.of(values, thresholds[t]).value);
+                                    });
+            if (!result_.open.any()) return;
             for_each(quantity, [&](std::size_t feature, Values values) {
                 for (std::size_t t = 0; t < thresholds.size(); ++t)
-                    rows[feature].numbers.emplace_back(
-                        names[t], rows[feature].is_on_map() ? estimate.of(values, thresholds[t]).value : k_no_data);
+                    set(feature, names[t] + "_upper", study::sum_bound(result_.open, values, thresholds[t], true));
             });
         };
         add(study::Quantity::depth, {0}, {"probability_reached"});
@@ -253,7 +267,7 @@ class Builder {
             const auto count = std::count_if(values.begin(), values.end(), [](float depth) { return depth > 0; });
             const auto worst =
                 static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-            const std::size_t member = result_.members[result_.finished_at[worst]].member;
+            const std::size_t member = member_of(worst);
             row.numbers.emplace_back("sources", row.is_on_map() ? static_cast<double>(count) : k_no_data);
             row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(member) : k_no_data);
             if (!input_.slopes.empty())
@@ -286,8 +300,10 @@ std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, co
                                                      const Bounds& map, const ResultDirectory& directory) {
     const auto& layer = input.base.extra.exposure;
     if (!layer) return std::nullopt;
-    return write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt, words_of(input.base.spec),
-                          directory);
+    ExposureTotals totals = write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt,
+                                           words_of(input.base.spec), directory);
+    totals.is_least = result.open.any();
+    return totals;
 }
 
 namespace {

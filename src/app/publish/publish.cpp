@@ -272,8 +272,12 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
                                   &result.raster("max_pressure"), &result.raster("arrival_time"),
                                   is_known ? &terrain : nullptr};
     const auto cells = exposed_cells(*layer, result.raster("max_depth").grid);
-    return write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
-                          prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
+    ExposureTotals totals =
+        write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
+                       prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
+    totals.is_least = motion_at_end(result).front || left_ground(result) || !result.run_problems.empty() ||
+                      gap_contact(result, prepared.scene).cells > 0;
+    return totals;
 }
 
 /// Writes the comparison with the survey, if there is one. A survey that cannot be compared does not fail the run: it

@@ -51,6 +51,7 @@ struct ExposureTotals {
     std::size_t features = 0, reached = 0, off_map = 0;
     double count = 0, count_reached = 0;  ///< of the count column, else features
     bool has_count = false;
+    bool is_least = false;                  ///< the full reach of the flow, or of some run, is not known
     std::vector<ReachedFeature> deepest{};  ///< the deepest first, k_most_named at most
 };
 

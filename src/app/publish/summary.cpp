@@ -64,7 +64,8 @@ Json exposure_json(const ExposureTotals& totals) {
             {"reached", totals.reached},
             {"off_map", totals.off_map},
             {"count", totals.count},
-            {"count_reached", totals.count_reached}};
+            {"count_reached", totals.count_reached},
+            {"lower_bound", totals.is_least}};
 }
 
 std::string summary_json(const RunResult& result, const SummaryFacts& facts) {

@@ -151,6 +151,23 @@ TEST_F(Exposure, OfAnEnsembleHasProbabilities) {
     EXPECT_EQ(all[5].at("probability_reached"), "");
 }
 
+// Two members of three: the slippery one comes to cells without elevation and fails, after it has hit the road. What
+// failed has hit, and may have hit more.
+TEST_F(Exposure, OfRunsThatFailedCountsAndIsABound) {
+    write_exposed();
+    write_dtm([](int, int column) { return column > 22 ? -9999 : 300 - 0.5 * (column + 0.5) * k_cell; });
+    write_study("sampling = table:values.csv\n", "[set]\ntime.end = 40\n");
+    write("values.csv", "material.friction-angle\n2\n26\n26.5\n");
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than 5 % failed
+    const auto& road = rows("out")[2];
+    EXPECT_EQ(road.at("reached"), "1");
+    EXPECT_GT(std::stod(road.at("max_depth_m")), 0);
+    const double p = std::stod(road.at("probability_reached"));  // of the two that finished
+    EXPECT_NEAR(std::stod(road.at("probability_reached_upper")), (1 + 2 * p) / 3, 1e-12);
+    EXPECT_NE(outcome.err.find("More may be reached"), std::string::npos) << outcome.err;
+}
+
 // A building far outside does not make the flow a dot on the map.
 TEST_F(Exposure, FarFeaturesDoNotSetTheMapsScale) {
     write_exposed();
