@@ -5,9 +5,6 @@
 #include <cmath>
 
 #include "analysis/separate_flows.h"
-#include "simulation/flow.h"
-#include "simulation/stepped_run.h"
-#include "simulation/structured_flow.h"
 
 namespace frana {
 
@@ -108,24 +105,5 @@ double FrontOrigins::squared_distance(Point place) const noexcept {
         least = std::min(least, squared(*std::prev(left)));
     return least;
 }
-
-void set_origins(Flow& flow, const FrontOrigins& origins) {
-    flow.set_origin(origins.first());
-}
-
-void set_origins(StructuredFlow& flow, const FrontOrigins& origins) {
-    flow.set_origins(origins);
-}
-
-void measure_front(const Flow& flow, const FrontOrigins& origins, StepStatistics& statistics) {
-    if (origins.single()) return;
-    const ParticleSet& particles = flow.particles();
-    double farthest = 0;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-        farthest = std::max(farthest, origins.squared_distance({particles[Field::x][p], particles[Field::y][p]}));
-    statistics.front_distance = std::sqrt(farthest);
-}
-
-void measure_front(const StructuredFlow&, const FrontOrigins&, StepStatistics&) {}
 
 }  // namespace frana

@@ -47,10 +47,6 @@ class Arrivals {
     std::vector<InflowSource> sources_;
 };
 
-class Flow;
-class StructuredFlow;
-struct StepStatistics;
-
 /// The places from which the distance of a front is measured, each front from the nearest: the centroid of every
 /// release and the middle of every inflow. A release is a group of cells that touch; groups with less than a hundredth
 /// of the greatest one's volume do not count.
@@ -68,12 +64,5 @@ class FrontOrigins {
   private:
     std::vector<Point> places_;  // local metres, from west to east
 };
-
-/// Before the first step: a flow's particles know one origin, a structured flow all.
-void set_origins(Flow& flow, const FrontOrigins& origins);
-void set_origins(StructuredFlow& flow, const FrontOrigins& origins);
-/// After a step: of several origins, a flow's particles find the nearest here.
-void measure_front(const Flow& flow, const FrontOrigins& origins, StepStatistics& statistics);
-void measure_front(const StructuredFlow& flow, const FrontOrigins& origins, StepStatistics& statistics);
 
 }  // namespace frana

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "mpm/shape.h"
+#include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
 #include "simulation/dispatch.h"
 #include "simulation/dispatch_bed.h"
+#include "simulation/release.h"
+#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {
@@ -172,6 +175,38 @@ void Flow::record_gathered_velocities() {
     if (state_.gathered.size() == 0) state_.gathered = ZeroArray<Point>(state_.nodes.size());
 }
 
+StepStatistics Flow::step(double dt_limit) {
+    const voellmy_bingham::StepReport report = advance(dt_limit);
+    StepStatistics f;
+    f.dt = report.dt;
+    f.volume = report.particles.volume + report.aloft;
+    f.max_depth = report.nodes.max_depth;
+    f.max_speed = report.nodes.max_speed;
+    f.fastest = report.particles.speed;
+    f.kinetic = report.particles.kinetic + report.aloft_kinetic;
+    f.energy = report.nodes.energy;
+    f.energy_moving = report.nodes.kinetic;
+    f.energy_volume = report.nodes.volume;
+    f.energy_dissipated = report.nodes.dissipated;
+    f.moving = report.nodes.moving + report.aloft;
+    f.thin = report.nodes.thin;
+    f.covered = report.nodes.covered;
+    f.unsupported = report.nodes.unsupported;
+    f.non_finite = report.particles.non_finite;
+    f.clamped = report.particles.clamped;
+    f.no_data = report.particles.no_data;
+    // The particles know one origin; of several they find the nearest here.
+    double farthest = report.particles.front_squared;
+    if (!origins_.single()) {
+        farthest = 0;
+        const double *const x = state_.particles[Field::x], *const y = state_.particles[Field::y];
+        for (std::size_t p = 0; p < state_.particles.size(); ++p)
+            farthest = std::max(farthest, origins_.squared_distance({x[p], y[p]}));
+    }
+    f.front_distance = std::sqrt(farthest);
+    return f;
+}
+
 void Flow::synchronise() {
     voellmy_bingham::synchronise(state_, laws_, stages_, maxima_, pool_);
 }
@@ -195,7 +230,7 @@ std::size_t Flow::bytes_per_node() const noexcept {
     return sizeof(double) + sizeof(NodeRecord) + level + solid + Maxima::k_bytes + laws;
 }
 
-double Flow::momentum() const noexcept {
+double Flow::momentum() const {
     const ParticleSet& p = state_.particles;
     const double *const u = p[Field::u], *const v = p[Field::v], *const volume = p[Field::volume];
     double sum = 0;
@@ -221,7 +256,7 @@ Point Flow::centroid() const {
     return total > 0 ? Point{sum.x / total, sum.y / total} : sum;
 }
 
-double Flow::stable_step() const {
+double Flow::stable_step() {
     return frana::stable_step(grid_.cell_size, laws_.cfl, state_.wave_speed, laws_.gravity, state_.diffusivity);
 }
 
@@ -297,15 +332,11 @@ void Flow::record_present() {
 }
 
 Raster Flow::bed_depth_raster(double ErodibleBed::*depth) const {
-    Raster raster(grid_, k_no_data);
-    if (state_.erodible_beds.size() == 0) return raster;
-    state_.nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
-        for (std::int64_t i = i0; i < i1; ++i) {
-            const double value = state_.erodible_beds[state_.nodes.index(i, j)].*depth;
-            if (value > 0) raster.at(grid_.rows - 1 - j, i) = value;
-        }
+    if (state_.erodible_beds.size() == 0) return Raster(grid_, k_no_data);
+    return raster_of([&](std::size_t node) {
+        const double value = state_.erodible_beds[node].*depth;
+        return value > 0 ? value : k_no_data;
     });
-    return raster;
 }
 
 Raster Flow::eroded_depth() const {
@@ -316,22 +347,74 @@ Raster Flow::deposited_depth() const {
     return bed_depth_raster(&ErodibleBed::deposited);
 }
 
-template <class Value>
-Raster Flow::to_raster(const ZeroArray<Value>& padded, double shift) const {
-    Raster raster(grid_, k_no_data);
-    state_.nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
-        for (std::int64_t i = i0; i < i1; ++i) {
-            const double value = static_cast<double>(padded[state_.nodes.index(i, j)]);
-            if (value != 0) raster.at(grid_.rows - 1 - j, i) = value - shift;
-        }
-    });
-    return raster;
-}
-
 Raster Flow::jump_height() const {
     return to_raster(state_.flights.heights());
 }
 
-template Raster Flow::to_raster(const ZeroArray<double>&, double) const;
+Raster Flow::max_pressure(const Raster& max_velocity) const {
+    Raster pressure = max_velocity;
+    pressure.values.change_each_stored(
+        [density = density()](std::size_t, double& value) { value = density * value * value / 1000; });
+    return pressure;
+}
+
+void Flow::states(std::span<const std::size_t> nodes, NodeState* states) const {
+    const double cell_area = grid_.cell_area();
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const std::size_t node = nodes[k];
+        const NodeMotion& motion = state_.nodes.motion()[node];
+        NodeState& state = states[k] = {};
+        if (!(motion.mass > 0)) continue;
+        state.depth = shown_depth(state_.nodes, node);
+        state.volume_depth = motion.mass / cell_area;
+        state.moved_x = state.volume_depth * motion.u;
+        state.moved_y = state.volume_depth * motion.v;
+        if (state_.gathered.size() == 0) continue;
+        const Point gathered = state_.gathered[node];
+        state.u = gathered.x;
+        state.v = gathered.y;
+        state.speed = speed_along_bed(node, gathered);
+    }
+}
+
+void Flow::add_to(RunResult& result) const {
+    result.exchanges = state_.erodible_beds.size() != 0;
+    if (result.exchanges) {
+        const ExchangeReport& exchanged = state_.exchanged;
+        result.add("eroded_depth", eroded_depth());
+        result.add("deposited_depth", deposited_depth());
+        result.volume_eroded = exchanged.eroded;
+        result.volume_deposited = exchanged.deposited;
+        result.momentum_deposited = density() * std::hypot(exchanged.momentum_x, exchanged.momentum_y);
+    }
+    const JumpStatistics& jumps = state_.flights.statistics();
+    if (jumps.volume > 0) {
+        result.jumps = {jumps.volume,
+                        jumps.highest,
+                        jumps.longest,
+                        jumps.way / jumps.volume,
+                        grid_.map_from_local(jumps.from),
+                        grid_.map_from_local(jumps.to)};
+        result.add("jump_height", jump_height());
+    }
+    if (result.hard_events.non_finite == 0) add_claims_to(result);
+}
+
+void Flow::add_claims_to(RunResult& result) const {
+    const ParticleSet& particles = state_.particles;
+    const Raster depth = cell_depth(particles, grid_);
+    Raster claimed(grid_, 0);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Cell c = cell_of(grid_, {particles[Field::x][p], particles[Field::y][p]});
+        claimed.at(c.row, c.column) += particles[Field::area][p] / grid_.cell_area();
+    }
+    depth.values.for_each_stored([&](std::size_t cell, double deep) {
+        if (!(deep > k_claimed_depth)) return;
+        const double share = std::as_const(claimed).values[cell];
+        const auto place = static_cast<std::int64_t>(cell);
+        if (!result.most_claimed || share > result.most_claimed->share)
+            result.most_claimed = {share, deep, grid_.cell_centre(place / grid_.columns, place % grid_.columns)};
+    });
+}
 
 }  // namespace frana

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/particle_table.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,6 +6,8 @@
 
 #include "models/structured/solid/solid_laws.h"
 #include "mpm/curvature.h"
+#include "simulation/flow.h"
+#include "simulation/structured_flow.h"
 
 namespace frana {
 namespace {
@@ -78,26 +79,25 @@ double greatest_strain(const ParticleSet& particles, std::size_t p) {
     return principal.eigenvalues().cwiseAbs().maxCoeff();
 }
 
-PointTable particle_table(const Flow& flow) {
+PointTable Flow::particle_table() const {
     return common_table(
-        flow.particles(), flow.grid(), flow.nodes(), [&](std::size_t p) { return flow.map_velocity(p); },
+        particles(), grid_, nodes(), [&](std::size_t p) { return map_velocity(p); },
         [&](std::size_t p, Point v, Point slope) {
             // The stored speed along the bed: at an edge the velocity in map view and the slope there do not match.
-            const ParticleSet& particles = flow.particles();
-            return flow.follows_bed() ? std::hypot(particles[Field::u][p], particles[Field::v][p])
-                                      : speed_on(slope, v, flow.metric());
+            return follows_bed() ? std::hypot(particles()[Field::u][p], particles()[Field::v][p])
+                                 : speed_on(slope, v, metric());
         });
 }
 
-PointTable particle_table(const StructuredFlow& flow) {
-    if (!flow.state().solid) return {};
-    const ParticleSet& particles = flow.state().solid->particles;
+PointTable StructuredFlow::particle_table() const {
+    if (!state_.solid) return {};
+    const ParticleSet& particles = state_.solid->particles;
     PointTable table = common_table(
-        particles, flow.grid(), flow.nodes(),
+        particles, grid_, nodes(),
         [&](std::size_t p) {
             return Point{particles[Field::u][p], particles[Field::v][p]};
         },
-        [&](std::size_t, Point v, Point slope) { return speed_on(slope, v, flow.metric()); });
+        [&](std::size_t, Point v, Point slope) { return speed_on(slope, v, laws_.fluid.steep); });
     const std::size_t count = particles.size();
     const auto fill = [&](const char* name, const auto& value) {
         std::vector<double>& values = table.add(name);

@@ -8,8 +8,6 @@
 #include <optional>
 
 #include "core/geometry.h"
-#include "simulation/flow.h"
-#include "simulation/structured_flow.h"
 #include "simulation/structured_laws.h"
 #include "simulation/terrain_sample.h"
 
@@ -20,16 +18,13 @@ namespace frana {
 
 namespace {
 
+using Kind = RunProblem::Kind;
+
 // Bound of the position of a particle moved by a step; nodes_to_particles leaves non-finite ones where they were.
 constexpr double k_finite = 1e9;
 
 Point place(const ParticleSet& particles, std::size_t p) {
     return {particles[Field::x][p], particles[Field::y][p]};
-}
-
-Point middle(const NodeGrid& nodes, std::size_t node) {
-    const auto index = static_cast<std::int64_t>(node);
-    return nodes.middle(index % nodes.stride(), index / nodes.stride());
 }
 
 std::optional<Point> non_finite_particle(const ParticleSet& particles) {
@@ -50,16 +45,24 @@ std::optional<Point> particle_in_gap(const ParticleSet& particles, const NodeGri
     return std::nullopt;
 }
 
-// The step that first exceeds the bound is the run's last: the place is that of the greatest speed so far.
-template <class AnyFlow>
-std::optional<Point> fastest(const AnyFlow& flow, const ParticleSet* particles) {
+// Returns the place of a problem, local metres; none if the step's length itself was non-finite. The step that first
+// exceeds the bound of the speed is the run's last: the place is that of the greatest speed so far.
+std::optional<Point> place_of(Kind kind, const Model& model) {
+    const ParticleSet* const particles = model.particle_set();
+    const NodeGrid& nodes = model.nodes();
     std::optional<Point> at;
+    if (kind != Kind::impossible_speed) {
+        if (particles != nullptr)
+            at = kind == Kind::non_finite ? non_finite_particle(*particles) : particle_in_gap(*particles, nodes);
+        return at ? at : model.cell_with(kind);
+    }
     double greatest = 0;
-    flow.for_each_active_node([&](std::size_t node) {
-        const double speed = flow.maxima().speed[node];
-        if (!(speed > greatest)) return;
-        greatest = speed;
-        at = middle(flow.nodes(), node);
+    const ZeroArray<double>& speeds = model.maxima().speed;
+    model.for_each_active_node([&](std::size_t node) {
+        if (!(speeds[node] > greatest)) return;
+        greatest = speeds[node];
+        const auto index = static_cast<std::int64_t>(node);
+        at = nodes.middle(index % nodes.stride(), index / nodes.stride());
     });
     for (std::size_t p = 0; particles != nullptr && p < particles->size(); ++p) {
         const double speed = std::hypot((*particles)[Field::u][p], (*particles)[Field::v][p]);
@@ -67,64 +70,6 @@ std::optional<Point> fastest(const AnyFlow& flow, const ParticleSet* particles) 
         greatest = speed;
         at = place(*particles, p);
     }
-    return at;
-}
-
-const ParticleSet* particles_of(const StructuredFlow& flow) {
-    return flow.state().solid ? &flow.state().solid->particles : nullptr;
-}
-
-/// Returns a particle or cell with a non-finite value, in local metres. None: the step length itself was non-finite.
-std::optional<Point> place_of_non_finite(const Flow& flow) {
-    return non_finite_particle(flow.particles());
-}
-
-std::optional<Point> place_of_non_finite(const StructuredFlow& flow) {
-    std::optional<Point> at;
-    if (const ParticleSet* particles = particles_of(flow)) at = non_finite_particle(*particles);
-    if (at || !flow.state().fluid) return at;
-    const structured::FluidFields& now = flow.state().fluid->now;
-    // If all values are finite, the fluid was too fast to be computed further: returns its fastest cell.
-    double greatest = 0;
-    flow.for_each_active_node([&](std::size_t cell) {
-        const bool finite = std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]);
-        const double speed = !finite               ? std::numeric_limits<double>::infinity()
-                             : now.depth[cell] > 0 ? std::hypot(now.qx[cell], now.qy[cell]) / now.depth[cell]
-                                                   : 0;
-        if (!(speed > greatest)) return;
-        greatest = speed;
-        at = middle(flow.nodes(), cell);
-    });
-    return at;
-}
-
-/// Returns the fastest particle or cell.
-std::optional<Point> place_of_speed(const Flow& flow) {
-    return fastest(flow, &flow.particles());
-}
-
-std::optional<Point> place_of_speed(const StructuredFlow& flow) {
-    return fastest(flow, particles_of(flow));
-}
-
-/// Returns a particle on ground without elevation, or a wet cell beside such ground.
-std::optional<Point> place_of_no_data(const Flow& flow) {
-    return particle_in_gap(flow.particles(), flow.nodes());
-}
-
-std::optional<Point> place_of_no_data(const StructuredFlow& flow) {
-    std::optional<Point> at;
-    const NodeGrid& nodes = flow.nodes();
-    if (const ParticleSet* particles = particles_of(flow)) at = particle_in_gap(*particles, nodes);
-    if (at || !flow.state().fluid) return at;
-    const structured::FluidState& fluid = *flow.state().fluid;
-    const auto stride = static_cast<std::size_t>(nodes.stride());
-    flow.for_each_active_node([&](std::size_t cell) {
-        if (at || !(fluid.now.depth[cell] > 0)) return;
-        for (const std::size_t near : {cell - 1, cell + 1, cell - stride, cell + stride}) {
-            if (fluid.cell_kind[near] == structured::k_gap_cell) at = middle(nodes, cell);
-        }
-    });
     return at;
 }
 
@@ -163,8 +108,6 @@ std::vector<Problem> structured_problems(const StructuredMaterial& material,
 }
 
 namespace {
-
-using Kind = RunProblem::Kind;
 
 // Where material enters and its depth and speed there.
 struct StartValues {
@@ -252,28 +195,25 @@ double RunCheck::greatest_speed(double lowest) const noexcept {
     return speed_bound(gravity_, std::max(0.0, top_ - (lowest - erodible_)), depth_, at_start_);
 }
 
-template <class AnyFlow>
-std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistics& statistics, double entered) const {
+std::vector<RunProblem> RunCheck::check(const Model& model, const StepStatistics& statistics, double entered) const {
     const double speed = std::max(statistics.max_speed, statistics.fastest);
-    const double error = std::abs(statistics.volume + flow.volume_left() - entered);
+    const double error = std::abs(statistics.volume + model.volume_left() - entered);
     std::vector<RunProblem> run_problems;
-    const auto report = [&](Kind kind, std::optional<Point> local, std::int64_t count, double value, double limit) {
-        RunProblem run_problem{kind, flow.steps(), flow.time(), {}, count, value, limit};
+    const auto report = [&](Kind kind, std::int64_t count, double value, double limit) {
+        RunProblem run_problem{kind, model.steps(), model.time(), {}, count, value, limit};
+        const auto local = kind == Kind::volume_drift ? std::nullopt : place_of(kind, model);
         if (local) run_problem.place = grid_.map_from_local(*local);
         run_problems.push_back(run_problem);
     };
-    if (statistics.non_finite > 0) report(Kind::non_finite, place_of_non_finite(flow), statistics.non_finite, 0, 0);
-    if (gaps_matter_ && statistics.no_data > 0) report(Kind::no_data, place_of_no_data(flow), statistics.no_data, 0, 0);
-    const double bound = greatest_speed(std::min(lowest_, flow.nodes().lowest()));
-    if (speed > bound) report(Kind::impossible_speed, place_of_speed(flow), 0, speed, bound);
+    if (statistics.non_finite > 0) report(Kind::non_finite, statistics.non_finite, 0, 0);
+    if (gaps_matter_ && statistics.no_data > 0) report(Kind::no_data, statistics.no_data, 0, 0);
+    const double bound = greatest_speed(std::min(lowest_, model.nodes().lowest()));
+    if (speed > bound) report(Kind::impossible_speed, 0, speed, bound);
     // Non-finite values, and volume missing because of them, were reported before.
     if (statistics.non_finite == 0 && error > k_volume_drift * entered)
-        report(Kind::volume_drift, {}, 0, error / entered, k_volume_drift);
+        report(Kind::volume_drift, 0, error / entered, k_volume_drift);
     return run_problems;
 }
-
-template std::vector<RunProblem> RunCheck::check(const Flow&, const StepStatistics&, double) const;
-template std::vector<RunProblem> RunCheck::check(const StructuredFlow&, const StepStatistics&, double) const;
 
 void add(const RunProblem& run_problem, HardEvents& events) {
     switch (run_problem.kind) {

@@ -7,10 +7,10 @@
 
 #include "core/error.h"
 #include "simulation/arrivals.h"
+#include "simulation/model.h"
 #include "simulation/release.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
-#include "simulation/stepped_run.h"
 
 namespace frana {
 
@@ -37,8 +37,7 @@ class RunCheck {
 
     /// Returns the problems of the last step; none in a good run.
     /// @param entered volume that entered, including from the bed [m3]
-    template <class AnyFlow>
-    [[nodiscard]] std::vector<RunProblem> check(const AnyFlow& flow, const StepStatistics& statistics,
+    [[nodiscard]] std::vector<RunProblem> check(const Model& model, const StepStatistics& statistics,
                                                 double entered) const;
 
     /// The bound for the terrain known at the start, where terrain is read on demand.

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/flow.h"
-#include "simulation/structured_flow.h"
-
 namespace frana {
 namespace {
 
@@ -15,15 +12,6 @@ constexpr double k_samples = 5;        // in a window
 constexpr double k_of_deposit = 4;     // limit of the fraction of the volume that moves, in multiples of the limit of
                                        // the area's change
 constexpr double k_calm = 0.1;         // fraction of the kinetic energy's peak below which values may settle
-
-double depth_on(const Flow& flow, std::size_t node) {
-    const double area = flow.grid().cell_area();
-    return flow.nodes().mass(node) / area;
-}
-
-double depth_on(const StructuredFlow& flow, std::size_t cell) {
-    return flow.column(cell).depth;
-}
 
 }  // namespace
 
@@ -40,27 +28,26 @@ double SettlingWatch::window(double now) const noexcept {
     return std::max(k_least_window, time_.stop_window * (now - since_));
 }
 
-template <class AnyFlow>
-SettlingWatch::Sample SettlingWatch::sample(const AnyFlow& flow) {
+SettlingWatch::Sample SettlingWatch::sample(const Model& model) {
     Sample sample;
-    sample.time = flow.time();
+    sample.time = model.time();
     double farthest2 = 0;
     std::int64_t cells = 0;
-    const ZeroArray<double>& depth = flow.maxima().depth;
-    flow.nodes().for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+    const ZeroArray<double>& depth = model.maxima().depth;
+    const NodeGrid& nodes = model.nodes();
+    nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
         for (std::int64_t i = i0; i < i1; ++i) {
-            if (!(depth[flow.nodes().index(i, j)] >= time_.trace_threshold)) continue;
+            if (!(depth[nodes.index(i, j)] >= time_.trace_threshold)) continue;
             ++cells;
-            farthest2 = std::max(farthest2, origins_.squared_distance(flow.nodes().middle(i + k_ghost, j + k_ghost)));
+            farthest2 = std::max(farthest2, origins_.squared_distance(nodes.middle(i + k_ghost, j + k_ghost)));
         }
     });
     sample.area = static_cast<double>(cells) * grid_.cell_area();
     sample.runout = std::sqrt(farthest2);
 
     std::vector<Lying> now;
-    flow.for_each_active_node([&](std::size_t node) {
-        const double here = depth_on(flow, node);
-        if (here > 0) now.push_back({node, here});
+    model.for_each_active_state([&](std::size_t node, const NodeState& state) {
+        if (state.volume_depth > 0) now.push_back({node, state.volume_depth});
     });
     std::sort(now.begin(), now.end(), [](const Lying& a, const Lying& b) { return a.node < b.node; });
     // Volume added to one cell was removed from another: half the sum of changes; volume that left the map counts half
@@ -81,13 +68,12 @@ SettlingWatch::Sample SettlingWatch::sample(const AnyFlow& flow) {
     return sample;
 }
 
-template <class AnyFlow>
-bool SettlingWatch::settled(const AnyFlow& flow, double kinetic, double all) {
+bool SettlingWatch::settled(const Model& model, double kinetic, double all) {
     peak_ = std::max(peak_, kinetic);
-    if (!(time_.stop_change > 0) || flow.time() < next_) return false;
-    const double length = window(flow.time());
-    next_ = flow.time() + length / k_samples;
-    samples_.push_back(sample(flow));
+    if (!(time_.stop_change > 0) || model.time() < next_) return false;
+    const double length = window(model.time());
+    next_ = model.time() + length / k_samples;
+    samples_.push_back(sample(model));
     const Sample& now = samples_.back();
     // The window's first sample is the last of those that are old enough.
     std::size_t first = 0;
@@ -104,8 +90,5 @@ bool SettlingWatch::settled(const AnyFlow& flow, double kinetic, double all) {
     last_ = change;
     return change.front_is_final && change.deposit <= k_of_deposit * most;
 }
-
-template bool SettlingWatch::settled(const Flow&, double, double);
-template bool SettlingWatch::settled(const StructuredFlow&, double, double);
 
 }  // namespace frana

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulation/arrivals.h"
+#include "simulation/model.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 
@@ -21,12 +22,11 @@ class SettlingWatch {
 
     /// Restarts the window at this time [s], at which material entered.
     void restart(double time);
-    /// Called after a step, when the flow's nodes have the state at its beginning. Returns whether the values have
+    /// Called after a step, Returns whether the values have
     /// settled.
     /// @param kinetic energy over density [m5/s2]
     /// @param all volume that entered or was eroded so far [m3]
-    template <class AnyFlow>
-    bool settled(const AnyFlow& flow, double kinetic, double all);
+    bool settled(const Model& model, double kinetic, double all);
     /// Their changes over the last window; none before the first window is complete.
     [[nodiscard]] const std::optional<Settling>& last() const noexcept { return last_; }
 
@@ -68,8 +68,7 @@ class SettlingWatch {
     };
 
     [[nodiscard]] double window(double now) const noexcept;
-    template <class AnyFlow>
-    [[nodiscard]] Sample sample(const AnyFlow& flow);
+    [[nodiscard]] Sample sample(const Model& model);
 
     const TimeControl& time_;
     const GridSpec& grid_;

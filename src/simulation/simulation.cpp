@@ -8,7 +8,6 @@
 
 #include "core/words/words.h"
 #include "simulation/flow.h"
-#include "simulation/flow_run.h"
 #include "simulation/stepped_run.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
@@ -17,54 +16,45 @@
 namespace frana {
 namespace {
 
-// Reads terrain on demand before the first step, so that a read error is found before anything is computed.
-template <class AnyFlow>
-void require_ground(const AnyFlow& flow) {
-    flow.nodes().require_ground();
-}
-
-// Number of rasters, as doubles, at the peak of a run: read, stored, in frames waiting for the disk, and about to be
-// written. Measured.
-constexpr std::int64_t k_rasters = 16, k_rasters_of_fluid = 16, k_rasters_of_phases = 31;
-
-std::int64_t rasters_at_once(const Flow&) {
-    return k_rasters;
-}
-
-std::int64_t rasters_at_once(const StructuredFlow& flow) {
-    return flow.particle_count() > 0 ? k_rasters_of_phases : k_rasters_of_fluid;
-}
-
-// Measures the time of a flow's first steps and its size, with all later material added at once: the trial steps then
+// Measures the time of a model's first steps and its size, with all later material added at once: the trial steps then
 // cost as much as the most expensive ones.
-template <class AnyFlow>
-void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64_t released_cells, AnyFlow& flow,
-                   RunEstimate& e) {
-    add_arrivals(rest, flow);
-    require_ground(flow);
-    e.first_step_seconds = flow.stable_step();
-    e.bytes_per_particle = static_cast<std::int64_t>(flow.bytes_per_particle());
-    e.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node());
+void estimate_model(const Scene& scene, const Arrivals::Arrived& rest, std::int64_t released_cells, Model& model,
+                    RunEstimate& e) {
+    model.add(rest);
+    model.nodes().require_ground();  // a read error is found before anything is computed
+    e.first_step_seconds = model.stable_step();
+    e.bytes_per_particle = static_cast<std::int64_t>(model.bytes_per_particle());
+    e.bytes_per_node = static_cast<std::int64_t>(model.bytes_per_node());
     constexpr std::int64_t k_spread = 4;  // nodes only where there is material
     const std::int64_t cells = scene.grid.cell_count();
     const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
     // Partly reached tiles count whole, and so does the border read round them; a scene may have several flows.
     constexpr std::int64_t k_tiles_round = 64;
-    e.stored_cells = flow.nodes().is_on_demand()
+    e.stored_cells = model.nodes().is_on_demand()
                          ? std::min(cells, 2 * reached + k_tiles_round * CellValues::k_side * CellValues::k_side)
                          : cells;
-    e.memory_bytes = e.stored_cells * rasters_at_once(flow) * static_cast<std::int64_t>(sizeof(double)) +
+    e.memory_bytes = e.stored_cells * model.rasters_at_once() * static_cast<std::int64_t>(sizeof(double)) +
                      reached * e.bytes_per_node + e.bytes_of_particles(e.particles);
     // Time of the first steps, for as many steps as the end time needs at the first step's length.
     constexpr int k_trial_steps = 3;
     const auto begin = std::chrono::steady_clock::now();
-    for (int i = 0; i < k_trial_steps; ++i) flow.advance(scene.time.end);
+    for (int i = 0; i < k_trial_steps; ++i) model.step(scene.time.end);
     const double per_step =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / k_trial_steps;
     e.wall_seconds = per_step * scene.time.end / e.first_step_seconds;
 }
 
 }  // namespace
+
+std::unique_ptr<Model> make_model(const Scene& scene, const Ground& ground, const ParticleSet& released, int threads) {
+    if (scene.structured)
+        return std::make_unique<StructuredFlow>(ground, scene.walls, *scene.structured, scene.numerics, released,
+                                                threads);
+    auto flow = std::make_unique<Flow>(ground, released, scene.material, scene.numerics, threads, std::nullopt,
+                                       scene.zones, scene.entrainment);
+    if (scene.walls) flow->add_walls(*scene.walls);
+    return flow;
+}
 
 double relative_volume_error(const RunResult& result) {
     const double entered = result.volume_entered + result.volume_eroded;
@@ -119,18 +109,10 @@ RunEstimate estimate(const Scene& scene, int threads) {
     e.inflow = rest.inflow;
     std::int64_t released_cells = 0;
     release.depth.values.for_each_stored([&](std::size_t, double depth) { released_cells += depth > 0; });
-    if (scene.structured) {
-        StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles, threads);
-        const std::size_t solids = scene.structured->solids ? rest.failed.size() : 0;
-        e.particles = flow.particle_count() + static_cast<std::int64_t>(solids);
-        estimate_flow(scene, rest, released_cells, flow, e);
-        return e;
-    }
-    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt, scene.zones,
-              scene.entrainment);
-    if (scene.walls) flow.add_walls(*scene.walls);
-    e.particles = static_cast<std::int64_t>(flow.particles().size() + arriving);
-    estimate_flow(scene, rest, released_cells, flow, e);
+    const std::unique_ptr<Model> model = make_model(scene, release.bed, release.particles, threads);
+    const std::size_t entering = !scene.structured ? arriving : scene.structured->solids ? rest.failed.size() : 0;
+    e.particles = model->particle_count() + static_cast<std::int64_t>(entering);
+    estimate_model(scene, rest, released_cells, *model, e);
     return e;
 }
 

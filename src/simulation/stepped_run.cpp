@@ -1,137 +1,321 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/stepped_run.h"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstdio>
+#include <limits>
 #include <utility>
 
-#include "simulation/flow.h"
-#include "simulation/flow_run.h"
-#include "simulation/structured_flow.h"
+#include "analysis/ground_statistics.h"
+#include "core/raster.h"
+#include "mpm/node_grid.h"
+#include "params/keys/result_rasters.h"
+#include "simulation/release.h"
+#include "simulation/scene.h"
+#include "simulation/terms.h"
 #include "simulation/terrain_sample.h"
 
 namespace frana {
 
-class SteppedRun::OfModel {
-  public:
-    virtual ~OfModel() = default;
-    [[nodiscard]] virtual bool continues() const = 0;
-    virtual void step() = 0;
-    [[nodiscard]] virtual Progress progress() const = 0;
-    virtual RunResult finish() = 0;
-};
+// Corrections of the rasters of a run before they are returned.
 
 namespace {
 
-// A run's elevations are relative to its start, independent of later failures.
-Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first, Point otherwise) {
-    const Point origin = first.size() > 0 ? Point{first[Field::x][0], first[Field::y][0]} : otherwise;
+/// A wall's cell contains no material, though the nodes there gather a fraction of particles beside it.
+void hide_walls(const Scene& scene, Raster& raster) {
+    if (!scene.walls || raster.values.empty()) return;
+    scene.walls->values.for_each_stored([&](std::size_t cell, double wall) {
+        if (wall == 1 && !std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = k_no_data;
+    });
+}
+
+/// Removes non-finite values from the maps of a run that ended with some.
+void hide_non_finite(Raster& raster) {
+    raster.values.change_each_stored([](std::size_t, double& value) {
+        if (!std::isfinite(value)) value = k_no_data;
+    });
+}
+
+/// For terrain read on demand: reads the elevations under all cells that the nodes have covered.
+void read_ground_under(const NodeGrid& nodes, const Raster& terrain, const Raster& bed) {
+    if (!nodes.is_on_demand()) return;
+    nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+        for (const std::int64_t column : {i0, i1 - 1}) {
+            static_cast<void>(bed.at(bed.grid.rows - 1 - j, column));
+            static_cast<void>(terrain.at(terrain.grid.rows - 1 - j, column));
+        }
+    });
+}
+
+SeriesRow series_row(const Model& model, const StepStatistics& statistics, const RunResult& so_far) {
+    SeriesRow row;
+    row.time = model.time();
+    row.step = model.steps();
+    row.dt = statistics.dt;
+    row.volume = statistics.volume;
+    row.volume_left = model.volume_left();
+    row.volume_entered = so_far.volume_entered;
+    row.volume_inflow = so_far.volume_inflow;
+    const BedBudget bed = model.bed_budget();
+    row.volume_eroded = bed.eroded;
+    row.volume_deposited = bed.deposited;
+    row.max_depth = statistics.max_depth;
+    row.max_speed = statistics.max_speed;
+    row.front_distance = statistics.front_distance;
+    row.kinetic_energy = model.density() * statistics.kinetic;
+    row.covered_area = static_cast<double>(statistics.covered) * model.nodes().cell_size() * model.nodes().cell_size();
+    return row;
+}
+
+void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        if (std::abs(areas[i].scaled - 1) <= 1e-9) continue;
+        char text[128];
+        std::snprintf(text, sizeof text, "thickness of release area %zu scaled by %.4f to the given volume", i + 1,
+                      areas[i].scaled);
+        notes.emplace_back(text);
+    }
+}
+
+// Making a frame does not change the model.
+Frame store_frame(Model& model, int index, bool with_particles) {
+    Model::Snapshot shot = model.snapshot();
+    return {index, model.time(), std::move(shot.depth), std::move(shot.speed),
+            // For fluid alone the frame's depth and velocity are complete.
+            model.particle_count() > 0 ? model.more_rasters() : std::vector<NamedRaster>{},
+            with_particles ? model.particle_table() : PointTable{}};
+}
+
+double volume_of(const Raster& depth) {
+    double sum = 0;
+    depth.values.for_each_stored([&](std::size_t, double value) { sum += std::isnan(value) ? 0 : value; });
+    return sum * depth.grid.cell_area();
+}
+
+void make_normal(std::vector<NamedRaster>& rasters, const Raster& bed) {
+    for (NamedRaster& raster : rasters)
+        if (find_result_raster(raster.name)->is_flow_depth || raster.name == "max_flux")  // depth times speed
+            raster.values = normal_depth(raster.values, bed);
+}
+
+Stopwatch started() {
+    Stopwatch watch;
+    watch.start();
+    return watch;
+}
+
+// A run's elevations are relative to its start, independent of later failures: to the ground under the first particle,
+// or the middle of the first inflow.
+Ground ground_of(const Scene& scene, const Release& release, const Arrivals& arrivals) {
+    const ParticleSet& first = release.particles;
+    const Point origin = first.size() > 0     ? Point{first[Field::x][0], first[Field::y][0]}
+                         : release.volume > 0 ? release.centroid
+                                              : arrivals.sources().front().midpoint();
     const Cell cell = cell_of(scene.grid, origin);
     const double z = scene.terrain.at(cell.row, cell.column);
-    return std::isnan(z) ? Ground(bed) : Ground(bed, z);
+    return std::isnan(z) ? Ground(release.bed_at_start) : Ground(release.bed_at_start, z);
 }
-
-/// What a run starts from.
-struct RunStart {
-    Stopwatch engine;
-    Release release;
-    Arrivals arrivals;
-    Ground ground;
-
-    explicit RunStart(const Scene& scene)
-        : engine(started()),
-          release(make_release(scene)),
-          arrivals(scene, std::exchange(release.later, {})),
-          ground(ground_of(scene, release.bed_at_start, release.particles, origin_of(release, arrivals))) {}
-
-    static Stopwatch started() {
-        Stopwatch watch;
-        watch.start();
-        return watch;
-    }
-};
-
-Flow flow_of(const Scene& scene, int threads, RunStart& start, const Flow*) {
-    return {start.ground,   std::exchange(start.release.particles, ParticleSet()),
-            scene.material, scene.numerics,
-            threads,        std::nullopt,
-            scene.zones,    scene.entrainment};
-}
-
-void add_walls(const Scene& scene, Flow& flow) {
-    if (scene.walls) flow.add_walls(*scene.walls);
-}
-
-StructuredFlow flow_of(const Scene& scene, int threads, RunStart& start, const StructuredFlow*) {
-    return {start.ground,
-            scene.walls,
-            *scene.structured,
-            scene.numerics,
-            std::exchange(start.release.particles, ParticleSet()),
-            threads};
-}
-
-void add_walls(const Scene&, StructuredFlow&) {}  // it has them from the start
-
-template <class AnyFlow>
-class RunOfFlow final : public SteppedRun::OfModel {
-  public:
-    RunOfFlow(const Scene& scene, const RunOptions& options)
-        : options_(options),
-          start_(scene),
-          flow_(flow_of(scene, options.threads, start_, static_cast<const AnyFlow*>(nullptr))) {
-        add_walls(scene, flow_);
-        run_.emplace(scene, options, start_.release, start_.arrivals, flow_, start_.engine);
-        flow_.nodes().require_ground();  // a read error is found before anything is computed
-        if (options.saved != nullptr) {
-            (*options.saved)(*run_);
-        } else {
-            run_->begin();
-        }
-    }
-    [[nodiscard]] bool continues() const override { return run_->continues(); }
-    [[nodiscard]] Progress progress() const override { return run_->progress(); }
-    void step() override {
-        run_->step();
-        if (options_.after_step) options_.after_step(run_->progress(), [&](StateWriter& writer) { writer(*run_); });
-    }
-    RunResult finish() override {
-        flow_.nodes().require_ground();  // after the last state was saved
-        return run_->finish();
-    }
-
-  private:
-    const RunOptions& options_;
-    RunStart start_;
-    AnyFlow flow_;
-    std::optional<FlowRun<AnyFlow>> run_;
-};
 
 }  // namespace
 
-SteppedRun::SteppedRun(const Scene& scene, const RunOptions& options) {
-    if (scene.structured)
-        run_ = std::make_unique<RunOfFlow<StructuredFlow>>(scene, options);
-    else
-        run_ = std::make_unique<RunOfFlow<Flow>>(scene, options);
+SteppedRun::SteppedRun(const Scene& scene, const RunOptions& options)
+    : scene_(scene),
+      options_(options),
+      engine_(started()),
+      release_(make_release(scene)),
+      arrivals_(scene, std::exchange(release_.later, {})),
+      model_(make_model(scene, ground_of(scene, release_, arrivals_), release_.particles, options.threads)),
+      next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval : std::numeric_limits<double>::infinity()),
+      origins_(release_, arrivals_),
+      fade_(scene.time),
+      settling_(scene.time, scene.grid, origins_),
+      recorder_(scene.recording, scene.grid, scene.numerics),
+      watch_(scene, release_, arrivals_, model_->pressure_factor()) {
+    release_.particles = ParticleSet();
+    model_->set_origins(origins_);
+    model_->set_moving_speed(scene.time.moving_speed);
+    if (!recorder_.idle()) model_->record_gathered_velocities();
+    result_.terms = list_terms(scene);
+    result_.particles_initial = result_.particles_peak = model_->particle_count();
+    result_.volume_initial = result_.volume_entered = model_->volume();
+    result_.released = release_.areas;
+    for (ReleasedArea& area : result_.released) area.failed = !(area.start > 0);
+    note_scaling(release_.areas, result_.notes);
+    model_->nodes().require_ground();  // a read error is found before anything is computed
+    if (options.saved != nullptr) {
+        (*options.saved)(*this);
+        return;
+    }
+    write_frame_now();
+    if (model_->shows_end() && !recorder_.idle()) recorder_.record(*model_, 0, 0);
 }
 
-SteppedRun::~SteppedRun() = default;
-
-bool SteppedRun::continues() const {
-    return run_->continues();
+void SteppedRun::write_frame_now() {
+    if (!options_.on_frame || scene_.time.frame_interval <= 0) return;
+    const double interval = scene_.time.frame_interval;
+    next_frame_ = interval * (std::floor(model_->time() / interval * (1 + 1e-12)) + 1);
+    last_frame_ = model_->time();
+    engine_.stop();
+    Frame arrived = store_frame(*model_, frames_++, options_.particles_in_frames);
+    hide_walls(scene_, arrived.depth);
+    hide_walls(scene_, arrived.velocity);
+    if (result_.hard_events.non_finite > 0) {
+        hide_non_finite(arrived.depth);
+        hide_non_finite(arrived.velocity);
+        for (NamedRaster& raster : arrived.more) hide_non_finite(raster.values);
+    }
+    if (scene_.recording.normal_depth) {
+        arrived.depth = normal_depth(arrived.depth, scene_.terrain);
+        make_normal(arrived.more, scene_.terrain);
+    }
+    options_.on_frame(arrived);
+    engine_.start();
 }
 
-void SteppedRun::step() {
-    run_->step();
+// Adds the material due now.
+void SteppedRun::receive() {
+    const Arrivals::Arrived arrived = arrivals_.collect(model_->time());
+    if (scene_.terrain_contains_release && arrived.failed.size() > 0)
+        model_->lower_bed(cell_depth(arrived.failed, scene_.grid));
+    model_->add(arrived);
+    result_.volume_inflow += arrived.inflow;
+    result_.volume_entered += arrived.inflow;
+    for (const std::size_t i : arrived.areas) {
+        result_.released[i].failed = true;
+        result_.volume_entered += result_.released[i].volume;
+    }
+    settling_.restart(model_->time());
+}
+
+// Actions due when the flow has reached a target time.
+void SteppedRun::arrive(double target) {
+    model_->set_time(target);
+    if (arrivals_.next_time() <= target) receive();
+}
+
+void SteppedRun::count(const StepStatistics& statistics) {
+    result_.series.push_back(series_row(*model_, statistics, result_));
+    if (statistics.volume > 0) {
+        result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin / statistics.volume);
+        result_.moving_fraction_limit =
+            std::min(1.0, statistics.moving / statistics.volume);  // some may have just left
+    }
+    result_.particles_peak = std::max(result_.particles_peak, model_->particle_count());
+    result_.hard_events.depth_clamped += statistics.clamped;
+    result_.unsupported += statistics.unsupported;
+    const BedBudget bed = model_->bed_budget();
+    result_.run_problems = watch_.check(*model_, statistics, result_.volume_entered + bed.eroded - bed.deposited);
+    energy_.add(statistics);
+    for (const RunProblem& run_problem : result_.run_problems) {
+        add(run_problem, result_.hard_events);
+        if (options_.on_problem) options_.on_problem(run_problem);
+    }
+}
+
+std::optional<StopReason> SteppedRun::reason_to_stop(const StepStatistics& statistics) {
+    if (!result_.run_problems.empty()) return reason_of(result_.run_problems.front());
+    if (arrivals_.done()) {
+        if (model_->empty()) return StopReason::all_left;
+        if (scene_.time.stop_when_still && still_.still(statistics)) return StopReason::still;
+        if (settling_.settled(*model_, statistics.kinetic, result_.volume_entered + model_->bed_budget().eroded))
+            return StopReason::settled;
+        if (fade_.energy(statistics.kinetic)) return StopReason::energy;
+        if (fade_.moving(statistics.moving)) return StopReason::moving_volume;
+        if (scene_.time.stop_momentum > 0 && fade_.momentum(model_->momentum())) return StopReason::momentum;
+    }
+    if (options_.stop_requested && options_.stop_requested()) return StopReason::requested;
+    return std::nullopt;
 }
 
 Progress SteppedRun::progress() const {
-    return run_->progress();
+    return {model_->steps(), model_->time(), scene_.time.end, model_->particle_count(), !continues()};
+}
+
+void SteppedRun::step() {
+    advance();
+    if (options_.after_step) options_.after_step(progress(), [&](StateWriter& writer) { writer(*this); });
+}
+
+void SteppedRun::advance() {
+    // Only times of the scene's physics, and its end, are met exactly; outputs use the steps as they are.
+    const double target = std::min(scene_.time.end, arrivals_.next_time());
+    const double left = target - model_->time();
+    // Two equal steps rather than a full one and a very short one.
+    const double stable = model_->stable_step();
+    const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
+    const double began = model_->time();
+    StepStatistics statistics = model_->step(limit);
+    // A step that does not advance time results from a non-finite value.
+    if (!(model_->time() > began)) statistics.non_finite = std::max<std::int64_t>(statistics.non_finite, 1);
+    if (!recorder_.idle()) recorder_.record(*model_, model_->shows_end() ? model_->time() : began, statistics.dt);
+    count(statistics);
+    if (target - model_->time() <= 1e-9 * target) arrive(target);
+    if (options_.on_progress) options_.on_progress(progress());
+    if (const auto reason = reason_to_stop(statistics)) {
+        result_.stop_reason = *reason;
+        stopped_ = true;
+    }
+    if (model_->nodes().lacks_ground()) {  // the next step cannot be computed; the present state can be saved
+        result_.stop_reason = StopReason::requested;
+        stopped_ = true;
+    }
+    // A run that ends here records its last frame in finish(); a paused run must have the frames of an uninterrupted
+    // one.
+    const bool pauses = stopped_ && result_.stop_reason == StopReason::requested && model_->time() < scene_.time.end;
+    if (model_->time() >= next_frame_ && (continues() || pauses) && !model_->nodes().lacks_ground()) write_frame_now();
 }
 
 RunResult SteppedRun::finish() {
-    return run_->finish();
+    model_->nodes().require_ground();  // after the last state was saved
+    RunResult& result = result_;
+    const bool finite = result.hard_events.non_finite == 0;
+    if (model_->time() != last_frame_ || result.stop_reason != StopReason::requested) write_frame_now();
+    if (finite) model_->synchronise();
+    if (finite) model_->record_present();
+    const Maxima& maxima = model_->maxima();
+    Raster velocity = model_->to_raster(maxima.speed);
+    result.add("max_depth", model_->to_raster(maxima.depth));
+    // A cell that was reached but never moved has speed zero, not "no data".
+    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+        double& speed = velocity.values[cell];
+        if (!std::isnan(depth) && std::isnan(speed)) speed = 0;
+    });
+    result.add("arrival_time", model_->to_raster(maxima.arrival_plus_1, 1));
+    result.add("final_depth", model_->snapshot().depth);
+    for (NamedRaster& raster : model_->more_rasters()) result.rasters.push_back(std::move(raster));
+    hide_walls(scene_, velocity);
+    for (NamedRaster& raster : result.rasters) hide_walls(scene_, raster.values);
+    if (!finite) hide_non_finite(velocity);
+    result.add("max_pressure", model_->max_pressure(velocity));
+    result.add("max_velocity", std::move(velocity));
+    recorder_.move_to(*model_, result);
+    model_->add_to(result);
+    if (!finite)
+        for (NamedRaster& raster : result.rasters) hide_non_finite(raster.values);
+    read_ground_under(model_->nodes(), scene_.terrain, release_.bed);
+    result.volume_shown = volume_of(result.raster("final_depth"));
+    result.depth_is_normal = scene_.recording.normal_depth;
+    if (result.depth_is_normal) make_normal(result.rasters, release_.bed);
+    result.add("bed", std::move(release_.bed));
+    result.add("release", std::move(release_.depth));
+    for (const InflowSource& source : arrivals_.sources())
+        for (const Point place : source.places()) result.inflow_places.push_back(scene_.grid.map_from_local(place));
+    result.settling = settling_.last();
+    result.steps = model_->steps();
+    result.simulated_seconds = model_->time();
+    result.energy_error = energy_.error();
+    result.particles_final = model_->particle_count();
+    result.particle_steps = model_->particle_steps();
+    result.bytes_per_particle = static_cast<std::int64_t>(model_->bytes_per_particle());
+    result.bytes_per_node = static_cast<std::int64_t>(model_->bytes_per_node());
+    result.volume_final = model_->volume();
+    result.volume_left = model_->volume_left();
+    if (!arrivals_.done())
+        result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
+    engine_.stop();
+    result.engine_seconds = engine_.seconds();
+    return std::move(result);
 }
 
 }  // namespace frana

@@ -1,57 +1,208 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <limits>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <memory>
+#include <optional>
 
+#include "simulation/arrivals.h"
+#include "simulation/model.h"
+#include "simulation/recorder.h"
+#include "simulation/release.h"
 #include "simulation/result.h"
+#include "simulation/run_check.h"
 #include "simulation/scene.h"
+#include "simulation/settling.h"
 
 namespace frana {
 
-/// Results of a step of either model, used for the run's series, checks and counts.
-struct StepStatistics {
-    double dt = 0;              ///< [s]
-    double volume = 0;          ///< inside the domain [m3]
-    double max_depth = 0;       ///< [m]
-    double max_speed = 0;       ///< along the bed [m/s]
-    double fastest = 0;         ///< of a particle in map view, however thin [m/s]
-    double front_distance = 0;  ///< from the run's origin, in map view [m]
-    double kinetic = 0;         ///< energy over density [m5/s2]
-    double energy = std::numeric_limits<double>::quiet_NaN();
-    ///< kinetic and potential, over density, at the beginning of the step [m5/s2]; NaN: not known
-    double energy_moving = 0;      ///< of which kinetic [m5/s2]
-    double energy_volume = 0;      ///< of the volume to which it belongs [m3]
-    double energy_dissipated = 0;  ///< by friction and walls in the step, over density [m5/s2]
-    double moving = 0;             ///< volume faster than the run's moving speed, however thin [m3]
-    double thin = 0;               ///< volume thinner than the minimum depth [m3]
-    std::int64_t covered = 0;      ///< cells deeper than the minimum depth
-    std::int64_t unsupported = 0;  ///< see RunResult::unsupported
-    std::int64_t non_finite = 0;   ///< particles or cells with a non-finite state
-    std::int64_t clamped = 0;      ///< particles whose area had to be bounded
-    std::int64_t no_data = 0;      ///< particles or flows that reached cells without terrain
+/// Checks that a flow gains no energy by numerical errors. Motion under gravity and friction alone conserves
+///
+///     E = kinetic energy along the bed + potential energy + energy dissipated by friction so far;
+///
+/// numerical errors may dissipate, never add. error() is the greatest rise of E over an earlier value, relative to the
+/// greatest kinetic energy plus the dissipation by then, which is the work of gravity. Velocities lag half a step
+/// behind positions: a step's kinetic energy is the mean of before and after, and half of its dissipation is counted
+/// before. Steps between which volume entered or left (release, inflow, open edges, erosion) are excluded.
+class EnergyWatch {
+  public:
+    void add(const StepStatistics& statistics) {
+        if (std::isnan(statistics.energy)) return;
+        const double now = statistics.energy, volume = statistics.energy_volume;
+        const double half = 0.5 * statistics.energy_dissipated;
+        if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_)
+            balance_ += now - energy_ + half_dissipated_ + half;
+        dissipated_ += statistics.energy_dissipated;
+        lowest_ = std::min(lowest_, balance_);
+        rise_ = std::max(rise_, balance_ - lowest_);
+        turned_over_ = std::max(turned_over_, statistics.energy_moving + dissipated_);
+        greatest_volume_ = std::max(greatest_volume_, volume);
+        energy_ = now;
+        half_dissipated_ = half;
+        volume_ = volume;
+        known_ = true;
+    }
+    /// None if nothing moved, or hardly (all work of gravity would give the whole flow less than k_hardly: of a pile
+    /// that settles, a fraction of almost nothing), or if the model does not report energy.
+    [[nodiscard]] std::optional<double> error() const {
+        if (!(turned_over_ > 0.5 * greatest_volume_ * k_hardly * k_hardly)) return std::nullopt;
+        return rise_ / turned_over_;
+    }
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [known, energy, half, volume, balance, lowest, rise, dissipated, turned, greatest] = *this;
+        archive(known, energy, half, volume, balance, lowest, rise, dissipated, turned, greatest);
+    }
+
+  private:
+    static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
+    static constexpr double k_hardly = 1;          ///< [m/s]: a mean fall of 5 cm
+
+    bool known_ = false;
+    double energy_ = 0, half_dissipated_ = 0, volume_ = 0;  ///< of the previous step
+    double balance_ = 0, lowest_ = 0, rise_ = 0;            ///< of E, relative to the start [m5/s2]
+    double dissipated_ = 0, turned_over_ = 0, greatest_volume_ = 0;
 };
 
-/// The run of simulation.h, step by step. Refers to scene and options.
+// Conditions that end a run before its end time.
+
+// Determines when a flow has come to rest: at once if nothing moves, otherwise if for some time neither a cell deeper
+// than the minimum nor the root of the whole flow's mean squared speed, however thin, exceeded a creep speed (a mass
+// that barely overcomes friction exceeds it within that time).
+class StillWatch {
+  public:
+    bool still(const StepStatistics& now) {
+        const double mean = now.volume > 0 ? std::sqrt(2 * now.kinetic / now.volume) : 0;
+        const double speed = std::max(now.max_speed, mean);
+        frozen_ = speed > 0 ? 0 : frozen_ + 1;
+        crawling_ = speed > k_crawl ? 0 : crawling_ + now.dt;
+        return frozen_ >= k_frozen_steps || crawling_ >= k_while;
+    }
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [frozen, crawling] = *this;
+        archive(frozen, crawling);
+    }
+
+  private:
+    static constexpr double k_crawl = 0.01;  // [m/s]
+    static constexpr double k_while = 5;     // [s]
+    static constexpr int k_frozen_steps = 10;
+    int frozen_ = 0;
+    double crawling_ = 0;
+};
+
+// Determines when a flow's motion has decreased below a scene's limit: kinetic energy, moving volume or momentum below
+// a fraction of its peak. All grow from zero, so none ends a flow that has not begun.
+class FadeWatch {
+  public:
+    explicit FadeWatch(const TimeControl& time) : time_(time) {}
+
+    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_fraction); }
+    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_fraction); }
+    bool momentum(double now) { return under(now, momentum_peak_, time_.stop_momentum); }
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(energy_peak_, moving_peak_, momentum_peak_);
+    }
+
+  private:
+    static bool under(double now, double& peak, double fraction) {
+        peak = std::max(peak, now);
+        return now < fraction * peak;
+    }
+    const TimeControl& time_;
+    double energy_peak_ = 0, moving_peak_ = 0, momentum_peak_ = 0;
+};
+
+/// Measures wall time; can be stopped and restarted.
+class Stopwatch {
+  public:
+    void start() { begin_ = std::chrono::steady_clock::now(); }
+    void stop() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    [[nodiscard]] double seconds() const { return seconds_; }
+    /// Transfers the time measured so far; call while stopped.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(seconds_);
+    }
+
+  private:
+    std::chrono::steady_clock::time_point begin_;
+    double seconds_ = 0;
+};
+
+/// The run of simulation.h, step by step, with all observations of it. Refers to scene and options.
 class SteppedRun {
   public:
     /// Throws as run() does.
     SteppedRun(const Scene& scene, const RunOptions& options);
-    ~SteppedRun();
+    SteppedRun(const SteppedRun&) = delete;  // parts refer to each other
+    SteppedRun& operator=(const SteppedRun&) = delete;
 
     /// Whether a step remains to be done.
-    [[nodiscard]] bool continues() const;
+    [[nodiscard]] bool continues() const { return !stopped_ && model_->time() < scene_.time.end; }
     void step();
     [[nodiscard]] Progress progress() const;
     /// Returns the result; call once.
     RunResult finish();
 
-    /// Of one model; called once a step.
-    class OfModel;
+    /// The whole run, between two steps.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [scene, options, engine, release, arrivals, model, result, stopped, frames, next_frame,
+                                last_frame, origins, still, fade, settling, recorder, watch, energy] = *this;
+        engine.stop();
+        archive(engine, arrivals, *model, frames, next_frame, still, fade, settling, recorder, energy);
+        archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
+                result.volume_entered, result.thin_fraction, result.moving_fraction_limit);
+        for (ReleasedArea& area : result.released) archive(area.failed);
+        // A stopped run resumes; one that came to rest does not.
+        bool ended = stopped && ends_finally(result.stop_reason);
+        StopReason reason = result.stop_reason;
+        archive(ended, reason);
+        if constexpr (Archive::k_reads) {
+            archive.require(frames >= 0 && (!ended || ends_finally(reason)));
+            stopped = ended;
+            if (ended) result.stop_reason = reason;
+        }
+        std::uint64_t mark = k_end_mark;
+        archive(mark);
+        if constexpr (Archive::k_reads) archive.require(mark == k_end_mark);
+        engine.start();
+    }
 
   private:
-    std::unique_ptr<OfModel> run_;
+    static constexpr std::uint64_t k_end_mark = 0x656e64206f662073;
+
+    void advance();
+    void write_frame_now();
+    void receive();
+    void arrive(double target);
+    void count(const StepStatistics& statistics);
+    [[nodiscard]] std::optional<StopReason> reason_to_stop(const StepStatistics& statistics);
+
+    const Scene& scene_;
+    const RunOptions& options_;
+    Stopwatch engine_;  ///< stopped while callbacks run
+    Release release_;
+    Arrivals arrivals_;
+    std::unique_ptr<Model> model_;
+    RunResult result_;
+    bool stopped_ = false;
+    int frames_ = 0;
+    double next_frame_;       ///< the first state at or after this time is the next frame [s]
+    double last_frame_ = -1;  ///< time of the last frame by this process [s]
+    FrontOrigins origins_;
+    StillWatch still_;
+    FadeWatch fade_;
+    SettlingWatch settling_;
+    Recorder recorder_;
+    RunCheck watch_;
+    EnergyWatch energy_;
 };
 
 }  // namespace frana

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "models/structured/solid/column_state.h"
-#include "simulation/particle_table.h"
 #include "simulation/structured_laws.h"
 #include "simulation/terrain_sample.h"
 
@@ -68,6 +68,14 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
 void StructuredFlow::lower_bed(const Raster& depth) {
     state_.grid.lower_bed(depth);
     if (state_.fluid) structured::set_ground(*state_.fluid, state_.grid, laws_.fluid);
+}
+
+void StructuredFlow::add(const Arrivals::Arrived& arrived) {
+    add_release(arrived.failed);
+    ParticleSet inflow;
+    for (std::size_t p = arrived.failed.size(); p < arrived.particles.size(); ++p)
+        inflow.push_back(arrived.particles.row(p));
+    add_fluid(inflow);
 }
 
 void StructuredFlow::add_fluid(const ParticleSet& particles) {
@@ -150,7 +158,7 @@ double StructuredFlow::stable_step() {
     return std::min(structured::stable_step(state_, laws_, pool_), still_step());
 }
 
-StepStatistics StructuredFlow::advance(double dt_limit) {
+StepStatistics StructuredFlow::step(double dt_limit) {
     const double into_gaps = state_.fluid ? state_.fluid->volume_into_gaps : 0;
     const structured::StepReport report = structured::step(state_, laws_, std::min(dt_limit, still_step()), pool_);
     ++steps_;
@@ -165,7 +173,7 @@ StepStatistics StructuredFlow::advance(double dt_limit) {
     return statistics;
 }
 
-double StructuredFlow::volume() {
+double StructuredFlow::volume() const {
     double sum = state_.fluid ? structured::fluid_volume(*state_.fluid, state_.grid, pool_) : 0;
     if (!state_.solid) return sum;
     const ParticleSet& particles = state_.solid->particles;
@@ -180,7 +188,7 @@ double StructuredFlow::volume_left() const noexcept {
     return fluid + solid + state_.released_outside;
 }
 
-std::optional<PhaseBudget> StructuredFlow::phase_budget() {
+std::optional<PhaseBudget> StructuredFlow::phase_budget() const {
     if (!state_.solid) return std::nullopt;
     PhaseBudget budget;
     budget.entered = entered_;
@@ -356,7 +364,7 @@ double StructuredFlow::dynamic_pressure(std::size_t cell) const {
     return most / 1000;
 }
 
-Raster StructuredFlow::max_pressure_where(const Raster& max_velocity) const {
+Raster StructuredFlow::max_pressure(const Raster& max_velocity) const {
     Raster pressure(grid_, k_no_data);
     max_velocity.values.for_each_stored([&](std::size_t cell, double speed) {
         if (std::isnan(speed)) return;
@@ -380,25 +388,56 @@ double StructuredFlow::speed(std::size_t cell) const {
     return std::max(fluid_speed(cell), solid_speed(cell));
 }
 
-template <class Value>
-Raster StructuredFlow::raster_of(const Value& value) const {
-    Raster raster(grid_, k_no_data);
-    state_.grid.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
-        for (std::int64_t i = i0; i < i1; ++i) {
-            const double here = value(state_.grid.index(i, j));
-            if (!std::isnan(here)) raster.at(grid_.rows - 1 - j, i) = here;
-        }
-    });
-    return raster;
+void StructuredFlow::states(std::span<const std::size_t> cells, NodeState* states) const {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const Column here = column(cells[k]);
+        NodeState& state = states[k] = {};
+        if (!(here.depth > 0)) continue;
+        state.depth = state.volume_depth = here.depth;
+        state.moved_x = here.qx;
+        state.moved_y = here.qy;
+        state.u = state.moved_x / state.depth;
+        state.v = state.moved_y / state.depth;
+        state.speed = speed(cells[k]);
+    }
 }
 
-StructuredFlow::Snapshot StructuredFlow::snapshot() const {
+// A wet cell with a value that is not finite or beside ground without elevation. If all values are finite, the fluid
+// was too fast to be computed further: returns its fastest cell.
+std::optional<Point> StructuredFlow::cell_with(RunProblem::Kind kind) const {
+    if (!state_.fluid) return std::nullopt;
+    const structured::FluidState& fluid = *state_.fluid;
+    const structured::FluidFields& now = fluid.now;
+    const auto stride = static_cast<std::size_t>(state_.grid.stride());
+    std::optional<std::size_t> found;
+    double greatest = 0;
+    for_each_active_node([&](std::size_t cell) {
+        if (kind == RunProblem::Kind::no_data) {
+            if (found || !(now.depth[cell] > 0)) return;
+            for (const std::size_t near : {cell - 1, cell + 1, cell - stride, cell + stride})
+                if (fluid.cell_kind[near] == structured::k_gap_cell) found = cell;
+            return;
+        }
+        const bool finite = std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]);
+        const double speed = !finite               ? std::numeric_limits<double>::infinity()
+                             : now.depth[cell] > 0 ? std::hypot(now.qx[cell], now.qy[cell]) / now.depth[cell]
+                                                   : 0;
+        if (!(speed > greatest)) return;
+        greatest = speed;
+        found = cell;
+    });
+    if (!found) return std::nullopt;
+    const auto index = static_cast<std::int64_t>(*found);
+    return state_.grid.middle(index % state_.grid.stride(), index / state_.grid.stride());
+}
+
+Model::Snapshot StructuredFlow::snapshot() {
     const auto shown = [&](std::size_t cell) { return column(cell).depth >= numerics_.minimum_depth; };
     return {raster_of([&](std::size_t cell) { return shown(cell) ? column(cell).depth : k_no_data; }),
             raster_of([&](std::size_t cell) { return shown(cell) ? speed(cell) : k_no_data; })};
 }
 
-std::vector<NamedRaster> StructuredFlow::phases() const {
+std::vector<NamedRaster> StructuredFlow::more_rasters() const {
     const double least = numerics_.minimum_depth;
     std::vector<NamedRaster> rasters;
     const auto add = [&](const char* name, Raster raster) { rasters.push_back({name, std::move(raster)}); };
@@ -437,10 +476,6 @@ std::vector<NamedRaster> StructuredFlow::phases() const {
         add("released_water", std::move(lost));
     }
     return rasters;
-}
-
-Raster StructuredFlow::to_raster(const ZeroArray<double>& padded, double shift) const {
-    return raster_of([&](std::size_t cell) { return padded[cell] != 0 ? padded[cell] - shift : k_no_data; });
 }
 
 }  // namespace frana

@@ -10,7 +10,6 @@
 
 #include "app/input/prepare.h"
 #include "sample_data/structured_samples.h"
-#include "simulation/particle_table.h"
 #include "simulation/release.h"
 #include "simulation/structured_flow.h"
 
@@ -37,7 +36,7 @@ class SampleRun {
 
     Statistics at(double time) {
         while (flow_.time() < time) {
-            const StepStatistics step = flow_.advance(time - flow_.time());
+            const StepStatistics step = flow_.step(time - flow_.time());
             EXPECT_EQ(step.non_finite + step.clamped, 0);
         }
         const ParticleSet& p = flow_.state().solid->particles;

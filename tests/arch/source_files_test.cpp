@@ -43,7 +43,7 @@ constexpr Room k_rooms[] = {
     {"src/particles", 1550},
     {"src/mpm", 3900},
     {"src/models", 4700},
-    {"src/simulation", 6400},
+    {"src/simulation", 6150},
     {"src/analysis", 2900},
     {"src/study", 4450},
     {"src/facade", 1400},

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "simulation/flow.h"
-#include "simulation/flow_run.h"
 #include "simulation/run_check.h"
 #include "simulation/simulation.h"
+#include "simulation/stepped_run.h"
 
 namespace frana {
 namespace {

@@ -47,7 +47,7 @@ TEST(StructuredRun, DoesNotCountWhatRests) {
     scene.structured->bed_friction = 0.6;
     const Release release = make_release(scene);
     StructuredFlow flow(release.bed_at_start, scene.walls, *scene.structured, scene.numerics, release.particles, 1);
-    for (int i = 0; i < 5; ++i) flow.advance(0.1);
+    for (int i = 0; i < 5; ++i) flow.step(0.1);
     EXPECT_GT(flow.particle_count(), 100);
     EXPECT_EQ(flow.steps(), 5);
     EXPECT_EQ(flow.particle_steps(), 0);
