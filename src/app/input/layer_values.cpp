@@ -45,7 +45,8 @@ Problem missing_column(const gis::PolygonLayer& layer, const std::string& column
     const std::string remedy =
         known.empty() ? "Give the layer a numeric attribute" : "Name one of its numeric attributes, or fill the column";
     return {(is_text ? "finds text, no number in the attribute " : "finds no number in the attribute ") + column +
-                " of any feature of " + layer.layer_name + (known.empty() ? ", nor in another" : ""),
+                " of " + (layer.features.size() == 1 ? feature_name(layer, 0) : "any feature of " + layer.layer_name) +
+                (known.empty() ? ", nor in another" : ""),
             where, "", known.empty() ? "" : "attributes with numbers: " + known, remedy};
 }
 
