@@ -193,6 +193,11 @@ double left_fraction(const RunResult& result) noexcept {
     return result.volume_entered > 0 ? result.volume_left / result.volume_entered : 0;
 }
 
+bool is_open(const RunResult& result, const Scene& scene) {
+    return motion_at_end(result).front || left_ground(result) || !result.run_problems.empty() ||
+           gap_contact(result, scene).cells > 0;
+}
+
 void add_end(Json& json, const RunResult& result, const SceneSpec& spec) {
     json["steps"] = result.steps;
     json["simulated_seconds"] = result.simulated_seconds;

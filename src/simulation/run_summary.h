@@ -129,6 +129,10 @@ inline bool left_ground(const RunResult& result) noexcept {
     return left_fraction(result) > k_left_ground;
 }
 
+/// Whether nobody knows the full reach of the flow: its front still moved at the end, it left the computed ground, came
+/// to ground without elevation, or the run failed.
+bool is_open(const RunResult& result, const Scene& scene);
+
 // Each adds some keys, in the order of summary.json.
 void add_end(Json& json, const RunResult& result, const SceneSpec& spec);
 void add_particles(Json& json, const RunResult& result);

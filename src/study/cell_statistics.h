@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <string>
@@ -31,7 +32,7 @@ struct OpenRuns {
     FinishedMembers runs;       ///< weights over all of them
     std::vector<bool> is_open;  ///< of each: it was cut, held, left the ground or failed
 
-    [[nodiscard]] bool any() const noexcept { return !is_open.empty(); }
+    [[nodiscard]] bool any() const { return std::find(is_open.begin(), is_open.end(), true) != is_open.end(); }
     /// Whether a run is taken to exceed everything for the upper bound of a sum, or for the lower one: there it is
     /// where it counts negatively, the coarser one of a pair of levels.
     [[nodiscard]] bool exceeds(std::size_t run, bool upper) const {

@@ -133,7 +133,7 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
         const study::QuantityMaps maps = study::quantity_maps(
             ground.members(), study::Quantity::depth, part_of(base.scene.grid, ground.window), {ground.threshold});
         std::optional<study::RasterInterval> bounds;
-        if (std::find(ground.all.is_open.begin(), ground.all.is_open.end(), true) != ground.all.is_open.end())
+        if (ground.all.any())
             bounds = std::move(study::probability_bounds(maps.probability, ground.all, study::Quantity::depth,
                                                          {ground.threshold}, maps.probability.front().grid)
                                    .front());

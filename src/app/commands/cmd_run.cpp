@@ -259,9 +259,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
     if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
-    const bool refused =
-        finished && session.strict &&
-        (motion_at_end(result).front || left_ground(result) || gap_contact(result, session.prepared.scene).cells > 0);
+    const bool refused = finished && session.strict && is_open(result, session.prepared.scene);
     if (refused) log.print_deferred_warnings();
     return refused ? static_cast<int>(ExitCode::numerical) : code;
 }

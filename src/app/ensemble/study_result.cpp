@@ -124,14 +124,13 @@ void scale_weights(study::FinishedMembers& members) {
     for (double& weight : members.weights) weight /= sum;
 }
 
-/// All runs with their weights among all, if the reach of any is not known.
+/// All runs with their weights among all.
 study::OpenRuns open_runs(const StudyInput& input, const std::string& folder, const StudyResult& result) {
     study::OpenRuns all;
     const auto& runs = input.table.level_runs;
     std::vector<double> counts(input.level_draws.size());  // of the pairs of each level
     for (std::size_t i = 0; i < result.members.size() && !counts.empty(); ++i)
         counts[runs[i].level] += runs[i].is_coarse ? 0 : 1;
-    double sum = 0;
     for (std::size_t i = 0; i < result.members.size(); ++i) {
         const MemberResult& one = result.members[i];
         const double weight = counts.empty()      ? input.table.weights[one.member]
@@ -140,11 +139,8 @@ study::OpenRuns open_runs(const StudyInput& input, const std::string& folder, co
         all.runs.records.push_back(record_file(folder, one.member));
         all.runs.weights.push_back(weight);
         all.is_open.push_back(one.end.is_open() || !one.failure.empty());
-        sum += weight;
     }
-    if (std::find(all.is_open.begin(), all.is_open.end(), true) == all.is_open.end()) return {};
-    if (counts.empty())
-        for (double& weight : all.runs.weights) weight /= sum;
+    if (counts.empty()) scale_weights(all.runs);
     return all;
 }
 

@@ -68,7 +68,7 @@ struct StudyResult {
     study::DesignPoints points;
     std::size_t groups = 0;
     GridSpec grid;         ///< of all maps
-    study::OpenRuns open;  ///< all runs, in the order of `members`; none if the reach of each is known
+    study::OpenRuns open;  ///< all runs, in the order of `members`
 
     /// All members, as far as they may mislead.
     [[nodiscard]] std::vector<RunOfStudy> runs() const;

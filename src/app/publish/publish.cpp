@@ -275,8 +275,7 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
     ExposureTotals totals =
         write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
                        prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
-    totals.is_least = motion_at_end(result).front || left_ground(result) || !result.run_problems.empty() ||
-                      gap_contact(result, prepared.scene).cells > 0;
+    totals.is_least = is_open(result, prepared.scene);
     return totals;
 }
 
