@@ -21,13 +21,13 @@
 #include "app/process/machine_memory.h"
 #include "app/process/signals.h"
 #include "app/process/terminal.h"
+#include "app/study/ranks/job.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "gis/access/network.h"
 #include "params/grammar/value_text.h"
-#include "study/ranks/job.h"
 
 namespace frana::app {
 namespace {
@@ -56,7 +56,7 @@ int dispatch(Arguments words) {
     std::vector<std::string> names;
     for (const Command& command : commands()) {
         if (name == command.name) {
-            if (const ranks::StartedRank own = ranks::started_rank(); !command.uses_ranks && own.size > 1) {
+            if (const study::StartedRank own = study::started_rank(); !command.uses_ranks && own.size > 1) {
                 std::cerr << "frana: warning: " << name << " does not share its work between processes: rank "
                           << own.rank << " of " << own.size << (own.rank > 0 ? " does nothing\n" : " goes on alone\n");
                 if (own.rank > 0) return static_cast<int>(ExitCode::done);

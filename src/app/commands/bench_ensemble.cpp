@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/bench_ensemble.h"
+#include "app/study/plan/study_input.h"
 
 #include <unistd.h>
 
@@ -13,13 +14,12 @@
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/scene_variants.h"
-#include "app/ensemble/level_rounds.h"
-#include "app/ensemble/map_writer.h"
-#include "app/ensemble/member_runs.h"
-#include "app/ensemble/study_result.h"
 #include "app/input/share_directory.h"
 #include "app/process/signals.h"
 #include "app/store/result_files.h"
+#include "app/study/pool/level_rounds.h"
+#include "app/study/pool/member_runs.h"
+#include "app/study/pool/study_result.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
@@ -203,14 +203,14 @@ class Scratch {
 
 /// The members of a study by one method, as far as they finished.
 struct Sample {
-    StudyResult result;
+    study::StudyResult result;
     double seconds = 0;         ///< in the engine, of all runs
     double particle_steps = 0;  ///< likewise
 };
 
 class StoppedBySignal {};
 
-Sample run_study(StudyInput& input, const Method& method, std::int64_t samples, std::int64_t seed, int threads,
+Sample run_study(study::StudyInput& input, const Method& method, std::int64_t samples, std::int64_t seed, int threads,
                  const Scratch& scratch) {
     scratch.clear();
     study::StudySpec& study = input.reading.study;
@@ -219,19 +219,19 @@ Sample run_study(StudyInput& input, const Method& method, std::int64_t samples, 
     study.samples = samples;
     study.seed = seed;
     study.until.reset();
-    redraw(input);
+    study::redraw(input);
     const auto run_until = [&](std::size_t end) {
-        return MemberRunner(input, scratch.folder(), threads, true).run_until(end);
+        return study::MemberRunner(input, scratch.folder(), threads, true).run_until(end);
     };
-    const bool complete = input.level_draws.empty()
-                              ? run_until(input.table.size())
-                              : run_levels(input, scratch.folder(), run_until, [](std::size_t) { return false; });
+    const bool complete = input.level_draws.empty() ? run_until(input.table.size())
+                                                    : study::run_levels(input, scratch.folder(), run_until,
+                                                                        [](std::size_t) { return false; });
     if (!complete) throw StoppedBySignal();
-    Sample sample{read_study_result(input, scratch.folder(), input.table.size())};
+    Sample sample{study::read_study_result(input, scratch.folder(), input.table.size())};
     if (sample.result.failed() > 0)
         throw Error(ErrorKind::numerical, Problem{std::to_string(sample.result.failed()) + " members failed",
                                                   input.reading.label, "", "", "Change the study so that all finish"});
-    for (const MemberResult& member : sample.result.members) {
+    for (const study::MemberResult& member : sample.result.members) {
         sample.seconds += member.engine_seconds;
         sample.particle_steps += static_cast<double>(member.particle_steps);
     }
@@ -241,8 +241,8 @@ Sample run_study(StudyInput& input, const Method& method, std::int64_t samples, 
 /// Probabilities that are neither 0 nor 1 in a large study: where the others are compared with it.
 class Reference {
   public:
-    Reference(const StudyInput& input, const Sample& sample) : events_(mapped_events(input.base.spec)) {
-        for (const MappedEvents& events : events_) {
+    Reference(const study::StudyInput& input, const Sample& sample) : events_(study::mapped_events(input.base.spec)) {
+        for (const study::MappedEvents& events : events_) {
             std::vector<Raster> maps(events.thresholds.size(), Raster(sample.result.grid));
             const study::ProbabilityEstimate estimate(sample.result.finished);
             study::for_each_reached_cell(sample.result.finished, events.quantity, sample.result.grid,
@@ -264,7 +264,7 @@ class Reference {
         double error = 0;  ///< of the difference from the reference
         double said = 0;   ///< of the standard error that the study itself states
     };
-    [[nodiscard]] Squares of(const StudyResult& result) const {
+    [[nodiscard]] Squares of(const study::StudyResult& result) const {
         Squares sum{squares_, 0};  // as if nothing were reached
         const study::ProbabilityEstimate estimate(result.finished);
         for (std::size_t e = 0; e < events_.size(); ++e) {
@@ -286,7 +286,7 @@ class Reference {
     [[nodiscard]] double places() const noexcept { return count_; }
 
   private:
-    std::vector<MappedEvents> events_;
+    std::vector<study::MappedEvents> events_;
     std::vector<std::vector<Raster>> maps_;
     double squares_ = 0, said_ = 0, count_ = 0;
 };
@@ -307,7 +307,7 @@ struct Row {
     }
 };
 
-Row measure(StudyInput& input, const Method& method, std::int64_t samples, const Extent& extent,
+Row measure(study::StudyInput& input, const Method& method, std::int64_t samples, const Extent& extent,
             std::int64_t first_seed, int threads, const Reference& reference, const Scratch& scratch) {
     Row row{&method, samples};
     for (int i = 0; i < extent.seeds; ++i) {
@@ -398,7 +398,7 @@ int bench_ensemble(const std::string& file, const boost::program_options::variab
     const bool quick = values.count("quick") > 0, quiet = values.count("quiet") > 0;
     const Extent extent = quick ? Extent{256, {16, 32}, 2} : Extent{2048, {25, 50, 100}, 4};
     RunLog log(quiet);
-    StudyInput input = prepare_study(read_study_texts(file, log), std::nullopt, log);
+    study::StudyInput input = study::prepare_study(study::read_study_texts(file, log), std::nullopt, log);
     if (input.reading.study.sampling == study::Sampling::table)
         throw Error(ErrorKind::input,
                     Problem{"has no distributions to draw from", input.reading.where("study.sampling"), "", "",

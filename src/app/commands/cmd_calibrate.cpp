@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/calibrate/calibration_runs.h"
-#include "app/calibrate/publish_calibration.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/memory_forecast.h"
@@ -12,6 +10,8 @@
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
+#include "app/study/pool/calibration_runs.h"
+#include "app/study/publish/publish_calibration.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
@@ -36,9 +36,10 @@ int cmd_calibrate(const Arguments& arguments) {
     if (ranks.job && ranks.job->rank() > 0) {
         const auto read = [&file] {
             RunLog silent(true);
-            return studies_of(prepare_calibration(read_calibration_texts(file, silent), std::nullopt, silent));
+            return study::studies_of(
+                study::prepare_calibration(study::read_calibration_texts(file, silent), std::nullopt, silent));
         };
-        work_for_rank_0(*ranks.job, read, file, threads);
+        study::work_for_rank_0(*ranks.job, read, file, threads);
         return static_cast<int>(ExitCode::done);
     }
     const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
@@ -46,13 +47,13 @@ int cmd_calibrate(const Arguments& arguments) {
     RunLog log(quiet);
     apply_memory_limit(*values, log);
 
-    CalibrationTexts texts = read_calibration_texts(file, log);
+    study::CalibrationTexts texts = study::read_calibration_texts(file, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(calibration_directory(texts.first_scene.scene)), target = result_path(place);
     const std::string interrupted = interrupted_study(target);
     const bool may_be_complete = resume && !overwrite && interrupted.empty() && has_files(target);
     std::vector<std::string> inputs{texts.reading.calibration.study.file};
-    for (const StudyTexts& event : texts.events)
+    for (const study::StudyTexts& event : texts.events)
         for (std::string& one : input_files(event.central.scene)) inputs.push_back(std::move(one));
     std::optional<Problem> place_problem;
     if (!may_be_complete)
@@ -61,14 +62,14 @@ int cmd_calibrate(const Arguments& arguments) {
     if (!resume && !overwrite) refuse_to_discard(target, interrupted, texts.problems);
     log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.calibration.study.file + ", " +
              std::to_string(threads) + " threads");
-    CalibrationInput input = prepare_calibration(std::move(texts), place_problem, log);
+    study::CalibrationInput input = study::prepare_calibration(std::move(texts), place_problem, log);
     if (may_be_complete && is_complete(input.identity, target)) {
         log.info("the calibration is complete: " + target);
         remove_working_files(target, false, log);
         return static_cast<int>(ExitCode::done);
     }
-    load_calibration_drawing(input);
-    for (const StudyInput& event : input.own)
+    study::load_calibration_drawing(input);
+    for (const study::StudyInput& event : input.own)
         refuse_study_beyond_memory(event, forecast_study(event, threads, false), threads,
                                    ranks.job ? ranks.job->ranks_here() : 1);
     const std::string left = resume ? interrupted : "";
@@ -80,7 +81,7 @@ int cmd_calibrate(const Arguments& arguments) {
     write_text_file(directory.path(k_record_identity), input.identity);
     if (ranks.pool) ranks.pool->start(input.identity);
     const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
-    const auto runs = run_calibration(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
+    const auto runs = study::run_calibration(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
     ranks.release();
     if (!runs) {
         log.info("the calibration was stopped after " + std::to_string(records_in(directory.folder()).size()) +
@@ -88,7 +89,8 @@ int cmd_calibrate(const Arguments& arguments) {
         return static_cast<int>(ExitCode::signal) + stop_signal();
     }
     log.note("computed " + std::to_string(runs->computed) + " runs in " + number_text(since_start.seconds(), 3) + " s");
-    const StudyOutcome outcome = publish_calibration(input, *runs, all_threads, since_start, directory, log);
+    const study::StudyOutcome outcome =
+        study::publish_calibration(input, *runs, all_threads, since_start, directory, log);
     return publish_result(input.identity, outcome, values->count("strict") > 0, directory, log);
 }
 

@@ -31,6 +31,8 @@
 #include "app/publish/publish_pictures.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_place.h"
+#include "app/study/plan/read_calibration.h"
+#include "app/study/plan/read_study.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "core/json.h"
@@ -38,8 +40,6 @@
 #include "params/keys/zone_keys.h"
 #include "simulation/release.h"
 #include "simulation/simulation.h"
-#include "study/read_calibration.h"
-#include "study/read_study.h"
 
 namespace frana::app {
 namespace {

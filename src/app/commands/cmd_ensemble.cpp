@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/commands.h"
 #include "app/commands/run_study.h"
-#include "study/read_study.h"
+#include "app/study/plan/read_study.h"
 
 namespace frana::app {
 namespace {

@@ -26,14 +26,14 @@
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
 #include "app/store/scene_identity.h"
+#include "app/study/plan/read_calibration.h"
+#include "app/study/plan/read_study.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "simulation/run_check.h"
 #include "simulation/run_summary.h"
 #include "simulation/scene.h"
 #include "simulation/simulation.h"
-#include "study/read_calibration.h"
-#include "study/read_study.h"
 
 namespace frana::app {
 

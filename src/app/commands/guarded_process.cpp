@@ -16,12 +16,12 @@
 #include <iterator>
 
 #include "app/commands/commands.h"
+#include "app/study/ranks/job.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "gis/access/network.h"
 #include "params/grammar/value_text.h"
-#include "study/ranks/job.h"
 
 namespace frana::app {
 namespace {
@@ -83,7 +83,7 @@ void guard_process(bool network, bool quiet) {
     // SpatiaLite's functions could otherwise read and write files, from a view in a database from others.
     ::unsetenv("SPATIALITE_SECURITY");
     // Ranks exchange messages by such sockets; what opens inputs still refuses the network.
-    if (!network && !ranks::started_as_rank()) forbid_internet_sockets();
+    if (!network && !study::started_as_rank()) forbid_internet_sockets();
     if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::on_slow_reading(print_reading);
     gis::when_time_is_up(seconds_to_read(), end_program);
 }

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/ensemble/region_input.h"
 #include "app/input/prepare_release.h"
 #include "app/store/result_place.h"
+#include "app/study/plan/region_input.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "core/geometry.h"
@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t k_listed = 30;  // a screen; members.csv has all
 
-SlopePlan plan_of(const StudyInput& input, std::size_t member) {
-    const Slope& slope = input.slopes[member];
+SlopePlan plan_of(const study::StudyInput& input, std::size_t member) {
+    const study::Slope& slope = input.slopes[member];
     SlopePlan plan{area(slope.outline), std::nullopt, slope.problem};
     if (!plan.problem.empty()) return plan;
     const auto note = [&](const Error& error) { plan.problem = describe(error.problems().front()); };
@@ -29,7 +29,7 @@ SlopePlan plan_of(const StudyInput& input, std::size_t member) {
         const gis::UseRemembered remember(own);
         RunLog silent(true);
         SceneReading reading = input.member(member);
-        cut_terrain(*input.reading.study.region, reading, silent);
+        study::cut_terrain(*input.reading.study.region, reading, silent);
         Problems problems;
         std::vector<UsedFile> files;
         prepare_release(reading, nullptr, files, silent, problems);  // its own columns
@@ -44,15 +44,15 @@ std::string window_text(const SlopePlan& plan, double cell) {
     return grouped(plan.window->width() / cell) + " x " + grouped(plan.window->height() / cell) + " cells";
 }
 
-std::string label_of(const StudyInput& input, std::size_t member) {
-    const Slope& slope = input.slopes[member];
+std::string label_of(const study::StudyInput& input, std::size_t member) {
+    const study::Slope& slope = input.slopes[member];
     return std::to_string(member) + (slope.name.empty() ? "" : " " + slope.name) +
            (slope.scenario.empty() ? "" : ", scenario " + slope.scenario);
 }
 
-void print_scenarios(const StudyInput& input) {
+void print_scenarios(const study::StudyInput& input) {
     std::set<std::string> scenarios;
-    for (const Slope& slope : input.slopes) {
+    for (const study::Slope& slope : input.slopes) {
         if (slope.scenario.empty()) continue;
         const auto& years = slope.return_period;
         scenarios.insert(slope.scenario + (years ? " (" + shortest_text(*years) + " years)" : ""));
@@ -64,7 +64,7 @@ void print_scenarios(const StudyInput& input) {
 
 }  // namespace
 
-std::vector<SlopePlan> slope_plans(const StudyInput& input) {
+std::vector<SlopePlan> slope_plans(const study::StudyInput& input) {
     std::vector<SlopePlan> plans;
     for (std::size_t i = 0; i < input.slopes.size(); ++i) plans.push_back(plan_of(input, i));
     return plans;
@@ -79,7 +79,7 @@ double region_seconds(const std::vector<SlopePlan>& plans, const StudyForecast& 
     return forecast.writing.seconds + (largest > 0 ? forecast.member_seconds() * all / largest / threads : 0);
 }
 
-void print_region(const StudyInput& input, const std::vector<SlopePlan>& plans, const StudyForecast& forecast,
+void print_region(const study::StudyInput& input, const std::vector<SlopePlan>& plans, const StudyForecast& forecast,
                   int threads, const std::string& target) {
     const study::StudySpec& study = input.reading.study;
     std::printf("Region %s is ready to run.\n\nScene %s\n\nSlopes\n", study.file.c_str(), study.scene.c_str());
@@ -114,11 +114,11 @@ void print_region(const StudyInput& input, const std::vector<SlopePlan>& plans, 
     std::fflush(stdout);
 }
 
-Json slopes_json(const StudyInput& input, const std::vector<SlopePlan>& plans) {
+Json slopes_json(const study::StudyInput& input, const std::vector<SlopePlan>& plans) {
     const auto text = [](const std::string& value) { return value.empty() ? Json() : Json(value); };
     Json list = Json::array();
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        const Slope& slope = input.slopes[i];
+        const study::Slope& slope = input.slopes[i];
         const SlopePlan& plan = plans[i];
         const auto& box = plan.window;
         list.push_back({{"member", i},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/run_study.h"
+#include "app/study/plan/study_input.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,13 +9,6 @@
 #include "app/commands/commands.h"
 #include "app/commands/memory_forecast.h"
 #include "app/commands/study_check.h"
-#include "app/ensemble/level_rounds.h"
-#include "app/ensemble/map_writer.h"
-#include "app/ensemble/member_runs.h"
-#include "app/ensemble/publish_study.h"
-#include "app/ensemble/rank_pool.h"
-#include "app/ensemble/study_files.h"
-#include "app/ensemble/study_result.h"
 #include "app/process/signals.h"
 #include "app/process/stopwatch.h"
 #include "app/store/interrupted_run.h"
@@ -23,6 +17,12 @@
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
 #include "app/store/scene_identity.h"
+#include "app/study/pool/level_rounds.h"
+#include "app/study/pool/member_runs.h"
+#include "app/study/pool/rank_pool.h"
+#include "app/study/pool/study_result.h"
+#include "app/study/publish/publish_study.h"
+#include "app/study/publish/study_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
@@ -72,8 +72,8 @@ bool is_complete(const std::string& identity, const std::string& target) {
                                           "Choose another folder with --out, or add --overwrite"});
 }
 
-int publish_result(const std::string& identity, const StudyOutcome& outcome, bool strict, ResultDirectory& directory,
-                   RunLog& log) {
+int publish_result(const std::string& identity, const study::StudyOutcome& outcome, bool strict,
+                   ResultDirectory& directory, RunLog& log) {
     const bool refused = strict && outcome.has_troubles;
     directory.publish({text_hash(identity), 0, true}, log);
     remove_working_files(directory.target(), false, log);
@@ -88,11 +88,11 @@ namespace {
 /// With study.until, errors are looked at after so many members, whatever the number of threads.
 constexpr std::size_t k_members_between_checks = 64;
 
-bool is_exact_enough(const StudyInput& input, const std::string& folder, std::size_t members) {
-    const StudyResult result = read_study_result(input, folder, members);
+bool is_exact_enough(const study::StudyInput& input, const std::string& folder, std::size_t members) {
+    const study::StudyResult result = study::read_study_result(input, folder, members);
     if (result.finished_at.size() < 2) return false;
     double largest = 0;
-    for (const MappedEvents& events : mapped_events(input.base.spec))
+    for (const study::MappedEvents& events : study::mapped_events(input.base.spec))
         largest = std::max(largest, study::error_of_first(result.finished, result.finished.size(), events.quantity,
                                                           result.grid, events.thresholds)
                                         .largest);
@@ -111,12 +111,12 @@ struct Workers {
     std::string folder;
     int threads;
     bool quiet;
-    RankPool* ranks;  ///< null: none
+    study::RankPool* ranks;  ///< null: none
 };
 
 /// Runs the members below `end` with a runner of their own: a multilevel study's table grows.
-bool run_until(const StudyInput& input, const Workers& workers, std::size_t end, MembersRun& ran) {
-    MemberRunner runner(input, workers.folder, workers.threads, workers.quiet, workers.ranks);
+bool run_until(const study::StudyInput& input, const Workers& workers, std::size_t end, MembersRun& ran) {
+    study::MemberRunner runner(input, workers.folder, workers.threads, workers.quiet, workers.ranks);
     const bool complete = runner.run_until(end);
     ran.members = end;
     ran.computed += runner.computed();
@@ -124,7 +124,7 @@ bool run_until(const StudyInput& input, const Workers& workers, std::size_t end,
     return complete;
 }
 
-MembersRun run_members(const StudyInput& input, const Workers& workers) {
+MembersRun run_members(const study::StudyInput& input, const Workers& workers) {
     const std::size_t all = input.table.size();
     MembersRun ran;
     if (!input.reading.study.until) {
@@ -138,10 +138,10 @@ MembersRun run_members(const StudyInput& input, const Workers& workers) {
     }
 }
 
-MembersRun run_level_members(StudyInput& input, const Workers& workers) {
+MembersRun run_level_members(study::StudyInput& input, const Workers& workers) {
     MembersRun ran;
     const bool has_limit = input.reading.study.until.has_value();
-    run_levels(
+    study::run_levels(
         input, workers.folder, [&](std::size_t end) { return run_until(input, workers, end, ran); },
         [&](std::size_t members) { return has_limit && is_exact_enough(input, workers.folder, members); });
     ran.members = input.table.size();
@@ -161,12 +161,12 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     if (ranks.job && ranks.job->rank() > 0) {
         const auto read = [&file] {
             RunLog silent(true);
-            RankStudies own;
-            own.studies.push_back(prepare_study(read_study_texts(file, silent), std::nullopt, silent));
+            study::RankStudies own;
+            own.studies.push_back(study::prepare_study(study::read_study_texts(file, silent), std::nullopt, silent));
             own.identity = own.studies.front().identity;
             return own;
         };
-        work_for_rank_0(*ranks.job, read, file, threads);
+        study::work_for_rank_0(*ranks.job, read, file, threads);
         return static_cast<int>(ExitCode::done);
     }
     const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
@@ -174,7 +174,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     RunLog log(quiet);
     apply_memory_limit(*values, log);
 
-    StudyTexts texts = read_study_texts(file, log);
+    study::StudyTexts texts = study::read_study_texts(file, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(study_directory(texts.reading.study, texts.central.scene)),
                       target = result_path(place);
@@ -189,14 +189,14 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     if (!resume && !overwrite) refuse_to_discard(target, interrupted, texts.central.problems);
     log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.study.file + ", " +
              std::to_string(threads) + " threads");
-    StudyInput input = prepare_study(std::move(texts), place_problem, log);
+    study::StudyInput input = study::prepare_study(std::move(texts), place_problem, log);
     input.base.result_folder = target;
     if (may_be_complete && is_complete(input.identity, target)) {
         log.info("the study is complete: " + target);
         remove_working_files(target, false, log);
         return static_cast<int>(ExitCode::done);
     }
-    load_study_drawing(input);
+    study::load_study_drawing(input);
     refuse_study_beyond_memory(input, forecast_study(input, threads, false), threads,
                                ranks.job ? ranks.job->ranks_here() : 1);
     const std::string left = resume ? interrupted : "";
@@ -218,8 +218,8 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     }
     log.note("computed " + std::to_string(ran.computed) + " members in " + number_text(since_start.seconds(), 3) +
              " s");
-    const StudyOutcome outcome =
-        publish_study({input, ran.members, ran.computed, all_threads, since_start}, directory, log);
+    const study::StudyOutcome outcome =
+        study::publish_study({input, ran.members, ran.computed, all_threads, since_start}, directory, log);
     return publish_result(input.identity, outcome, values->count("strict") > 0, directory, log);
 }
 

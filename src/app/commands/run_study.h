@@ -7,9 +7,9 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
-#include "app/ensemble/publish_study.h"
-#include "app/ensemble/rank_pool.h"
 #include "app/store/result_directory.h"
+#include "app/study/pool/rank_pool.h"
+#include "app/study/publish/publish_study.h"
 #include "core/error.h"
 
 namespace frana::app {
@@ -18,15 +18,15 @@ namespace frana::app {
 
 /// The other processes of a study under mpirun; none otherwise. They end when these do.
 struct OtherRanks {
-    std::optional<ranks::Job> job;
-    std::unique_ptr<RankPool> pool;  ///< in rank 0, if there are others
+    std::optional<study::Job> job;
+    std::unique_ptr<study::RankPool> pool;  ///< in rank 0, if there are others
 
     /// Throws Error(input) if srun started several processes that cannot exchange messages.
     OtherRanks() {
-        ranks::refuse_separate_processes();
-        if (!ranks::started_as_rank()) return;
+        study::refuse_separate_processes();
+        if (!study::started_as_rank()) return;
         job.emplace();
-        if (job->rank() == 0 && job->size() > 1) pool = std::make_unique<RankPool>(*job);
+        if (job->rank() == 0 && job->size() > 1) pool = std::make_unique<study::RankPool>(*job);
     }
     /// They are not needed any more.
     void release() {
@@ -53,8 +53,8 @@ bool is_complete(const std::string& identity, const std::string& target);
 
 /// Gives a written result its name, and returns the exit code. Throws Error(environment).
 /// @param strict whether a run that was cut, left the ground or failed makes the exit code 3
-int publish_result(const std::string& identity, const StudyOutcome& outcome, bool strict, ResultDirectory& directory,
-                   RunLog& log);
+int publish_result(const std::string& identity, const study::StudyOutcome& outcome, bool strict,
+                   ResultDirectory& directory, RunLog& log);
 
 /// Runs the members of a study or region and writes what they say together. Returns the exit code; throws Error.
 /// @param check_file throws Error(input) for the file of another command

@@ -5,16 +5,16 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/calibrate/calibration_input.h"
-#include "app/calibrate/event_survey.h"
 #include "app/commands/json_output.h"
 #include "app/commands/region_check.h"
-#include "app/ensemble/study_files.h"
 #include "app/input/check_ground.h"
 #include "app/input/check_release.h"
 #include "app/input/memory_bound.h"
 #include "app/process/machine_memory.h"
 #include "app/store/result_place.h"
+#include "app/study/plan/calibration_input.h"
+#include "app/study/plan/event_survey.h"
+#include "app/study/publish/study_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "core/text.h"
@@ -32,7 +32,7 @@ constexpr std::int64_t k_window_bytes = 256'000'000, k_rasters_at_once = 16;
 constexpr double k_growth = 2;
 
 /// The levels of a multilevel study with the members of its pilot, which decides how many follow.
-void print_levels(const StudyInput& input) {
+void print_levels(const study::StudyInput& input) {
     for (std::size_t l = 0; l < input.levels.size(); ++l) {
         std::size_t pilot = 0;
         for (const study::SampleTable::LevelRun& run : input.table.level_runs)
@@ -69,11 +69,12 @@ std::string time_text(const StudyForecast& forecast, std::size_t members, int th
            duration_text(forecast.writing.seconds) + " of writing and drawing";
 }
 
-std::size_t members_of(const StudyInput& input) {
+std::size_t members_of(const study::StudyInput& input) {
     return input.levels.empty() ? input.table.size() : static_cast<std::size_t>(input.reading.study.samples);
 }
 
-void print_study(const StudyInput& input, const StudyForecast& forecast, int threads, const std::string& directory) {
+void print_study(const study::StudyInput& input, const StudyForecast& forecast, int threads,
+                 const std::string& directory) {
     const study::StudySpec& study = input.reading.study;
     std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
     for (const study::Variation& one : study.vary) print_fact(one.key, one.distribution.text);
@@ -118,7 +119,7 @@ std::string study_directory(const study::StudySpec& study, const SceneSpec& scen
     return output_directory(scene) + (study.region ? "-region" : "-ensemble");
 }
 
-StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial) {
+StudyForecast forecast_study(const study::StudyInput& input, int threads, bool with_trial) {
     const Prepared& base = input.base;
     StudyForecast forecast;
     forecast.member = estimate(base.scene, 1);
@@ -140,7 +141,8 @@ StudyForecast forecast_study(const StudyInput& input, int threads, bool with_tri
     return forecast;
 }
 
-void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads, int processes) {
+void refuse_study_beyond_memory(const study::StudyInput& input, const StudyForecast& forecast, int threads,
+                                int processes) {
     const MemoryBound bound = usable_memory();
     const double needed = static_cast<double>(forecast.peak_bytes) * processes;
     if (needed <= bound.bytes) return;
@@ -155,11 +157,11 @@ void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& fo
 }
 
 Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log) {
-    StudyTexts texts = read_study_texts(path, log);
+    study::StudyTexts texts = study::read_study_texts(path, log);
     const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
     const std::optional<Problem> place = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.central.problems);
-    const StudyInput input = prepare_study(std::move(texts), place, log);
+    const study::StudyInput input = study::prepare_study(std::move(texts), place, log);
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
     const study::StudySpec& study = input.reading.study;
@@ -170,8 +172,8 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
         print_study(input, forecast, threads, directory);
     warn_of_release(input.base.scene, log);
     if (const auto& exposed = input.base.extra.exposure)
-        warn_of_unknown_exposure(*exposed, computed_ground(input), study.region ? nullptr : &input.base.scene.terrain,
-                                 log);
+        warn_of_unknown_exposure(*exposed, study::computed_ground(input),
+                                 study.region ? nullptr : &input.base.scene.terrain, log);
     const auto members = members_of(input);
     Json json = document_of("check");
     json["study"] = study.file;
@@ -216,7 +218,7 @@ struct CalibrationForecast {
     }
 };
 
-CalibrationForecast forecast(const CalibrationInput& input, int threads) {
+CalibrationForecast forecast(const study::CalibrationInput& input, int threads) {
     CalibrationForecast all;
     for (std::size_t e = 0; e < input.events(); ++e) {
         const auto size = static_cast<double>(input.design.size());
@@ -236,20 +238,20 @@ void print_keys(const std::vector<study::Variation>& vary, const std::string& of
     for (const study::Variation& one : vary) print_fact(one.key + of, one.distribution.text);
 }
 
-void print_event(const CalibrationInput& input, std::size_t e) {
+void print_event(const study::CalibrationInput& input, std::size_t e) {
     const study::EventSpec& event = input.spec().events[e];
     print_fact(event.name, event.members.study.scene);
     std::string measures;
     for (const study::Weight& one : input.spec().objective)
-        if (has_evidence(input.own[e].base, event, row_of(one.measure).needs))
-            measures += (measures.empty() ? "" : ", ") + std::string(row_of(one.measure).name) + " " +
+        if (study::has_evidence(input.own[e].base, event, study::row_of(one.measure).needs))
+            measures += (measures.empty() ? "" : ", ") + std::string(study::row_of(one.measure).name) + " " +
                         shortest_text(one.weight);
     print_fact("", "compared by " + measures);
     print_fact("", "cells of " + shortest_text(input.coarse[e].base.scene.grid.cell_size) + " m, then " +
                        shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
 }
 
-void print_calibration(const CalibrationInput& input, const CalibrationForecast& expected, int threads,
+void print_calibration(const study::CalibrationInput& input, const CalibrationForecast& expected, int threads,
                        const std::string& directory) {
     const study::CalibrationSpec& calibration = input.spec();
     std::printf("Calibration %s is ready to run.\n\nEvents\n", calibration.study.file.c_str());
@@ -286,15 +288,15 @@ std::string calibration_directory(const SceneSpec& scene) {
 
 Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
                        RunLog& log) {
-    CalibrationTexts texts = read_calibration_texts(path, log);
+    study::CalibrationTexts texts = study::read_calibration_texts(path, log);
     const std::string directory = out.value_or(calibration_directory(texts.first_scene.scene));
     const std::optional<Problem> place =
         check_result_directory(directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.problems);
-    const CalibrationInput input = prepare_calibration(std::move(texts), place, log);
+    const study::CalibrationInput input = study::prepare_calibration(std::move(texts), place, log);
     const study::CalibrationSpec& calibration = input.spec();
     const CalibrationForecast expected = forecast(input, threads);
     if (print) print_calibration(input, expected, threads, directory);
-    for (const StudyInput& event : input.own) warn_of_release(event.base.scene, log);
+    for (const study::StudyInput& event : input.own) warn_of_release(event.base.scene, log);
     Json json = document_of("check");
     json["study"] = calibration.study.file;
     json["events"] = Json::array();

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/commands/time_estimate.h"
-#include "app/ensemble/study_input.h"
+#include "app/study/plan/study_input.h"
 #include "app/text/run_log.h"
 #include "core/json.h"
 #include "params/keys/scene_spec.h"
@@ -39,11 +39,12 @@ struct StudyForecast {
 std::string disk_text(const StudyForecast& forecast);
 
 /// @param with_trial also makes a trial run, for time and memory
-StudyForecast forecast_study(const StudyInput& input, int threads, bool with_trial);
+StudyForecast forecast_study(const study::StudyInput& input, int threads, bool with_trial);
 
 /// Throws Error(input) if so many members at once need more memory than there is.
 /// @param processes on this machine, each with so many threads
-void refuse_study_beyond_memory(const StudyInput& input, const StudyForecast& forecast, int threads, int processes = 1);
+void refuse_study_beyond_memory(const study::StudyInput& input, const StudyForecast& forecast, int threads,
+                                int processes = 1);
 
 /// Returns where a study's result goes without --out: beside that of its scene.
 std::string study_directory(const study::StudySpec& study, const SceneSpec& scene);

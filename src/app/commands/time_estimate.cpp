@@ -195,7 +195,7 @@ WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& ex
     return forecast;
 }
 
-WritingForecast forecast_study_writing(const StudyInput& input, const RunEstimate& member,
+WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
                                        const std::optional<TimeEstimate>& trial, int threads) {
     const OutputSpec& output = input.base.spec.output;
     const bool is_region = input.reading.study.per_polygon();

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "analysis/ground_statistics.h"
-#include "app/ensemble/study_input.h"
 #include "app/input/prepare.h"
+#include "app/study/plan/study_input.h"
 #include "simulation/result.h"
 
 namespace frana::app {
@@ -46,7 +46,7 @@ WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& ex
                                  const std::optional<TimeEstimate>& trial);
 /// Of `frana ensemble` and `frana batch` of a region, whose members' records are deleted at the end. Contains the
 /// study's median member, which is computed again.
-WritingForecast forecast_study_writing(const StudyInput& input, const RunEstimate& member,
+WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
                                        const std::optional<TimeEstimate>& trial, int threads);
 /// Of an event of `frana calibrate`.
 WritingForecast forecast_event_writing(const Prepared& event, const RunEstimate& member);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "ensemble/tiny_study.h"
+#include "study/tiny_study.h"
 
 namespace frana::test {
 namespace {

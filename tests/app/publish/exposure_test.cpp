@@ -8,11 +8,11 @@
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "core/mixed_shape.h"
-#include "ensemble/tiny_study.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
+#include "study/tiny_study.h"
 
 namespace frana::test {
 namespace {

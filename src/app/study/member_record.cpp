@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/member_record.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "analysis/ground_statistics.h"
+#include "core/archive.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/words/words.h"
+#include "simulation/run_check.h"
+#include "simulation/run_summary.h"
+#include "simulation/run_values.h"
+#include "simulation/simulation.h"
+
+namespace frana::app::study {
+namespace {
+
+constexpr char k_magic[8] = {'f', 'r', 'a', 'n', 'a', ' ', 'm', 'b'};
+/// Increases with every change of what a record contains.
+constexpr std::uint32_t k_format = 3;
+constexpr std::size_t k_head_bytes = sizeof k_magic + sizeof k_format + sizeof(std::uint64_t);
+
+void add_bytes(std::string& bytes, const void* from, std::size_t count) {
+    bytes.append(static_cast<const char*>(from), count);
+}
+
+std::uint32_t crc_of(const char* bytes, std::size_t count) {
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes), count));
+}
+
+/// Why a run's figures are those of another event than its scene; empty: they are good.
+std::string failure_of(const RunResult& result) {
+    switch (result.stop_reason) {
+        case StopReason::reached_no_data:
+        case StopReason::non_finite:
+        case StopReason::impossible_speed:
+        case StopReason::volume_drift:
+            return describe(result.stop_reason);
+        default:
+            return "";
+    }
+}
+
+/// A map at the cells of a record, 0 where it has no value.
+std::vector<float> values_at(const MemberRecord& record, const Raster& map) {
+    std::vector<float> values;
+    for (const CellRun& run : record.runs) {
+        for (std::uint64_t cell = run.first; cell < run.first + run.count; ++cell) {
+            const double value = map.values[cell];
+            values.push_back(std::isnan(value) ? 0.0F : static_cast<float>(value));
+        }
+    }
+    return values;
+}
+
+void add_cells(const RunResult& result, MemberRecord& record) {
+    const auto number = [](double value) { return static_cast<float>(value); };
+    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+        if (std::isnan(depth)) return;
+        if (record.runs.empty() || record.runs.back().first + record.runs.back().count != cell)
+            record.runs.push_back({cell, 0});
+        ++record.runs.back().count;
+        record.depth.push_back(number(depth));
+        record.arrival.push_back(number(result.raster("arrival_time").values[cell]));
+    });
+    record.velocity = values_at(record, result.raster("max_velocity"));
+}
+
+}  // namespace
+
+const std::vector<float>& MemberRecord::of(Quantity quantity) const noexcept {
+    switch (quantity) {
+        case Quantity::velocity:
+            return velocity;
+        case Quantity::arrival:
+            return arrival;
+        case Quantity::pressure:
+            return pressure;
+        case Quantity::intensity:
+            return intensity;
+        case Quantity::final_depth:
+            return final_depth;
+        case Quantity::depth:
+            break;
+    }
+    return depth;
+}
+
+std::int64_t MemberRecord::cells_across(const GridSpec& grid) const {
+    return std::max<std::int64_t>(1, std::llround(cell_size / grid.cell_size));
+}
+
+CellWindow MemberRecord::place_in(const GridSpec& grid) const {
+    const double column = (west - grid.west) / grid.cell_size, row = (grid.north - north) / grid.cell_size;
+    constexpr double k_tolerance = 1e-3;  // of a cell: files round their origin
+    const auto is_whole = [](double value) { return std::abs(value - std::round(value)) < k_tolerance; };
+    const std::int64_t across = cells_across(grid);
+    const double expected = grid.cell_size * static_cast<double>(across);
+    if (!is_whole(column) || !is_whole(row) || std::abs(cell_size / expected - 1) > 1e-9)
+        throw Error(ErrorKind::input,
+                    Problem{"has other cells than the study's scene", "member " + std::to_string(member), "", "",
+                            "Set terrain.crs and terrain.cell-size in the scene"});
+    return {static_cast<std::int64_t>(std::llround(row)), static_cast<std::int64_t>(std::llround(column)),
+            rows * across, columns * across};
+}
+
+Raster MemberRecord::raster(Quantity quantity, const GridSpec& grid) const {
+    Raster raster(grid, k_no_data);
+    const std::vector<float>& values = of(quantity);
+    for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+        if (row >= 0 && column >= 0 && row < grid.rows && column < grid.columns)
+            raster.at(row, column) = static_cast<double>(values[index]);
+    });
+    return raster;
+}
+
+MemberRecord empty_record(std::uint64_t member, const GridSpec& grid) {
+    MemberRecord record;
+    record.member = member;
+    record.west = grid.west;
+    record.north = grid.north;
+    record.cell_size = grid.cell_size;
+    record.columns = grid.columns;
+    record.rows = grid.rows;
+    return record;
+}
+
+MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scene& scene, double threshold,
+                       const RecordExtras& extras) {
+    MemberRecord record = empty_record(member, scene.grid);
+    record.failure = failure_of(result);
+    for (const RunValue& value : reported_values(result, scene, threshold))
+        record.figures.push_back({value.key, value.title, value.unit, value.value});
+    record.figures.push_back({"volume_m3", worded("volume"), "m3", result.volume_entered});
+    record.end = {stop_word(result.stop_reason),
+                  motion_at_end(result).front,
+                  result.moving_fraction_limit,
+                  left_fraction(result),
+                  gap_contact(result, scene).cells > 0,
+                  result.energy_error.value_or(k_no_data),
+                  {}};
+    record.engine_seconds = result.engine_seconds;
+    record.particle_steps = result.particle_steps;
+    add_cells(result, record);
+    if (extras.pressure) record.pressure = values_at(record, result.raster("max_pressure"));
+    if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
+    if (extras.final_depth)
+        record.final_depth = values_at(record, result.depth_is_normal
+                                                   ? vertical_depth(result.raster("final_depth"), result.raster("bed"))
+                                                   : result.raster("final_depth"));
+    return record;
+}
+
+std::string bytes_of(MemberRecord record) {
+    std::string content;
+    StateWriter writer([&](const void* from, std::size_t count) { add_bytes(content, from, count); });
+    writer(record);
+    std::string bytes;
+    add_bytes(bytes, k_magic, sizeof k_magic);
+    add_bytes(bytes, &k_format, sizeof k_format);
+    const std::uint64_t size = content.size();
+    add_bytes(bytes, &size, sizeof size);
+    bytes += content;
+    const std::uint32_t crc = crc_of(bytes.data(), bytes.size());
+    add_bytes(bytes, &crc, sizeof crc);
+    return bytes;
+}
+
+void write_record(const std::string& path, MemberRecord record) {
+    write_file(path, bytes_of(std::move(record)), Sync::yes);
+}
+
+std::optional<MemberRecord> record_from(const std::string& bytes) {
+    std::uint32_t crc = 0, format = 0;
+    std::uint64_t size = 0;
+    if (bytes.size() < k_head_bytes + sizeof crc || std::memcmp(bytes.data(), k_magic, sizeof k_magic) != 0)
+        return std::nullopt;
+    std::memcpy(&format, bytes.data() + sizeof k_magic, sizeof format);
+    std::memcpy(&size, bytes.data() + sizeof k_magic + sizeof format, sizeof size);
+    if (format != k_format || size != bytes.size() - k_head_bytes - sizeof crc) return std::nullopt;
+    std::memcpy(&crc, bytes.data() + bytes.size() - sizeof crc, sizeof crc);
+    if (crc != crc_of(bytes.data(), bytes.size() - sizeof crc)) return std::nullopt;
+    const char* next = bytes.data() + k_head_bytes;
+    const char* const end = bytes.data() + bytes.size() - sizeof crc;
+    StateReader reader(
+        [&](void* to, std::size_t count) {
+            StateReader::require(count <= static_cast<std::size_t>(end - next));
+            std::memcpy(to, next, count);
+            next += count;
+        },
+        size);
+    MemberRecord record;
+    try {
+        reader(record);
+        StateReader::require(next == end);
+        std::uint64_t cells = 0;
+        for (const CellRun& run : record.runs) cells += run.count;
+        StateReader::require(cells == record.depth.size() && cells == record.velocity.size() &&
+                             cells == record.arrival.size() &&
+                             (record.pressure.empty() || cells == record.pressure.size()) &&
+                             (record.intensity.empty() || cells == record.intensity.size()) &&
+                             (record.final_depth.empty() || cells == record.final_depth.size()));
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+    return record;
+}
+
+std::optional<MemberRecord> read_record(const std::string& path, std::uint64_t member) {
+    auto record = read_record(path);
+    return record && record->member == member ? std::move(record) : std::nullopt;
+}
+
+std::optional<MemberRecord> read_record(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    return record_from({std::istreambuf_iterator<char>(file), {}});
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/hazard.h"
+#include "core/grid_spec.h"
+#include "core/raster.h"
+#include "core/words/sentence.h"
+#include "simulation/result.h"
+#include "simulation/run_summary.h"
+#include "simulation/run_values.h"
+#include "simulation/scene.h"
+
+namespace frana::app::study {
+
+/// A value of a member that studies compare; the same ones in the same order for every member of a study.
+struct Figure {
+    std::string key;    ///< "runout_m", "gauge bridge: max_depth_m"
+    std::string title;  ///< "run-out"
+    std::string unit;
+    double value = 0;
+};
+
+template <class Archive>
+void serialise(Archive& archive, Figure& figure) {
+    auto& [key, title, unit, value] = figure;
+    archive(key, title, unit, value);
+}
+
+/// Consecutive cells of a row or of several.
+struct CellRun {
+    std::uint64_t first = 0, count = 0;
+};
+
+template <class Archive>
+void serialise(Archive& archive, CellRun& run) {
+    archive(run.first, run.count);
+}
+
+/// What a member's flow left behind, where it came; as in the Float32 rasters of a run: maxima, the class of intensity,
+/// and the depth at the end.
+enum class Quantity { depth, velocity, arrival, pressure, intensity, final_depth };
+
+/// Columns of a table of members with what MemberEnd holds, its number of warnings the last.
+inline constexpr const char* k_end_columns[] = {"stop_reason",     "moving_fraction", "left_domain_fraction",
+                                                "held_by_no_data", "energy_error",    "warnings"};
+
+/// How a member's run ended, and what it warned of: what one run tells must reach the study's maps.
+struct MemberEnd {
+    std::string stop_reason;     ///< as in summary.json; empty: it could not start
+    bool is_cut = false;         ///< the front still moved at time.end (motion_at_end)
+    double moving_fraction = 0;  ///< of the volume
+    double left_fraction = 0;    ///< of the volume, through the edges of the computed ground
+    bool is_held = false;        ///< by cells without elevation (gap_contact)
+    double energy_error = 0;     ///< NaN: not known
+    std::vector<Sentence> warnings;
+
+    /// Whether the full run-out is not known.
+    [[nodiscard]] bool left() const noexcept { return left_fraction > k_left_ground; }
+    /// Whether what it reached is a lower bound of what it would have.
+    [[nodiscard]] bool is_open() const noexcept { return is_cut || is_held || left(); }
+};
+
+template <class Archive>
+void serialise(Archive& archive, MemberEnd& end) {
+    archive(end.stop_reason, end.is_cut, end.moving_fraction, end.left_fraction, end.is_held, end.energy_error,
+            end.warnings);
+}
+
+/// All that is kept of a member.
+struct MemberRecord {
+    std::uint64_t member = 0;
+    std::string key_values;  ///< "key=value" line by line, files without their folders
+    MemberEnd end;
+    std::string failure;                        ///< why its figures and maps are not used; empty: it is finished
+    std::vector<Figure> figures;                ///< empty where it failed before its first step
+    double engine_seconds = 0;                  ///< wall time: the only value that differs between two runs of a member
+    std::int64_t particle_steps = 0;            ///< work of the engine, the same in every run
+    double west = 0, north = 0, cell_size = 1;  ///< of its working grid
+    std::int64_t columns = 0, rows = 0;
+    std::vector<CellRun> runs;       ///< cells of that grid that the flow reached, in order
+    std::vector<float> depth;        ///< of these cells: maximum, vertical [m]
+    std::vector<float> velocity;     ///< maximum, along the bed [m/s]
+    std::vector<float> arrival;      ///< [s]
+    std::vector<float> pressure;     ///< maximum [kPa]; empty unless asked for
+    std::vector<float> intensity;    ///< class; likewise
+    std::vector<float> final_depth;  ///< at the end, vertical [m]; likewise
+
+    /// Its grid, without CRS.
+    [[nodiscard]] GridSpec grid() const { return {west, north, cell_size, columns, rows, {}}; }
+    [[nodiscard]] bool finished() const noexcept { return failure.empty(); }
+    [[nodiscard]] const std::vector<float>& of(Quantity quantity) const noexcept;
+    /// Returns a quantity as a raster on a grid in which it has a place; NaN where the flow did not come.
+    [[nodiscard]] Raster raster(Quantity quantity, const GridSpec& grid) const;
+    /// Returns the number of cells of another grid along a side of its own.
+    [[nodiscard]] std::int64_t cells_across(const GridSpec& grid) const;
+    /// Returns its grid's place in another grid, with the same cells or several in each of its own. Throws Error(input)
+    /// if the lines of its grid are not all lines of the other.
+    [[nodiscard]] CellWindow place_in(const GridSpec& grid) const;
+    /// Calls visit(row, column, index) for the cells that the flow reached, by rows and columns of such a grid, which
+    /// may be outside it; in smaller cells once for each.  `index` is the cell's place in depth, velocity and arrival.
+    template <class Visit>
+    void for_each_cell(const GridSpec& grid, const Visit& visit) const {
+        const CellWindow place = place_in(grid);
+        const std::int64_t across = cells_across(grid);
+        std::size_t index = 0;
+        for (const CellRun& run : runs) {
+            for (std::uint64_t cell = run.first; cell < run.first + run.count; ++cell, ++index) {
+                const std::int64_t row = static_cast<std::int64_t>(cell) / columns * across + place.row,
+                                   column = static_cast<std::int64_t>(cell) % columns * across + place.column;
+                for (std::int64_t i = 0; i < across * across; ++i) visit(row + i / across, column + i % across, index);
+            }
+        }
+    }
+};
+
+template <class Archive>
+void serialise(Archive& archive, MemberRecord& record) {
+    archive(record.member, record.key_values, record.end, record.failure, record.figures, record.engine_seconds,
+            record.particle_steps, record.west, record.north, record.cell_size, record.columns, record.rows,
+            record.runs, record.depth, record.velocity, record.arrival, record.pressure, record.intensity,
+            record.final_depth);
+}
+
+/// Returns a record without figures and cells, of a member on a grid.
+MemberRecord empty_record(std::uint64_t member, const GridSpec& grid);
+/// What a record contains only if something is made of it.
+struct RecordExtras {
+    bool pressure = false;
+    std::optional<HazardScheme> scheme = {};  ///< of the classes of intensity
+    bool final_depth = false;
+};
+/// Returns the record of a run.
+/// @param threshold depth from which a cell belongs to the covered area [m]
+MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scene& scene, double threshold,
+                       const RecordExtras& extras = {});
+
+/// Returns a record as it is in its file:
+///
+///     8 bytes "frana mb", format, bytes of the rest | record | CRC-32 of all before
+std::string bytes_of(MemberRecord record);
+
+/// Returns a record whose every byte has been checked; none if they are damaged or have another format.
+std::optional<MemberRecord> record_from(const std::string& bytes);
+
+/// Writes a record aside, syncs it to the disk and renames it. Throws Error(environment).
+void write_record(const std::string& path, MemberRecord record);
+
+/// Returns record_from() a file; none if it does not exist or is the record of another member.
+std::optional<MemberRecord> read_record(const std::string& path, std::uint64_t member);
+/// The same of whatever member.
+std::optional<MemberRecord> read_record(const std::string& path);
+
+}  // namespace frana::app::study

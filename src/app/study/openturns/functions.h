@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/study_spec.h"
+#include "core/module.h"
+
+namespace frana::app::study {
+
+/// A value and its interval of confidence.
+struct Interval {
+    double value = 0, low = 0, high = 0;  ///< low, high: of 95 %
+};
+/// Sensitivity of one figure to one key.
+struct KeySensitivity {
+    std::optional<Interval> first_order, total;  ///< Sobol' indices: fractions of the variance
+    /// Spearman's rank correlation; of a key without order the correlation ratio, which has no interval.
+    std::optional<Interval> rank_correlation;
+    std::string method;  ///< "Martinez", "Spearman", "correlation ratio"; empty: the figure does not vary
+};
+
+/// The inputs of members, by member and key, as SampleTable::numbers.
+struct DesignPoints {
+    std::vector<std::vector<double>> numbers;
+    std::vector<bool> nominal;  ///< by key
+};
+
+/// Members drawn near others that explain the surveys, with the density from which they were drawn.
+struct RefinedPlaces {
+    Places places;
+    std::vector<double> density;  ///< by member, relative to the prior, which is 1 everywhere in the cube
+};
+
+/// All that frana takes from OpenTURNS, as functions of the module `openturns`. The files of this folder are its only
+/// users: they are linked to the module alone, and of frana they use only types that headers define completely.
+struct OpenturnsFunctions {
+    /// Values of a distribution of numbers at places in (0, 1).
+    std::vector<double> (*quantiles)(const Distribution& distribution, const std::vector<double>& places);
+    /// Places of a study's members, independent in each coordinate.
+    Places (*independent_places)(const StudySpec& study);
+    /// Gives places the rank correlations of a study; each coordinate stays even in (0, 1). False: no distribution has
+    /// these correlations.
+    bool (*correlate)(const StudySpec& study, Places& places);
+    /// As refined_places(), with the widths of the kernels by key and the part drawn from the prior.
+    RefinedPlaces (*refined)(const Places& design, const std::vector<double>& weights,
+                             const std::vector<double>& widths, double prior_part, std::size_t count,
+                             std::int64_t seed);
+    /// As sobol_indices(), for outputs that vary in every matrix of the design.
+    std::vector<KeySensitivity> (*indices)(const DesignPoints& points, const std::vector<double>& output,
+                                           std::size_t groups, bool with_intervals);
+};
+
+/// Loads the module when it is first called. Throws Error(environment) if that is not possible.
+inline const OpenturnsFunctions& openturns() {
+    return module_table<OpenturnsFunctions>("openturns");
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/plan/region_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/hazard.h"
+#include "app/input/flow_window.h"
+#include "app/input/layer_values.h"
+#include "app/publish/publish_hazard.h"
+#include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
+#include "core/cell_values.h"
+#include "core/text.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/working_grid.h"
+
+namespace frana::app::study {
+namespace {
+
+/// @param all polygons of a region; those without an area, which fail alone, too
+gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& crs, const LayerSpec& choice, bool all) {
+    const std::string key = "release.perimeter";
+    gis::LayerChoice own = layer_choice(reading, choice, key);
+    own.keep_unusable = all;
+    return gis::read_polygons(*reading.scene.release.perimeter, crs, reading.where(key), own);
+}
+
+void check_degree(const StudyInput& input) {
+    const RegionSpec& region = *input.reading.study.region;
+    if (!region.return_period) return;
+    const auto scheme = hazard_scheme_of(input.base.spec);
+    if (scheme && has_intensities(*scheme)) return;
+    throw Error(ErrorKind::input,
+                Problem{scheme ? "does not tell weak, medium and strong intensity, which the degree of hazard needs"
+                               : "is missing, and the degree of hazard needs intensities",
+                        input.central.where("hazard.scheme"), scheme ? scheme->name : "",
+                        "swiss-debris-flow, swiss-flood, or custom with two limits",
+                        "Choose one of these, or remove region.return-period"});
+}
+
+/// Prepares a slope in its window.
+Prepared prepare_slope(const RegionSpec& region, SceneReading& slope, const std::optional<Problem>& place,
+                       RunLog& log) {
+    slope.scene.observed = {};
+    slope.scene.output.profiles.reset();
+    // What is wrong is told by prepare(), with all else.
+    if (slope.problems.empty() && !attempt([&] { cut_terrain(region, slope, log); }))
+        slope.scene.terrain.bounds.reset();
+    return prepare(slope, place, log);
+}
+
+/// The slopes against which nothing is known, the largest first.
+std::vector<std::size_t> sound_slopes(const StudyInput& input, const SceneReading& of_all) {
+    const gis::PolygonLayer layer = polygons_of(of_all, "", of_all.scene.release.perimeter_layer, true);
+    std::vector<std::pair<double, std::size_t>> sizes;
+    for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)
+        if (input.slopes[i].problem.empty()) sizes.emplace_back(-area(layer.features[i].parts), i);
+    std::sort(sizes.begin(), sizes.end());
+    std::vector<std::size_t> members;
+    for (const auto& [size, member] : sizes) members.push_back(member);
+    return members;
+}
+
+/// Prepares the largest slope that can be; one that cannot, off the DTM for example, fails alone when it runs. Throws
+/// what is wrong with the largest if none can be.
+void prepare_central(StudyInput& input, const SceneReading& of_all, const std::optional<Problem>& place, RunLog& log) {
+    const RegionSpec& region = *input.reading.study.region;
+    try {
+        SceneReading slope = input.central;
+        input.base = prepare_slope(region, slope, place, log);
+        input.central = std::move(slope);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input || place || !input.central.problems.empty()) throw;
+        for (const std::size_t member : sound_slopes(input, of_all)) {
+            const auto take = [&] {
+                SceneReading slope = input.member(member);
+                input.base = prepare_slope(region, slope, std::nullopt, log);
+                input.central = std::move(slope);
+            };
+            if (attempt(take)) return;
+        }
+        throw;
+    }
+}
+
+}  // namespace
+
+void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std::vector<Slope>& slopes,
+                   Problems& problems) {
+    std::map<std::string, std::pair<Problem, std::size_t>> counts;  // by words
+    std::vector<std::vector<std::string>> of_slope(slopes.size());
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        const SceneReading scene = scene_of(i);
+        for (const Problem& problem : scene.problems.list()) {
+            const std::string words = problem.where + problem.what;
+            ++counts.try_emplace(words, problem, 0).first->second.second;
+            of_slope[i].push_back(words);
+        }
+    }
+    for (const auto& [words, found] : counts)
+        if (found.second == slopes.size()) problems.add(found.first);
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+        for (const std::string& words : of_slope[i]) {
+            const auto& [problem, count] = counts.at(words);
+            if (count < slopes.size() && slopes[i].problem.empty()) slopes[i].problem = describe(problem);
+        }
+}
+
+std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Slope>& slopes) {
+    std::optional<std::size_t> best;
+    std::size_t largest = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (sizes[i] > sizes[largest]) largest = i;
+        if (!slopes.empty() && !slopes[i].problem.empty()) continue;
+        if (!best || sizes[i] > sizes[*best]) best = i;
+    }
+    return best.value_or(largest);
+}
+
+void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log) {
+    if (reading.scene.terrain.bounds || reading.scene.terrain.dtm.empty() || !reading.scene.release.perimeter) return;
+    const DtmFile dtm = inspect_dtm(reading, log);
+    const GridSpec all = gis::working_grid(dtm.file, dtm.working_crs, std::nullopt, reading.scene.terrain.cell_size);
+    const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer, false).bounds;
+    if (box.east <= all.west || box.west >= all.east() || box.north <= all.south() || box.south >= all.north)
+        throw Error(ErrorKind::input,
+                    Problem{"the polygon lies outside the DTM", reading.where("release.perimeter"), extent_text(box),
+                            extent_text(all.bounds()), "Check the coordinate reference systems of both files"});
+    if (region.window) {
+        const double by = *region.window;
+        reading.scene.terrain.bounds = Bounds{box.west - by, box.south - by, box.east + by, box.north + by};
+        return;
+    }
+    const double most = static_cast<double>(CellValues::k_most_dense) * all.cell_area();
+    reading.scene.terrain.bounds = flow_window(reading, dtm.file, dtm.working_crs, most);
+}
+
+void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
+    const SceneReading of_all = input.scene_with({});
+    prepare_central(input, of_all, place, log);
+    input.base.spec.terrain.bounds = of_all.scene.terrain.bounds;
+    input.base.spec.release.perimeter_layer = of_all.scene.release.perimeter_layer;
+    input.base.scene.time.frame_interval = 0;
+    check_degree(input);
+    const GridSpec& grid = input.base.scene.grid;
+    const gis::PolygonLayer layer = polygons_of(of_all, grid.crs_wkt, of_all.scene.release.perimeter_layer, true);
+    for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)
+        input.slopes[i].outline = layer.features[i].parts;
+    input.identity = "study = region\n" + values_text(input.table) + scene_identity(input.base);
+    const UsedFile polygons = used_polygons("release perimeter of all", *of_all.scene.release.perimeter, layer);
+    input.identity += "checksum of the " + polygons.role + " = " + std::to_string(polygons.checksum.value()) + "\n";
+    if (const auto& window = input.reading.study.region->window)
+        input.identity += "region.window = " + shortest_text(*window) + "\n";
+}
+
+}  // namespace frana::app::study

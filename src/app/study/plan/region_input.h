@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/study/plan/study_input.h"
+
+namespace frana::app::study {
+
+/// Reads the scene of each slope. What is wrong with some of them is kept with these; what is wrong with all is added
+/// to `problems` once.
+void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std::vector<Slope>& slopes,
+                   Problems& problems);
+
+/// Returns the member with the largest polygon, of a region the largest against which nothing is known, if there is
+/// one.
+std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Slope>& slopes);
+
+/// Restricts a slope's scene to the terrain that it needs, whatever the size of the DTM; not one with terrain.bounds,
+/// nor one whose need is not known (flow_window), which is run as `frana run` runs it. Throws Error(input).
+void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log);
+
+/// Prepares the slope that stands for all of a region (its material, its time, its output), the largest that can be
+/// prepared, and the outlines of all. Throws Error(input) if none can be.
+void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log);
+
+}  // namespace frana::app::study

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/plan/sampling.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "app/study/member_record.h"
+#include "app/study/openturns/functions.h"
+#include "app/study/plan/read_study.h"
+#include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/parameter.h"
+#include "params/keys/scene_parameters.h"
+#include "simulation/run_values.h"
+
+namespace frana::app::study {
+namespace {
+
+constexpr const char* k_error_key = "terrain.error";
+
+/// Whether a distribution of numbers makes sense for it.
+bool is_number(const Parameter& key) {
+    return key.type == "number" || key.fits || key.name() == "release.thickness";
+}
+
+std::string bound_text(double bound) {
+    return std::isfinite(bound) ? shortest_text(bound) : bound < 0 ? "minus infinity" : "infinity";
+}
+
+/// A cut off or bounded distribution must lie in the range; of an unbounded one the values drawn are checked.
+std::optional<ValueProblem> support_refusal(const Parameter& key, const Distribution& distribution) {
+    const Support support = support_of(distribution);
+    SceneSpec scene;
+    for (const double bound : {support.low, support.high}) {
+        if (!std::isfinite(bound) || (distribution.law == Law::log_normal && bound == 0)) continue;
+        if (!key.read(scene, shortest_text(bound))) continue;
+        return ValueProblem{"reaches from " + bound_text(support.low) + " to " + bound_text(support.high) +
+                                ", beyond the key's range (" + key.limits + ")",
+                            "Choose a distribution inside the range"};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ValueProblem> refusal_to_vary(const Parameter& key) {
+    static const std::set<std::string> k_grid{"terrain.cell-size", "terrain.crs", "terrain.bounds"};
+    const std::string name = key.name();
+    if (k_grid.count(name) > 0)
+        return ValueProblem{"cannot vary: all members need the same cells, or their maps could not be combined",
+                            "Set it in the scene"};
+    if (key.section == "output" || key.section == "observed" || key.section == "hazard" || key.section == "scene")
+        return ValueProblem{"cannot vary: it does not change the flow, only what is written of it",
+                            "Set it in the scene"};
+    if (name == "numerics.accuracy" || name == "time.frame-interval")
+        return ValueProblem{"cannot vary: members are computed on the scene's own cells and write no frames",
+                            "Remove it"};
+    return std::nullopt;
+}
+
+std::optional<ValueProblem> refusal_of(const Parameter& key, const Distribution& distribution) {
+    SceneSpec scene;
+    const bool is_field = distribution.law == Law::gaussian_field;
+    if (is_field != (key.name() == k_error_key))
+        return ValueProblem{is_field ? "is a field of error, which only terrain.error has"
+                                     : "is not a field: terrain.error = gaussian-field(sd, range)",
+                            ""};
+    if (is_field) {
+        const std::string field =
+            shortest_text(distribution.numbers[0]) + ", " + shortest_text(distribution.numbers[1]) + ", 0";
+        return key.read(scene, field);
+    }
+    if (distribution.law != Law::choice) {
+        if (!is_number(key))
+            return ValueProblem{"is a distribution of numbers, and the key is " +
+                                    std::string(key.type == "integer" ? "a whole number" : "no number"),
+                                "Write choice(value: weight, ...)"};
+        return support_refusal(key, distribution);
+    }
+    for (const std::string& value : distribution.values) {
+        const auto refusal = key.read(scene, value);
+        if (refusal) return ValueProblem{"has the value " + value + ", which " + refusal->what, refusal->remedy};
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+constexpr double k_member_seeds = 9007199254740992.0;  // 2^53: every place in [0, 1) is a seed of its own
+
+/// A value as text, and as a number for statistics.
+using Value = std::pair<std::string, double>;
+
+Value nominal_value(const Distribution& distribution, double place) {
+    if (distribution.law == Law::gaussian_field) {
+        const auto seed = static_cast<std::int64_t>(place * k_member_seeds);
+        return {shortest_text(distribution.numbers[0]) + ", " + shortest_text(distribution.numbers[1]) + ", " +
+                    std::to_string(seed),
+                place};
+    }
+    double sum = 0;
+    std::size_t index = 0;
+    for (; index + 1 < distribution.values.size(); ++index)
+        if (place < (sum += distribution.weights[index])) break;
+    return {distribution.values[index], static_cast<double>(index)};
+}
+
+/// Returns the values of one key at places in (0, 1).
+std::vector<Value> values_at(const Distribution& distribution, const std::vector<double>& places) {
+    std::vector<Value> values;
+    if (distribution.is_nominal()) {
+        for (const double place : places) values.push_back(nominal_value(distribution, place));
+    } else {
+        for (const double value : openturns().quantiles(distribution, places))
+            values.emplace_back(shortest_text(value), value);
+    }
+    return values;
+}
+
+SampleTable empty_table(const StudySpec& study) {
+    SampleTable table;
+    for (const Variation& one : study.vary) {
+        table.keys.push_back(one.key);
+        table.nominal.push_back(one.distribution.is_nominal());
+    }
+    return table;
+}
+
+void add_member(const std::vector<Value>& values, double weight, SampleTable& table) {
+    auto& texts = table.values.emplace_back();
+    auto& numbers = table.numbers.emplace_back();
+    for (const auto& [text, number] : values) {
+        texts.push_back(text);
+        numbers.push_back(number);
+    }
+    table.weights.push_back(weight);
+}
+
+/// All combinations of as many levels of each key as the samples allow, in the middle of equal parts of its
+/// distribution; of a choice all values, with their weights.
+SampleTable full_factorial(const StudySpec& study) {
+    SampleTable table = empty_table(study);
+    double choices = 1;
+    std::size_t numbers = 0;
+    for (const Variation& one : study.vary) {
+        const bool is_choice = one.distribution.law == Law::choice;
+        choices *= is_choice ? static_cast<double>(one.distribution.values.size()) : 1;
+        numbers += is_choice ? 0 : 1;
+    }
+    const double most = static_cast<double>(study.samples) / choices;
+    const auto levels = static_cast<std::size_t>(
+        numbers == 0 ? 1 : std::max(1.0, std::floor(std::pow(most, 1.0 / static_cast<double>(numbers)) + 1e-9)));
+    std::vector<std::size_t> at(study.vary.size());
+    for (bool more = true; more;) {
+        std::vector<Value> values;
+        double weight = 1;
+        for (std::size_t k = 0; k < at.size(); ++k) {
+            const Distribution& d = study.vary[k].distribution;
+            if (d.law == Law::choice) {
+                values.emplace_back(d.values[at[k]], static_cast<double>(at[k]));
+                weight *= d.weights[at[k]];
+            } else {
+                const double place = (static_cast<double>(at[k]) + 0.5) / static_cast<double>(levels);
+                values.push_back(values_at(d, {place}).front());
+            }
+        }
+        add_member(values, weight, table);
+        more = false;
+        for (std::size_t k = at.size(); k-- > 0 && !more;) {
+            const Distribution& d = study.vary[k].distribution;
+            more = ++at[k] < (d.law == Law::choice ? d.values.size() : levels);
+            if (!more) at[k] = 0;
+        }
+    }
+    return table;
+}
+
+/// Of an unbounded distribution a value may lie outside the key's range.
+void check_values(const StudySpec& study, const SampleTable& table, const std::string& label, Problems& problems) {
+    const std::vector<Parameter>& parameters = scene_parameters();
+    for (std::size_t k = 0; k < table.keys.size(); ++k) {
+        const Parameter* const key = find_parameter(parameters, table.keys[k]);
+        SceneSpec scene;
+        for (std::size_t member = 0; member < table.size(); ++member) {
+            if (!key->read(scene, table.values[member][k])) continue;
+            const std::string& law = study.vary[k].distribution.text;
+            problems.add(
+                {"has no end, and member " + std::to_string(member) + " would have a value of " +
+                     table.values[member][k],
+                 label + ": vary." + table.keys[k], law, key->limits,
+                 "Cut the distribution off with two more numbers: " + law.substr(0, law.size() - 1) + ", low, high)"});
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+std::string values_text(const SampleTable& table) {
+    std::string text;
+    std::vector<std::map<std::string, std::size_t>> files(table.keys.size());  // by key: value and its number
+    for (std::size_t member = 0; member < table.size(); ++member)
+        for (std::size_t k = 0; k < table.keys.size(); ++k) {
+            const std::string& value = table.values[member][k];
+            std::string shown = value;
+            if (table.nominal[k])
+                shown = with_files(table.keys[k], value, [](const std::string&, const std::string& path) {
+                    return std::filesystem::path(path).filename().string();
+                });
+            if (shown != value)
+                shown += ", file " + std::to_string(files[k].try_emplace(value, files[k].size()).first->second);
+            text += "member " + std::to_string(member) + " " + table.keys[k] + " = " + shown + "\n";
+        }
+    return text;
+}
+
+std::string values_text(const std::vector<std::string>& overrides) {
+    std::string text;
+    for (const std::string& one : overrides) {
+        const std::size_t equals = one.find('=');
+        const std::string key = one.substr(0, equals);
+        text += key + "=" +
+                with_files(key, one.substr(equals + 1),
+                           [](const std::string&, const std::string& path) {
+                               return std::filesystem::path(path).filename().string();
+                           }) +
+                "\n";
+    }
+    return text;
+}
+
+std::vector<std::string> SampleTable::overrides(std::size_t member) const {
+    std::vector<std::string> list;
+    for (std::size_t k = 0; k < keys.size(); ++k) list.push_back(keys[k] + "=" + values[member][k]);
+    if (!level_runs.empty() && level_runs[member].cell_size > 0)
+        list.push_back(std::string(k_cell_size_key) + "=" + shortest_text(level_runs[member].cell_size));
+    return list;
+}
+
+SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems) {
+    if (study.sampling == Sampling::grid) return full_factorial(study);
+    SampleTable table = samples_at(study, draw_places(study), label, problems);
+    if (study.sampling == Sampling::saltelli) table.groups = table.size() / (study.vary.size() + 2);
+    return table;
+}
+
+Places draw_places(const StudySpec& study) {
+    return openturns().independent_places(study);
+}
+
+SampleTable samples_at(const StudySpec& study, const Places& independent, const std::string& label,
+                       Problems& problems) {
+    SampleTable table = empty_table(study);
+    table.places = independent;
+    if (!study.correlate.empty() && !openturns().correlate(study, table.places)) {
+        problems.add({"no distribution has all these correlations at once", label + ": correlate", "", "",
+                      "Bring them nearer to 0"});
+        return empty_table(study);
+    }
+    std::vector<std::vector<Value>> of_keys;
+    for (std::size_t k = 0; k < study.vary.size(); ++k) {
+        std::vector<double> column;
+        for (const std::vector<double>& place : table.places) column.push_back(place[k]);
+        of_keys.push_back(values_at(study.vary[k].distribution, column));
+    }
+    for (std::size_t i = 0; i < table.places.size(); ++i) {
+        std::vector<Value> values;
+        for (const std::vector<Value>& of_key : of_keys) values.push_back(of_key[i]);
+        add_member(values, 1, table);
+    }
+    check_values(study, table, label, problems);
+    return table;
+}
+
+namespace {
+
+constexpr const char* k_weight_column = "weight";
+/// Columns of members.csv and posterior.csv that are no keys and no values of a run.
+constexpr const char* k_result_columns[] = {"member",    "status",         "score",    "level",
+                                            "name",      "group",          "scenario", "return_period",
+                                            "volume_m3", "engine_seconds", "reason"};
+
+std::vector<std::string> result_columns() {
+    std::vector<std::string> all(std::begin(k_result_columns), std::end(k_result_columns));
+    all.insert(all.end(), std::begin(k_end_columns), std::end(k_end_columns));
+    return all;
+}
+
+bool is_result_column(const std::string& name, const std::vector<Parameter>& parameters) {
+    if (is_value_key(name) || name.starts_with("score ") || name.starts_with("misfit ")) return true;
+    // The key of one event in the posterior of several.
+    const auto event = name.find(" of ");
+    if (event != std::string::npos && find_parameter(parameters, name.substr(0, event)) != nullptr) return true;
+    const std::vector<std::string> all = result_columns();
+    return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+Problem unknown_column(const std::string& name, const std::string& place, const std::vector<Parameter>& parameters) {
+    std::vector<std::string> known = names_of(parameters);
+    known.emplace_back(k_weight_column);
+    for (const std::string& column : result_columns()) known.push_back(column);
+    const std::string nearest = nearest_name(lower_case(name), known);
+    return {"is neither a key of the scene, nor weight, nor a column that members.csv or posterior.csv has", place, "",
+            "",
+            nearest.empty() ? "Rename or remove it; `frana params` lists all keys" : "Did you mean " + nearest + "?"};
+}
+
+/// Returns the weight in a cell; nothing if it is none.
+std::optional<double> weight_from(const std::string& text) {
+    const auto weight = number_from_text(text);
+    const bool good = weight && (*weight == 0 || (*weight >= k_least_table_weight && *weight <= k_most_table_weight));
+    return good ? weight : std::nullopt;
+}
+
+bool is_blank(const std::vector<std::string>& row) {
+    return std::all_of(row.begin(), row.end(),
+                       [](const std::string& cell) { return cell.find_first_not_of(" \t\r") == std::string::npos; });
+}
+
+}  // namespace
+
+SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
+                             const std::string& where, Problems& problems) {
+    SampleTable table;
+    const std::vector<Parameter>& parameters = scene_parameters();
+    std::vector<std::size_t> of_key;
+    std::optional<std::size_t> weights;
+    const std::size_t known = problems.list().size();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string name = present_name(columns[i]), place = where + ": " + columns[i];
+        const bool twice =
+            std::count(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) > 0 ||
+            std::find(table.keys.begin(), table.keys.end(), name) != table.keys.end();
+        if (twice) {
+            problems.add({"is a column twice", place, "", "", "Keep one of the two"});
+        } else if (columns[i] == k_weight_column) {
+            weights = i;
+            table.columns.push_back({columns[i], TableColumn::Use::weight});
+        } else if (const Parameter* const parameter = find_parameter(parameters, name); parameter == nullptr) {
+            if (is_result_column(columns[i], parameters))
+                table.columns.push_back({columns[i], TableColumn::Use::result});
+            else
+                problems.add(unknown_column(columns[i], place, parameters));
+        } else if (const auto refusal = refusal_to_vary(*parameter)) {
+            problems.add({refusal->what, place, "", "", refusal->remedy});
+        } else {
+            table.columns.push_back({columns[i], TableColumn::Use::key});
+            table.keys.push_back(name);
+            of_key.push_back(i);
+        }
+    }
+    if (problems.list().size() > known) return table;
+    if (of_key.empty() || rows.empty()) {
+        problems.add({of_key.empty() ? "has no column with the name of a key" : "has no rows", where, "", "",
+                      "Write a column for each key that varies, and a row for each member"});
+        return table;
+    }
+    // Numbers where all of a column are; else the order in which the texts appear.
+    for (const std::size_t column : of_key)
+        table.nominal.push_back(!std::all_of(rows.begin(), rows.end(), [&](const auto& row) {
+            return is_blank(row) || number_from_text(row[column]).has_value();
+        }));
+    std::vector<std::map<std::string, double>> first(of_key.size());  // row of each text
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (is_blank(rows[row])) continue;
+        std::vector<Value> values;
+        for (std::size_t k = 0; k < of_key.size(); ++k) {
+            const std::string& text = rows[row][of_key[k]];
+            values.emplace_back(text, table.nominal[k] ? first[k].emplace(text, static_cast<double>(row)).first->second
+                                                       : *number_from_text(text));
+        }
+        const auto weight = weights ? weight_from(rows[row][*weights]) : 1;
+        if (!weight)
+            problems.add(
+                {"is not a weight", where + ": " + k_weight_column, rows[row][*weights],
+                 "0, or from " + shortest_text(k_least_table_weight) + " to " + shortest_text(k_most_table_weight),
+                 "Correct row " + std::to_string(row + 1)});
+        else if (*weight > 0)
+            add_member(values, *weight, table);
+    }
+    if (table.size() == 0 && problems.empty())
+        problems.add(
+            {"has no weight greater than 0", where + ": " + k_weight_column, "", "", "Give a member a weight"});
+    return table;
+}
+
+std::vector<std::string> central_values(const StudySpec& study) {
+    std::vector<std::string> list;
+    for (const Variation& one : study.vary) {
+        const Distribution& d = one.distribution;
+        if (d.law == Law::gaussian_field) continue;
+        if (d.law == Law::choice) {
+            const auto likeliest = std::max_element(d.weights.begin(), d.weights.end()) - d.weights.begin();
+            list.push_back(one.key + "=" + d.values[static_cast<std::size_t>(likeliest)]);
+        } else {
+            list.push_back(one.key + "=" + values_at(d, {0.5}).front().first);
+        }
+    }
+    return list;
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/plan/study_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "app/input/layer_values.h"
+#include "app/input/scene_language.h"
+#include "app/input/share_directory.h"
+#include "app/process/terminal.h"
+#include "app/publish/publish_hazard.h"
+#include "app/store/recorded_inputs.h"
+#include "app/store/scene_identity.h"
+#include "app/study/plan/levels.h"
+#include "app/study/plan/read_study.h"
+#include "app/study/plan/region_input.h"
+#include "app/text/number_text.h"
+#include "core/text.h"
+#include "gis/access/table_in.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/scene_parameters.h"
+#include "simulation/simulation.h"
+
+namespace frana::app::study {
+namespace {
+
+std::optional<std::string> text_in(const PolygonFeature& feature, const std::string& column) {
+    if (const auto text = feature.texts.find(column); text != feature.texts.end()) {
+        const std::string value = trimmed(text->second);
+        if (value.empty()) return std::nullopt;
+        return value;
+    }
+    if (const auto number = feature.numbers.find(column); number != feature.numbers.end())
+        return shortest_text(number->second);
+    return std::nullopt;
+}
+
+/// A column that no polygon has is mistyped.
+void require_columns(const RegionSpec& region, const gis::PolygonLayer& layer, const std::string& label,
+                     Problems& problems) {
+    std::set<std::string> known;
+    for (const PolygonFeature& feature : layer.features) {
+        for (const auto& [name, value] : feature.numbers) known.insert(name);
+        for (const auto& [name, value] : feature.texts) known.insert(name);
+    }
+    const std::vector<std::string> names(known.begin(), known.end());
+    const auto require = [&](const std::string& key, const std::string& column) {
+        if (known.count(column) > 0) return;
+        const std::string nearest = nearest_name(column, names);
+        problems.add({"is no column in which a polygon of the release perimeter has a value", label + ": " + key,
+                      column, "",
+                      !nearest.empty() ? "Did you mean " + nearest + "?"
+                      : names.empty()  ? "The layer has no attributes"
+                                       : "Its columns are " + joined(names, ", ")});
+    };
+    for (const auto& [key, column] :
+         {std::pair{"region.name", region.name}, std::pair{"region.group", region.group},
+          std::pair{"region.scenario", region.scenario}, std::pair{"region.return-period", region.return_period}})
+        if (column) require(key, *column);
+    for (const RegionSpec::Column& one : region.columns) require("columns." + one.key, one.column);
+}
+
+Slope slope_of(const RegionSpec& region, const PolygonFeature& feature) {
+    Slope slope;
+    const auto word = [&](const std::optional<std::string>& column) {
+        return column ? text_in(feature, *column).value_or("") : "";
+    };
+    slope.name = word(region.name);
+    slope.group = word(region.group);
+    slope.scenario = word(region.scenario);
+    if (region.scenario && slope.scenario.empty()) slope.problem = "column " + *region.scenario + " has no value";
+    if (!region.return_period) return slope;
+    const std::string years = word(region.return_period);
+    slope.return_period = number_from_text(years);
+    if (years.empty())
+        slope.problem = "column " + *region.return_period + " has no value";
+    else if (!slope.return_period || !(*slope.return_period > 0))
+        slope.problem = "column " + *region.return_period + " has no return period: " + years;
+    return slope;
+}
+
+void require_one_period(const std::vector<Slope>& slopes, const std::string& label, Problems& problems) {
+    std::map<std::string, std::set<double>> periods;
+    for (const Slope& slope : slopes)
+        if (slope.return_period && !slope.scenario.empty()) periods[slope.scenario].insert(*slope.return_period);
+    for (const auto& [scenario, all] : periods) {
+        if (all.size() < 2) continue;
+        problems.add({"gives scenario " + scenario + " several return periods", label + ": region.return-period",
+                      shortest_text(*all.begin()) + " and " + shortest_text(*all.rbegin()) + " years",
+                      "one for each scenario", "Correct the column, or give the events different scenarios"});
+    }
+}
+
+/// Adds the columns of a region to the values of its members.
+void add_columns(const StudySpec& study, const gis::PolygonLayer& layer, PolygonMembers& members) {
+    const RegionSpec& region = *study.region;
+    const std::vector<Parameter>& parameters = scene_parameters();
+    const std::string folder = std::filesystem::path(study.file).parent_path().string();
+    for (const RegionSpec::Column& one : region.columns) {
+        members.table.keys.push_back(one.key);
+        members.table.nominal.push_back(true);
+    }
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        Slope slope = slope_of(region, layer.features[i]);
+        if (!layer.unusable[i].empty()) slope.problem = layer.unusable[i];
+        for (const RegionSpec::Column& one : region.columns) {
+            const auto text = text_in(layer.features[i], one.column);
+            if (!text) slope.problem = "column " + one.column + " for " + one.key + " has no value";
+            members.table.values[i].push_back(
+                text ? with_absolute_paths(*find_parameter(parameters, one.key), *text, folder) : "");
+            members.table.numbers[i].push_back(text ? number_from_text(*text).value_or(0) : 0);
+        }
+        members.slopes.push_back(std::move(slope));
+    }
+}
+
+}  // namespace
+
+PolygonMembers polygon_members(const StudySpec& study, const std::string& label, const SceneReading& scene,
+                               Problems& problems) {
+    PolygonMembers members;
+    const ReleaseSpec& release = scene.scene.release;
+    const std::string where = scene.where("release.perimeter");
+    if (!release.perimeter) {
+        problems.add({"is missing, and " + std::string(study.region ? "a region" : "study.per-polygon = on") +
+                          " takes its polygons",
+                      where, "", "a vector file", "Name the file of the release perimeters"});
+        return members;
+    }
+    const std::string key = "release.perimeter-filter", own = release.perimeter_layer.filter.value_or("");
+    attempt(problems, [&] {
+        gis::LayerChoice choice = layer_choice(scene, release.perimeter_layer, "release.perimeter");
+        choice.keep_unusable = study.region.has_value();
+        const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
+        members.table.keys = {key};
+        members.table.nominal = {true};
+        for (std::size_t i = 0; i < layer.conditions.size(); ++i) {
+            const std::string& condition = layer.conditions[i];
+            members.table.values.push_back({own.empty() ? condition : "(" + own + ") AND " + condition});
+            members.table.numbers.push_back({static_cast<double>(i)});
+            members.table.weights.push_back(1);
+            members.sizes.push_back(area(layer.features[i].parts));
+        }
+        if (!study.region) return;
+        require_columns(*study.region, layer, label, problems);
+        add_columns(study, layer, members);
+        require_one_period(members.slopes, label, problems);
+    });
+    return members;
+}
+
+namespace {
+
+SceneReading read_member(const StudyReading& reading, const std::vector<std::string>& overrides) {
+    std::vector<std::string> all = reading.study.set;
+    const auto key_of = [](const std::string& text) { return text.substr(0, text.find('=')); };
+    std::erase_if(all, [&](const std::string& one) {  // the cell size of a multilevel study's runs
+        return std::any_of(overrides.begin(), overrides.end(),
+                           [&](const std::string& other) { return key_of(other) == key_of(one); });
+    });
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    SceneReading scene = read_scene(reading.study.scene, all, materials_directory(), reading.label + ": ");
+    resolve_language(scene.scene);
+    return scene;
+}
+
+/// Problems that only some members have: each once, with the first member that has it.
+void add_members_problems(const StudyReading& reading, const SampleTable& table, bool quiet, SceneReading& central) {
+    StatusLine status(quiet);
+    std::set<std::string> known;
+    for (const Problem& problem : central.problems.list()) known.insert(problem.where + problem.what);
+    for (std::size_t member = 0; member < table.size(); ++member) {
+        if (status.is_due())
+            status.show("checked " + std::to_string(member) + " of " + std::to_string(table.size()) + " members");
+        const SceneReading scene = read_member(reading, table.overrides(member));
+        for (Problem problem : scene.problems.list()) {
+            if (!known.insert(problem.where + problem.what).second) continue;
+            problem.what = "in member " + std::to_string(member) + ": " + problem.what;
+            central.problems.add(problem);
+        }
+    }
+    status.finish();
+}
+
+void refuse_accuracy(SceneReading& central) {
+    if (central.scene.numerics.accuracy)
+        central.problems.add({"has no effect in a study: members are computed on the scene's own cells",
+                              central.where("numerics.accuracy"), "", "",
+                              "Remove the key, and choose terrain.cell-size"});
+}
+
+SampleTable read_samples(StudyReading& reading) {
+    if (reading.study.sampling == Sampling::table) {
+        const std::string where = reading.where("study.sampling");
+        const auto read = [&] {
+            const gis::Table file = gis::read_table(reading.study.table, where);
+            return samples_of_table(file.columns, file.rows, where + ": " + reading.study.table, reading.problems);
+        };
+        return attempt(reading.problems, read);
+    }
+    if (!reading.problems.empty()) return {};  // values of a broken study would be reported for nothing
+    return draw_samples(reading.study, reading.label, reading.problems);
+}
+
+/// Members that together have every value of the keys without order; fields of error need no trial.
+std::vector<std::size_t> members_with_every_value(const SampleTable& table) {
+    std::vector<std::size_t> members;
+    for (std::size_t k = 0; k < table.keys.size(); ++k) {
+        if (!table.nominal[k] || table.keys[k] == "terrain.error") continue;
+        std::set<std::string> seen;
+        for (std::size_t member = 0; member < table.size(); ++member)
+            if (seen.insert(table.values[member][k]).second) members.push_back(member);
+    }
+    return members;
+}
+
+bool is_whole(double cells) {
+    return std::abs(cells - std::round(cells)) < 1e-3;
+}
+
+void require_same_lattice(const GridSpec& grid, const GridSpec& other, const std::string& where, Problems& problems) {
+    const bool same = std::abs(grid.cell_size / other.cell_size - 1) < 1e-9 && grid.crs_wkt == other.crs_wkt &&
+                      is_whole((grid.west - other.west) / grid.cell_size) &&
+                      is_whole((grid.north - other.north) / grid.cell_size);
+    if (!same)
+        problems.add({"gives other cells than the central member, so that their maps cannot be combined", where, "", "",
+                      "Set terrain.crs and terrain.cell-size in the scene, or bring the files to the same cells"});
+}
+
+/// What decides the members of a multilevel study besides the values of its pilot.
+std::string levels_text(const StudyInput& input) {
+    if (input.level_draws.empty()) return "";
+    const StudySpec& study = input.reading.study;
+    return "levels = " + std::to_string(*study.levels) + "\nsamples = " + std::to_string(study.samples) +
+           "\nseed = " + std::to_string(study.seed) + "\n";
+}
+
+std::vector<std::string> central_overrides(const StudySpec& study, const SampleTable& table) {
+    const bool has_table = study.sampling == Sampling::table && table.size() > 0;
+    return has_table ? table.overrides(table.size() / 2) : central_values(study);
+}
+
+/// The pilot of a multilevel study; its cell sizes are not known yet.
+SampleTable pilot_of(const StudySpec& study, const std::vector<SampleTable>& draws) {
+    SampleTable table;
+    const auto counts = pilot_members(static_cast<std::size_t>(study.samples), draws.size());
+    for (std::size_t l = 0; l < draws.size(); ++l)
+        append_members(draws[l], l, 0, std::min(counts[l], draws[l].size()), 0, table);
+    return table;
+}
+
+/// @param levels draws of a multilevel study; empty for others
+void draw_members(StudyReading& reading, SampleTable& table, std::vector<SampleTable>& levels) {
+    if (!reading.study.levels) {
+        table = read_samples(reading);
+        return;
+    }
+    if (!reading.problems.empty()) return;
+    levels = draw_levels(reading.study, reading.label, reading.problems);
+    if (!levels.empty()) table = pilot_of(reading.study, levels);
+}
+
+/// Prepares the central member on the cells of a level. Adds problems: with the scene, and with cells that are not made
+/// of those of the finest level.
+double expected_cost(const StudyInput& input, double cell_size, Problems& problems) {
+    RunLog silent(true);
+    const std::string where = input.reading.where("study.levels") + ", cells of " + number_text(cell_size) + " m";
+    try {
+        std::vector<std::string> overrides = central_values(input.reading.study);
+        overrides.push_back(std::string(k_cell_size_key) + "=" + shortest_text(cell_size));
+        const Prepared prepared = prepare(read_member(input.reading, overrides), silent);
+        const GridSpec &grid = prepared.scene.grid, &own = input.base.scene.grid;
+        if (!is_whole((grid.west - own.west) / own.cell_size) || !is_whole((grid.north - own.north) / own.cell_size) ||
+            grid.crs_wkt != own.crs_wkt)
+            problems.add({"do not coincide with those of the scene", where, "", "",
+                          "Give the scene a terrain.cell-size other than that of its DTM, or remove study.levels"});
+        const auto work = [](const RunEstimate& run) {
+            return static_cast<double>(run.particles) / run.first_step_seconds;
+        };
+        return work(estimate(prepared.scene, 1)) / work(estimate(input.base.scene, 1));
+    } catch (const Error& error) {
+        for (const Problem& problem : error.problems())
+            problems.add({problem.what, where + ": " + problem.where, problem.value, problem.limit, problem.remedy});
+    }
+    return 0;
+}
+
+/// Gives the levels their cells, and the runs of the pilot theirs.
+void put_levels_on_cells(StudyInput& input, Problems& problems) {
+    const double own = input.base.scene.grid.cell_size;
+    for (std::size_t l = 0; l < input.level_draws.size(); ++l) {
+        const double cell_size = own * std::pow(2.0, static_cast<double>(input.level_draws.size() - 1 - l));
+        input.levels.push_back({cell_size, cell_size == own ? 1 : expected_cost(input, cell_size, problems)});
+    }
+    for (SampleTable::LevelRun& run : input.table.level_runs)
+        run.cell_size = input.levels[run.is_coarse ? run.level - 1 : run.level].cell_size;
+}
+
+/// Reads the scenes of the central member and of all members, and adds all problems to those of the former.
+void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts& texts) {
+    Problems& problems = texts.reading.problems;
+    // The scene may be no INI.
+    if (!attempt(problems, [&] { texts.central = read_member(texts.reading, central); })) problems.throw_if_any();
+    refuse_accuracy(texts.central);
+    if (!texts.reading.study.region) add_members_problems(texts.reading, texts.table, quiet, texts.central);
+    for (const Problem& problem : texts.reading.problems.list()) texts.central.problems.add(problem);
+}
+
+}  // namespace
+
+SceneReading StudyInput::member(std::size_t index) const {
+    return scene_with(table.overrides(index));
+}
+
+SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) const {
+    return read_member(reading, overrides);
+}
+
+StudyTexts read_study_texts(const std::string& path, RunLog& log) {
+    StudyTexts texts;
+    texts.reading = is_region(path) ? read_region(path) : read_study(path);
+    find_recorded_inputs(texts.reading, log);
+    if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
+    std::vector<std::string> central;
+    try {
+        if (texts.reading.study.per_polygon()) {
+            PolygonMembers members = polygon_members(texts.reading.study, texts.reading.label,
+                                                     read_member(texts.reading, {}), texts.reading.problems);
+            texts.table = std::move(members.table);
+            texts.slopes = std::move(members.slopes);
+            if (texts.reading.study.region) {
+                const auto scene_of = [&](std::size_t i) {
+                    return read_member(texts.reading, texts.table.overrides(i));
+                };
+                find_problems(scene_of, texts.slopes, texts.reading.problems);
+            }
+            if (texts.table.size() > 0) central = texts.table.overrides(largest_sound(members.sizes, texts.slopes));
+        } else {
+            draw_members(texts.reading, texts.table, texts.level_draws);
+            central = central_overrides(texts.reading.study, texts.table);
+        }
+    } catch (const Error& error) {  // the scene is no INI
+        texts.reading.problems.add(error);
+        texts.reading.problems.throw_if_any();
+    }
+    read_scenes(central, log.is_quiet(), texts);
+    warn_of_changed_inputs(texts.reading.study.file, texts.central, log);
+    return texts;
+}
+
+StudyTexts read_study_scenes(StudyReading reading, SampleTable table) {
+    StudyTexts texts;
+    texts.reading = std::move(reading);
+    texts.table = std::move(table);
+    read_scenes(central_overrides(texts.reading.study, texts.table), true, texts);
+    return texts;
+}
+
+void redraw(StudyInput& input) {
+    Problems problems;
+    input.levels.clear();
+    input.level_draws.clear();
+    draw_members(input.reading, input.table, input.level_draws);
+    input.reading.problems.throw_if_any();
+    put_levels_on_cells(input, problems);
+    problems.throw_if_any();
+}
+
+StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
+    StudyInput input;
+    input.reading = std::move(texts.reading);
+    input.table = std::move(texts.table);
+    input.level_draws = std::move(texts.level_draws);
+    input.slopes = std::move(texts.slopes);
+    input.central = std::move(texts.central);
+    const gis::UseRemembered remember(*input.files);
+    Problems problems;
+    if (input.reading.study.region) {
+        prepare_region(input, place, log);
+        return input;
+    }
+    input.base = prepare(input.central, place, log);
+    input.base.scene.time.frame_interval = 0;
+    put_levels_on_cells(input, problems);
+    input.identity = "study = " + name_of(input.reading.study.sampling) + "\n" + levels_text(input) +
+                     values_text(input.table) + scene_identity(input.base);
+    const SampleTable& all = input.level_draws.empty() ? input.table : input.level_draws.front();
+    RunLog silent(true);
+    for (const std::size_t member : members_with_every_value(all)) {
+        attempt(problems, [&] {
+            const Prepared prepared = prepare(read_member(input.reading, all.overrides(member)), silent);
+            require_same_lattice(input.base.scene.grid, prepared.scene.grid, "member " + std::to_string(member),
+                                 problems);
+            input.identity += "member " + std::to_string(member) + ":\n" + scene_identity(prepared);
+            for (const ReleaseArea& area : prepared.scene.release) input.other_releases.push_back(area);
+        });
+    }
+    problems.throw_if_any();
+    return input;
+}
+
+std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
+    std::vector<MappedEvents> all;
+    const auto add = [&](Quantity quantity, const std::string& name, const std::vector<double>& thresholds) {
+        MappedEvents events{quantity, thresholds, {}};
+        for (const double threshold : thresholds)
+            events.rasters.push_back("probability_" + name + "_" + shortest_text(threshold));
+        all.push_back(std::move(events));
+    };
+    add(Quantity::depth, "depth", scene.output.depth_thresholds);
+    add(Quantity::velocity, "velocity", scene.output.velocity_thresholds);
+    if (!scene.output.pressure_thresholds.empty())
+        add(Quantity::pressure, "pressure", scene.output.pressure_thresholds);
+    if (const auto scheme = hazard_scheme_of(scene)) {
+        MappedEvents events{Quantity::intensity, {}, {}};
+        for (const HazardClass& kind : scheme->classes) {
+            events.thresholds.push_back(kind.value - 0.5);  // classes are whole numbers
+            events.rasters.push_back("probability_intensity_" + std::to_string(kind.value));
+        }
+        all.push_back(std::move(events));
+    }
+    return all;
+}
+
+RecordExtras record_extras(const SceneSpec& scene) {
+    return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene)};
+}
+
+namespace {
+
+bool is_never_replaced(const std::string&) {
+    return false;
+}
+
+std::string folder_of(const std::string& file) {
+    return std::filesystem::path(file).parent_path().string();
+}
+
+}  // namespace
+
+void find_recorded_inputs(StudyReading& reading, RunLog& log) {
+    const auto where = [&](const std::string& key) {
+        const bool of_region = reading.study.region && key.starts_with("study.");
+        return reading.where(of_region ? "region" + key.substr(key.find('.')) : key);
+    };
+    find_recorded_files(
+        {[&](const NamingText::FileMap& map) { reading.study = with_files(std::move(reading.study), map); }, where,
+         is_never_replaced, true},
+        folder_of(reading.study.file), log);
+}
+
+void find_recorded_inputs(CalibrationReading& reading, RunLog& log) {
+    const auto map_files = [&](const NamingText::FileMap& map) {
+        reading.calibration = with_files(std::move(reading.calibration), map);
+    };
+    find_recorded_files(
+        {map_files, [&](const std::string& key) { return reading.where(key); }, is_never_replaced, true},
+        folder_of(reading.calibration.study.file), log);
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/input/prepare.h"
+#include "app/study/member_record.h"
+#include "app/study/plan/read_calibration.h"
+#include "app/study/plan/read_study.h"
+#include "app/study/plan/sampling.h"
+#include "app/text/run_log.h"
+#include "core/geometry.h"
+#include "gis/access/remembered_reads.h"
+#include "params/scene/read_scene.h"
+
+namespace frana::app::study {
+
+/// What the attributes of a polygon of a region say of it.
+struct Slope {
+    std::string name, group, scenario;  ///< empty: no such column or no value
+    std::optional<double> return_period;
+    std::string problem;   ///< why it cannot be computed; empty: nothing is known against it
+    MultiPolygon outline;  ///< in the working CRS, once that is known
+};
+
+/// The members of a study with a polygon each.
+struct PolygonMembers {
+    SampleTable table;            ///< release.perimeter-filter selects the polygon; of a region also its columns
+    std::vector<double> sizes;    ///< areas, by member
+    std::vector<Slope> slopes{};  ///< of a region, by member
+};
+
+/// Returns a member for each polygon of a scene's release perimeter, in the order of the file. Adds a problem if the
+/// scene names none, or it cannot be read, or no polygon has a column that the region names, or one scenario has
+/// several return periods. What is wrong with a single slope is only kept with it.
+PolygonMembers polygon_members(const StudySpec& study, const std::string& label, const SceneReading& scene,
+                               Problems& problems);
+
+/// The cells of one level of a multilevel study.
+struct LevelCells {
+    double cell_size = 0;      ///< [m]
+    double expected_cost = 0;  ///< of a run, relative to one on the scene's own cells
+};
+
+/// A study with everything checked that can be checked before its members run.
+struct StudyInput {
+    StudyReading reading;
+    SampleTable table;
+    /// Of a multilevel study: draws from which its levels take members; `table` holds those taken so far, first those
+    /// of the pilot.
+    std::vector<SampleTable> level_draws;
+    Prepared base;                            ///< the central member: medians, likeliest choices
+    SceneReading central;                     ///< from which it was prepared
+    std::vector<ReleaseArea> other_releases;  ///< of members with other files, for maps
+    std::vector<Slope> slopes;                ///< of a region, by member
+    /// One fact per line: the study, every member's values, the scenes and their data. Two studies with the same
+    /// identity give the same bits.
+    std::string identity;
+    std::vector<LevelCells> levels;  ///< of a multilevel study, the coarsest first
+    /// The files read so far, for the members: whatever several of them need is read once.
+    std::shared_ptr<gis::RememberedReads> files = std::make_shared<gis::RememberedReads>();
+    bool keeps_final_depth = false;  ///< of the members' records
+
+    /// Returns the scene of a member, as `frana run` with its values reads it.
+    [[nodiscard]] SceneReading member(std::size_t index) const;
+    /// Returns the scene with the study's settings and these values ("key=value").
+    [[nodiscard]] SceneReading scene_with(const std::vector<std::string>& overrides) const;
+};
+
+/// Draws other members for a study that was prepared, as its `reading.study` says by now. Throws Error(input).
+void redraw(StudyInput& input);
+
+/// A study whose files have been read as text: where its result goes is known, and all problems so far.
+struct StudyTexts {
+    StudyReading reading;
+    SampleTable table;
+    std::vector<SampleTable> level_draws;
+    std::vector<Slope> slopes;
+    SceneReading central;  ///< its problems contain those of the study and of all members
+};
+
+/// Reads study (or region), table and scene, draws the members, and reads the scene of each. The study file of a
+/// result, which may have been moved, finds its inputs as find_recorded_inputs(). Throws Error(input) only if a file is
+/// no INI, the study names no scene, or an input of such a result is missing.
+StudyTexts read_study_texts(const std::string& path, RunLog& log);
+
+/// The same for members that are known already.
+StudyTexts read_study_scenes(StudyReading reading, SampleTable table);
+
+/// Prepares the central member, and a member for each value of keys without order, such as files. Throws Error(input)
+/// with every problem found, and with that of the result's place as prepare().
+StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log);
+
+/// Events "a quantity exceeds a threshold" whose probability a study maps.
+struct MappedEvents {
+    Quantity quantity = Quantity::depth;
+    std::vector<double> thresholds;
+    std::vector<std::string> rasters;  ///< for each threshold: "probability_depth_0.5"
+};
+
+/// Returns the events of a scene: its thresholds of depth, velocity and pressure, and the classes of intensity, each
+/// with all higher ones.
+std::vector<MappedEvents> mapped_events(const SceneSpec& scene);
+
+/// Returns what a member's record must contain for them.
+RecordExtras record_extras(const SceneSpec& scene);
+
+/// For the study file of a result, which may have been moved: compares the files that it names (scenes, table, files in
+/// [set] and [vary]) with inputs.json beside it, as find_recorded_inputs() those of a scene.
+void find_recorded_inputs(StudyReading& reading, RunLog& log);
+void find_recorded_inputs(CalibrationReading& reading, RunLog& log);
+
+}  // namespace frana::app::study

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/pool/study_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "app/input/check_release.h"
+#include "app/store/interrupted_run.h"
+#include "app/study/pool/member_threads.h"
+#include "core/text.h"
+
+namespace frana::app::study {
+namespace {
+
+Sentence count(std::size_t number) {
+    return numeral(std::to_string(number));
+}
+
+/// A warning of the runs, told with the one whose figure is the worst.
+struct KindOfWarning {
+    Sentence worst;
+    std::string table;
+    std::size_t member = 0, runs = 0;
+    double severity = 0;
+};
+
+/// The figure that a warning is about, the first of its numbers; of a number of particles the fewest are the worst.
+double severity_of(const Sentence& warning) {
+    const double figure = warning.first_number().value_or(0);
+    return warning.pattern() == k_few_particles_warning ? -figure : figure;
+}
+
+}  // namespace
+
+Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
+    Troubles all;
+    all.each_counts = each_counts;
+    all.runs = runs.size();
+    for (const RunOfStudy& run : runs) {
+        all.failed += run.failure.empty() ? 0 : 1;
+        all.warned += run.end.warnings.empty() ? 0 : 1;
+        all.flew += std::any_of(run.end.warnings.begin(), run.end.warnings.end(),
+                                [](const Sentence& warning) { return warning.pattern() == k_flights_warning; });
+        all.held += run.failure.empty() && run.end.is_held ? 1 : 0;
+        all.open += run.failure.empty() && run.end.is_open() ? 1 : 0;
+        if (run.end.is_cut) {
+            ++all.cut;
+            all.most_moving = std::max(all.most_moving, run.end.moving_fraction);
+        }
+        if (run.end.left()) {
+            ++all.left;
+            all.most_left = std::max(all.most_left, run.end.left_fraction);
+        }
+    }
+    return all;
+}
+
+std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known) {
+    std::vector<std::string> order;
+    std::map<std::string, KindOfWarning> kinds;
+    for (const RunOfStudy& run : runs) {
+        std::set<std::string> told;
+        for (const Sentence& warning : run.end.warnings) {
+            if (std::find(known.begin(), known.end(), warning) != known.end()) continue;
+            const auto [at, is_new] = kinds.try_emplace(warning.pattern());
+            if (is_new) order.push_back(warning.pattern());
+            KindOfWarning& kind = at->second;
+            kind.runs += told.insert(warning.pattern()).second ? 1 : 0;
+            const double severity = severity_of(warning);
+            if (!is_new && !(severity > kind.severity)) continue;
+            kind.worst = warning;
+            kind.member = run.member;
+            kind.table = run.table;
+            kind.severity = severity;
+        }
+    }
+    std::vector<Sentence> sentences;
+    for (const std::string& pattern : order) {
+        const KindOfWarning& kind = kinds.at(pattern);
+        const Sentence some = count(kind.runs), all = count(runs.size()), member = count(kind.member);
+        sentences.push_back(kind.table.empty() ? worded("{1} of {2} runs warn, most of all member {3}: {4}",
+                                                        {some, all, member, kind.worst})
+                                               : worded("{1} of {2} runs warn, most of all member {3} of {4}: {5}",
+                                                        {some, all, member, kind.table, kind.worst}));
+    }
+    return sentences;
+}
+
+std::vector<std::string> end_values(const MemberEnd& end) {
+    const bool ran = !end.stop_reason.empty();
+    const auto cell = [&](double value) { return ran && !std::isnan(value) ? shortest_text(value) : std::string(); };
+    return {end.stop_reason,         cell(end.moving_fraction),
+            cell(end.left_fraction), ran ? std::to_string(static_cast<int>(end.is_held)) : "",
+            cell(end.energy_error),  std::to_string(end.warnings.size())};
+}
+
+void add_end(const MemberEnd& end, std::map<std::string, double>& numbers, std::map<std::string, std::string>& texts) {
+    texts["stop_reason"] = end.stop_reason;
+    numbers["warnings"] = static_cast<double>(end.warnings.size());
+    if (end.stop_reason.empty()) return;
+    numbers["moving_fraction"] = end.moving_fraction;
+    numbers["left_domain_fraction"] = end.left_fraction;
+    numbers["held_by_no_data"] = end.is_held ? 1 : 0;
+    if (!std::isnan(end.energy_error)) numbers["energy_error"] = end.energy_error;
+}
+
+namespace {
+
+void add_finished(const StudyInput& input, const std::string& folder, std::size_t member, std::size_t place,
+                  FinishedMembers& to, std::vector<std::size_t>& places) {
+    to.records.push_back(record_file(folder, member));
+    to.weights.push_back(input.table.weights[member]);
+    if (input.table.groups > 0) to.groups.push_back(member % input.table.groups);
+    places.push_back(place);
+}
+
+void scale_weights(FinishedMembers& members) {
+    const double sum = std::accumulate(members.weights.begin(), members.weights.end(), 0.0);
+    for (double& weight : members.weights) weight /= sum;
+}
+
+/// All runs with their weights among all.
+OpenRuns open_runs(const StudyInput& input, const std::string& folder, const StudyResult& result) {
+    OpenRuns all;
+    const auto& runs = input.table.level_runs;
+    std::vector<double> counts(input.level_draws.size());  // of the pairs of each level
+    for (std::size_t i = 0; i < result.members.size() && !counts.empty(); ++i)
+        counts[runs[i].level] += runs[i].is_coarse ? 0 : 1;
+    for (std::size_t i = 0; i < result.members.size(); ++i) {
+        const MemberResult& one = result.members[i];
+        const double weight = counts.empty()      ? input.table.weights[one.member]
+                              : runs[i].is_coarse ? -1 / counts[runs[i].level]
+                                                  : 1 / counts[runs[i].level];
+        all.runs.records.push_back(record_file(folder, one.member));
+        all.runs.weights.push_back(weight);
+        all.is_open.push_back(one.end.is_open() || !one.failure.empty());
+    }
+    if (counts.empty()) scale_weights(all.runs);
+    return all;
+}
+
+/// Takes the members of a multilevel study of which every run finished. Each run counts as one of its level's members,
+/// the coarser of a pair negatively.
+void add_pairs(const StudyInput& input, const std::string& folder, StudyResult& result) {
+    const auto& runs = input.table.level_runs;
+    std::vector<double> counts(input.level_draws.size());
+    for (std::size_t i = 0; i < result.members.size(); ++i) {
+        if (runs[i].is_coarse) continue;
+        const bool is_pair = runs[i].level > 0;
+        if (!result.members[i].failure.empty() || (is_pair && !result.members[i + 1].failure.empty())) continue;
+        counts[runs[i].level] += 1;
+        for (std::size_t run = i; run <= i + (is_pair ? 1 : 0); ++run) {
+            add_finished(input, folder, run, run, result.finished, result.finished_at);
+            result.finished.levels.push_back(runs[run].level);
+        }
+    }
+    if (std::find(counts.begin(), counts.end(), 0) != counts.end()) {  // without one of its levels the sum is wrong
+        result.finished = {};
+        result.finished_at.clear();
+    }
+    for (std::size_t i = 0; i < result.finished.size(); ++i) {
+        const double weight = 1 / counts[result.finished.levels[i]];
+        result.finished.weights[i] = runs[result.finished_at[i]].is_coarse ? -weight : weight;
+    }
+}
+
+/// Groups of Saltelli's design of which every member finished; each gets the next number.
+std::map<std::size_t, std::size_t> whole_groups(const StudyInput& input, const StudyResult& result) {
+    std::map<std::size_t, std::size_t> counts, numbers;
+    for (const std::size_t place : result.finished_at) ++counts[result.members[place].member % input.table.groups];
+    for (const auto& [group, count] : counts)
+        if (count == input.table.keys.size() + 2) numbers.emplace(group, numbers.size());
+    return numbers;
+}
+
+void choose_design(const StudyInput& input, const std::string& folder, StudyResult& result) {
+    const SampleTable& table = input.table;
+    result.points.nominal = table.nominal;
+    if (table.groups > 0) {
+        const auto groups = whole_groups(input, result);
+        for (const std::size_t place : result.finished_at) {
+            const std::size_t member = result.members[place].member;
+            if (groups.count(member % table.groups) > 0)
+                add_finished(input, folder, member, place, result.design, result.design_at);
+        }
+        result.groups = groups.size();
+    } else if (!table.level_runs.empty()) {
+        for (const std::size_t place : result.finished_at)
+            if (table.level_runs[place].level == 0)
+                add_finished(input, folder, place, place, result.design, result.design_at);
+    } else {
+        result.design = result.finished;
+        result.design_at = result.finished_at;
+    }
+    for (const std::size_t place : result.design_at)
+        result.points.numbers.push_back(table.numbers[result.members[place].member]);
+}
+
+}  // namespace
+
+bool StudyResult::equal_weights() const {
+    return std::all_of(design.weights.begin(), design.weights.end(),
+                       [&](double weight) { return weight == design.weights.front(); });
+}
+
+std::vector<RunOfStudy> StudyResult::runs() const {
+    std::vector<RunOfStudy> all;
+    for (const MemberResult& one : members) all.push_back({one.member, one.end, one.failure});
+    return all;
+}
+
+std::size_t StudyResult::failed() const noexcept {
+    return static_cast<std::size_t>(std::count_if(members.begin(), members.end(),
+                                                  [](const MemberResult& member) { return !member.failure.empty(); }));
+}
+
+std::vector<double> StudyResult::figure(std::size_t index) const {
+    std::vector<double> values;
+    for (const std::size_t place : finished_at) values.push_back(members[place].figures[index].value);
+    return values;
+}
+
+double StudyResult::quantile_bound(std::size_t index, double q, bool upper) const {
+    if (!open.any()) return figure_quantile(figure(index), finished.weights, q);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const std::vector<Figure>& of = members[i].figures;
+        values.push_back(open.exceeds(i, upper) ? std::numeric_limits<double>::infinity()
+                         : index < of.size()    ? of[index].value
+                                                : 0);  // it failed before its first step
+    }
+    return figure_quantile(values, open.runs.weights, q);
+}
+
+const std::vector<Figure>& StudyResult::figures() const {
+    static const std::vector<Figure> k_none;
+    return finished_at.empty() ? k_none : members[finished_at.front()].figures;
+}
+
+StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count) {
+    StudyResult result;
+    for (std::size_t member = 0; member < count; ++member) {
+        const std::string file = record_file(folder, member);
+        auto record = own_record(input, folder, member);
+        if (!record)
+            throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
+                                                        "--resume computes that member again"});
+        result.members.push_back({member, record->failure, std::move(record->end), std::move(record->figures),
+                                  record->engine_seconds, record->particle_steps, record->grid().bounds()});
+        if (input.level_draws.empty() && result.members.back().failure.empty())
+            add_finished(input, folder, member, result.members.size() - 1, result.finished, result.finished_at);
+    }
+    if (input.level_draws.empty())
+        scale_weights(result.finished);
+    else
+        add_pairs(input, folder, result);
+    result.open = open_runs(input, folder, result);
+    choose_design(input, folder, result);
+    result.grid = input.base.scene.grid;
+    return result;
+}
+
+std::vector<FigureSensitivity> sensitivities(const StudyResult& result) {
+    std::vector<FigureSensitivity> all;
+    if (result.design_at.size() < 2 || !result.equal_weights()) return all;
+    const RankCorrelations correlations(result.points);
+    for (std::size_t f = 0; f < result.figures().size(); ++f) {
+        std::vector<double> output;
+        for (const std::size_t place : result.design_at) output.push_back(result.members[place].figures[f].value);
+        FigureSensitivity one{result.figures()[f], {}};
+        one.keys = result.groups > 0 ? sobol_indices(result.points, {output}, result.groups).front()
+                                     : correlations.with(output);
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights) {
+    return std::inner_product(values.begin(), values.end(), weights.begin(), 0.0);
+}
+
+double figure_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q) {
+    return weighted_quantile(values, weights, q);
+}
+
+}  // namespace frana::app::study

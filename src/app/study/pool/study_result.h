@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/store/run_end.h"
+#include "app/study/member_record.h"
+#include "app/study/plan/study_input.h"
+#include "app/study/statistics/cell_statistics.h"
+#include "app/study/statistics/sensitivity.h"
+#include "app/study/statistics/study_maps.h"
+
+namespace frana::app::study {
+
+/// A run of a study, as far as it may mislead a reader of the study's maps.
+struct RunOfStudy {
+    std::size_t member = 0;
+    MemberEnd end;
+    std::string failure;  ///< empty: it finished
+    std::string table{};  ///< whose row it is, of a study with several tables of members
+};
+
+/// @param each_counts as Troubles::each_counts
+Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts);
+
+/// One sentence for each kind of warning that the runs gave: of how many, and that of the run whose figure is the
+/// worst.
+/// @param known warnings of the study itself, which need not be told again
+std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known);
+
+/// The cells of a run in the columns k_end_columns.
+std::vector<std::string> end_values(const MemberEnd& end);
+/// The same values as attributes.
+void add_end(const MemberEnd& end, std::map<std::string, double>& numbers, std::map<std::string, std::string>& texts);
+
+/// A member without its maps.
+struct MemberResult {
+    std::size_t member = 0;
+    std::string failure;  ///< empty: finished
+    MemberEnd end;
+    std::vector<Figure> figures;
+    double engine_seconds = 0;
+    std::int64_t particle_steps = 0;
+    Bounds terrain{};  ///< that it ran on
+};
+
+/// Sensitivities of one figure, by key.
+struct FigureSensitivity {
+    Figure figure;  ///< its texts
+    std::vector<KeySensitivity> keys;
+};
+
+/// The members that ran, in the order of their numbers.
+struct StudyResult {
+    std::vector<MemberResult> members;
+    FinishedMembers finished;              ///< whose maps are used
+    std::vector<std::size_t> finished_at;  ///< their places in `members`
+    /// Members of whole groups of Saltelli's design, of a multilevel study those of the coarsest level, or all finished
+    /// ones: those that sensitivities use. `groups`: rows of matrix A among them, 0 if the members are independent.
+    FinishedMembers design;
+    std::vector<std::size_t> design_at;
+    DesignPoints points;
+    std::size_t groups = 0;
+    GridSpec grid;  ///< of all maps
+    OpenRuns open;  ///< all runs, in the order of `members`
+
+    /// All members, as far as they may mislead.
+    [[nodiscard]] std::vector<RunOfStudy> runs() const;
+    /// Members without a result.
+    [[nodiscard]] std::size_t failed() const noexcept;
+    /// Whether the members that sensitivities use count alike: only then are there any.
+    [[nodiscard]] bool equal_weights() const;
+    /// Returns a figure of the finished members, in their order.
+    [[nodiscard]] std::vector<double> figure(std::size_t index) const;
+    /// Returns an upper or a lower bound of a quantile of a figure, if the open runs exceed everything; infinite: it
+    /// has none. Without such runs it is the quantile itself.
+    [[nodiscard]] double quantile_bound(std::size_t index, double q, bool upper) const;
+    /// Texts of the figures; empty if no member finished.
+    [[nodiscard]] const std::vector<Figure>& figures() const;
+};
+
+/// Share of failed members above which the study itself has failed.
+inline constexpr double k_most_failed = 0.05;
+
+/// Reads the records of the first `count` members. Throws Error(environment) for one that cannot be read.
+StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count);
+
+/// Returns the sensitivities of all figures.
+std::vector<FigureSensitivity> sensitivities(const StudyResult& result);
+
+/// Weighted mean of values whose weights have a sum of 1.
+double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights);
+/// The quantile as on maps.
+double figure_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
+
+}  // namespace frana::app::study

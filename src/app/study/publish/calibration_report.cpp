@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/publish/calibration_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "analysis/trace.h"
+#include "app/compare/comparison.h"
+#include "app/input/scene_language.h"
+#include "app/pictures/map_source.h"
+#include "app/pictures/result_reader.h"
+#include "app/publish/html_page.h"
+#include "app/publish/publish_rasters.h"
+#include "app/publish/report_answer.h"
+#include "app/publish/report_numbers.h"
+#include "app/publish/report_tables.h"
+#include "app/store/interrupted_run.h"
+#include "app/store/result_files.h"
+#include "app/study/publish/map_writer.h"
+#include "app/study/statistics/study_maps.h"
+#include "app/text/number_text.h"
+#include "app/text/today.h"
+#include "app/text/version.h"
+#include "core/text.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/footprint.h"
+
+namespace frana::app::study {
+
+MapStyle calibration_style(const SceneSpec& scene) {
+    const OutputSpec& output = scene.output;
+    MapStyle style;
+    style.words = words_of(scene);
+    if (const auto size = size_from_text(output.map_size)) style.size = *size;
+    style.formats = output.map_formats;
+    style.attribution = output.map_attribution.value_or("");
+    style.author = output.map_author.value_or("");
+    style.organisation = output.map_organisation.value_or("");
+    style.date = date_on_maps(output.map_date, today());
+    return style;
+}
+
+namespace {
+
+constexpr Rgb k_best_colour{200, 60, 20};
+
+/// The part of a grid round the cells that a member reached, with a margin.
+CellWindow window_of(const FinishedMembers& members, const GridSpec& grid) {
+    constexpr std::int64_t k_margin = 16;
+    const CellWindow reached = reached_window(members, grid);
+    const std::int64_t top = std::clamp<std::int64_t>(reached.row - k_margin, 0, grid.rows),
+                       left = std::clamp<std::int64_t>(reached.column - k_margin, 0, grid.columns),
+                       bottom = std::clamp<std::int64_t>(reached.row + reached.rows + k_margin, top, grid.rows),
+                       right =
+                           std::clamp<std::int64_t>(reached.column + reached.columns + k_margin, left, grid.columns);
+    return {top, left, bottom - top, right - left};
+}
+
+/// One event under the posterior.
+struct EventGround {
+    const StudyInput& study;
+    const EventRuns& runs;
+    const EventSpec& event;
+    double threshold;
+    OpenRuns all;  ///< those that the surveys give weight
+    CellWindow window;
+
+    [[nodiscard]] const FinishedMembers& members() const { return all.runs; }
+};
+
+EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                      std::size_t e) {
+    const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
+    EventGround ground{study, runs.last().events[e], input.spec().events[e], observed_threshold(study.base.spec), {},
+                       {}};
+    for (std::size_t i = 0; i < result.weights.size(); ++i) {
+        if (!(result.weights[i] > 0)) continue;
+        ground.all.runs.records.push_back(record_file(ground.runs.records, i));
+        ground.all.runs.weights.push_back(result.weights[i]);
+        ground.all.is_open.push_back(ground.runs.members[i].end.is_open());
+    }
+    ground.window = window_of(ground.members(), study.base.scene.grid);
+    return ground;
+}
+
+MapSource source_of(const EventGround& ground, const CalibrationResult& result, const Troubles& troubles) {
+    const Prepared& base = ground.study.base;
+    const OutputSpec& output = base.spec.output;
+    MapSource source;
+    source.style = calibration_style(base.spec);
+    source.title = output.title.value_or(ground.event.name);
+    const auto number = [&](double value) { return source.style.words.number(number_text(value, 3)); };
+    source.subtitle = source.style.words("{1} runs weighted by the surveys, effective number {2}",
+                                         {std::to_string(ground.members().size()), number(result.effective)});
+    source.notes = {source.style.words("Deeper than {1} m counts", {number(ground.threshold)})};
+    if (troubles.are_first())
+        source.scenario = headline(troubles).in(source.style.words) + ". " + source.subtitle;
+    else if (troubles.any())
+        source.notes.push_back(headline(troubles).in(source.style.words));
+    if (troubles.flew > 0) source.notes.push_back(source.style.words(k_below_flights));
+    source.terrain = part_of(base.scene.terrain, ground.window);
+    const GridSpec& grid = source.terrain.grid;
+    source.crs_label = gis::crs_name(grid.crs_wkt);
+    source.convergence_deg =
+        gis::meridian_convergence_deg(grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
+    source.longitude_latitude = longitude_latitude(grid.crs_wkt);
+    for (std::size_t i = 0; i < base.scene.release.size(); ++i) {
+        const PolygonFeature outline = release_outline(base.scene.release[i], i);
+        source.release.insert(source.release.end(), outline.parts.begin(), outline.parts.end());
+    }
+    source.scar = surveyed(base).survey.scar;
+    if (const auto best = read_record(record_file(ground.runs.records, result.best))) {
+        const Raster depth = best->raster(Quantity::depth, grid);
+        source.marks.push_back({source.style.words("Best run"), gis::polygonise(trace_mask(depth, ground.threshold)),
+                                k_best_colour, 1.8, true});
+    }
+    return source;
+}
+
+}  // namespace
+
+bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
+                              const CalibrationResult& result, const Troubles& troubles,
+                              const ResultDirectory& directory, RunLog& log) {
+    bool good = true;
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventGround ground = ground_of(input, runs, result, e);
+        if (ground.window.rows == 0 || ground.window.columns == 0) continue;
+        const Prepared& base = ground.study.base;
+        const std::string name = "posterior_" + ground.event.name;
+        const QuantityMaps maps = quantity_maps(ground.members(), Quantity::depth,
+                                                part_of(base.scene.grid, ground.window), {ground.threshold});
+        std::optional<RasterInterval> bounds;
+        if (ground.all.any())
+            bounds = std::move(probability_bounds(maps.probability, ground.all, Quantity::depth, {ground.threshold},
+                                                  maps.probability.front().grid)
+                                   .front());
+        MapWriter(base, directory)
+            .write_probability(name, maps.probability.front(), maps.error.front(), bounds ? &bounds->upper : nullptr);
+        if (base.spec.output.maps.front() == "off") continue;
+        directory.make_folder("maps");
+        good &= is_drawn("maps/" + name, log, [&] {
+            const MapSource source = source_of(ground, result, troubles);
+            const MapLayer layer =
+                read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
+            LayerDrawer drawer(source);
+            if (base.spec.output.report) {
+                directory.make_folder(k_page_folder);
+                drawer.draw_for_page_too(directory.path(k_page_folder));
+            }
+            drawer.draw(layer, false, directory.path("maps/" + name));
+        });
+    }
+    return good;
+}
+
+namespace {
+
+std::string range(double low, double high, const Words& words) {
+    const ReportNumbers number(words);
+    return words("{1} to {2}", {number(low, 3), number(high, 3)});
+}
+
+/// As column_of, in a language.
+std::string name_of(const CalibrationSpec& calibration, const KeySample& key, const Words& words) {
+    return key.event.empty() || calibration.events.size() == 1 ? key.key : words("{1} of {2}", {key.key, key.event});
+}
+
+Table keys_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    Table table({words("key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
+                 words("width, of that before")});
+    for (std::size_t k = 0; k < result.keys.size(); ++k) {
+        const KeySample& key = result.keys[k];
+        const KeyPosterior& after = result.posteriors[k];
+        const std::string name = name_of(input.spec(), key, words);
+        std::string probabilities;
+        for (const auto& [value, probability] : after.values)
+            probabilities += (probabilities.empty() ? "" : ", ") + words.labelled(value, number(probability, 2));
+        if (after.nominal)
+            table.row({name, key.prior.text, key.texts[result.best], "", probabilities, ""});
+        else
+            table.row({name, key.prior.text, number(key.numbers[result.best], 4), number(after.median, 3),
+                       range(after.low, after.high, words), number(after.width, 2)});
+    }
+    return table;
+}
+
+std::vector<Cell> scores_row(const std::string& event, const std::string& kind, const Explained& one,
+                             const Words& words) {
+    if (!one.possible) return {event, kind, words("no member finished"), "", "", ""};
+    const ReportNumbers number(words);
+    return {event,
+            kind,
+            number(one.best_score, 3),
+            number(one.mean, 3),
+            range(one.low, one.high, words),
+            number(one.effective, 3)};
+}
+
+Table scores_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+    Table table({words("event"), words("values"), words("score of the best"), words("mean"), words("5 to 95 %"),
+                 words("effective members")});
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const std::string& event = input.spec().events[e].name;
+        table.row(scores_row(event, words("fitted to all surveys"), result.events[e].fitted, words));
+        if (input.events() > 1)
+            table.row(scores_row(event, words("from the other surveys alone"), result.events[e].predicted, words));
+    }
+    return table;
+}
+
+Table misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                    const Words& words) {
+    const ReportNumbers number(words);
+    Table table({words("event"), words("measure"), words("weight"), words("misfit of the best"), words("formula")});
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventRuns& event = runs.last().events[e];
+        for (std::size_t m = 0; m < event.measures.size(); ++m) {
+            const MeasureRow& measure = row_of(event.measures[m].measure);
+            table.row({input.spec().events[e].name, measure.name, number(event.measures[m].weight),
+                       number(event.members[result.best].agreement.parts[m], 3), words(measure.formula)});
+        }
+    }
+    return table;
+}
+
+Table failures_table(const CalibrationInput& input, const Stage& stage, const Words& words) {
+    Table table({words("member"), words("event"), words("reason")});
+    for (std::size_t e = 0; e < input.events(); ++e)
+        for (std::size_t i = 0; i < stage.size(); ++i)
+            if (const std::string& why = stage.events[e].members[i].failure; !why.empty())
+                table.row({std::to_string(i), input.spec().events[e].name, why});
+    return table;
+}
+
+Document surveys_say(const CalibrationResult& result, const Words& words) {
+    List list;
+    for (const Sentence& sentence : result.sentences) list.items.push_back(sentence.in(words));
+    return Document().add(Paragraph{{}, words("What the surveys say.")}).add(list);
+}
+
+/// How well the best values repeat each event, fitted and, with several events, predicted from the others.
+Document scores_told(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    std::string text = words("A score is 1 minus the misfit: 1 agrees.");
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventResult& event = result.events[e];
+        const std::string& name = input.spec().events[e].name;
+        text += " " + (event.predicted.possible
+                           ? words("{1}: {2} fitted, {3} predicted from the other events.",
+                                   {name, number(event.fitted.best_score, 3), number(event.predicted.best_score, 3)})
+                           : words("{1}: {2} fitted.", {name, number(event.fitted.best_score, 3)}));
+    }
+    if (input.events() == 1)
+        text += " " + words("With one event there is no forecast to check: the score is that of a fit.");
+    return Document().paragraph(words("How well the events are explained."), text);
+}
+
+Document runs_told(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    std::string cells;
+    for (const EventRuns& event : runs.last().events) cells += (cells.empty() ? "" : ", ") + number(event.cell_size);
+    std::string text = words(
+        "{1} first members, then {2} where these explain the surveys, on cells of {3} m; effective number {4}. "
+        "Likelihood of an event: misfit to the power of -{5}.",
+        {std::to_string(runs.design.size()), std::to_string(runs.refined ? runs.refined->size() : 0), cells,
+         number(result.effective, 3), number(result.exponent, 2)});
+    if (const std::size_t failed = runs.last().failed(); failed > 0)
+        text += " " + words("{1} runs failed and have no weight.", {std::to_string(failed)});
+    return Document().paragraph(words("How sure."), text);
+}
+
+Document not_done(const Words& words) {
+    return Document().paragraph(
+        words("Not done."),
+        words("The values fit these events with this model; another place, another size or another model "
+              "needs its own calibration."));
+}
+
+Document answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                const CalibrationFacts& facts, const Words& words) {
+    Document answer;
+    if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
+    return answer.heading("answer", words("Values and answer"))
+        .add(keys_table(input, result, words))
+        .add(surveys_say(result, words))
+        .add(scores_told(input, result, words))
+        .add(runs_told(runs, result, words))
+        .first_warnings(facts.warnings, words)
+        .add(not_done(words));
+}
+
+void add_inputs(const CalibrationInput& input, const Words& words, Document& page) {
+    page.heading("inputs", words("Inputs"));
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        if (input.events() > 1) page.subheading(input.spec().events[e].name);
+        page.add(inputs_table(input.own[e].base, words));
+    }
+}
+
+}  // namespace
+
+std::string calibration_title(const CalibrationInput& input) {
+    std::string names;
+    for (const EventSpec& event : input.spec().events) names += (names.empty() ? "" : ", ") + event.name;
+    return names;
+}
+
+void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
+                              const CalibrationResult& result, const CalibrationFacts& facts,
+                              const ResultDirectory& directory) {
+    const Words words = words_of(input.own.front().base.spec);
+    const std::vector<std::string> maps = pictures_in(directory.path("maps"));
+    const std::string& folder = directory.folder();
+    Document page = answer(input, runs, result, facts, words);
+    page.end_answer().heading("maps", words("Maps"));
+    if (maps.empty()) page.paragraph(words("There are no maps."));
+    page.maps(maps, folder, words)
+        .heading("scores", words("How well the events are explained"))
+        .add(scores_table(input, result, words))
+        .add(misfits_table(input, runs, result, words))
+        .charts(calibration_chart_titles(), folder, words);
+    add_inputs(input, words, page);
+    if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
+    if (runs.last().failed() > 0)
+        page.heading("failures", words("Failed members")).add(failures_table(input, runs.last(), words));
+    write_page(folder,
+               {words("{1}: calibration", {calibration_title(input)}),
+                words("Computed with {1}, study {2}, {3}",
+                      {std::string(k_program) + " " + k_version,
+                       std::filesystem::path(input.spec().study.file).filename().string(), words.date(facts.date)}),
+                words, Opening::answer},
+               page);
+}
+
+}  // namespace frana::app::study

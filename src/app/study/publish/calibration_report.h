@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/pictures/charts.h"
+#include "app/pictures/map_source.h"
+#include "app/store/result_directory.h"
+#include "app/study/publish/calibration_result.h"
+#include "app/study/publish/publish_calibration.h"
+#include "params/keys/scene_spec.h"
+
+namespace frana::app::study {
+
+/// Writes posterior_EVENT.tif for each event: the probability under the posterior that the maximum depth exceeds the
+/// threshold of the survey, with its standard error as second band. The map of it shows the surveyed outline and the
+/// trace of the best member. Returns false if a map could not be drawn, with a warning. Throws Error(environment).
+bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
+                              const CalibrationResult& result, const Troubles& troubles,
+                              const ResultDirectory& directory, RunLog& log);
+
+/// Returns the title of a calibration's charts and report.
+std::string calibration_title(const CalibrationInput& input);
+
+/// Returns how a calibration's maps and charts look: as the scene's keys ask.
+MapStyle calibration_style(const SceneSpec& scene);
+
+/// Writes report.html from the tables and the charts already in the directory. Throws Error(environment).
+void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
+                              const CalibrationResult& result, const CalibrationFacts& facts,
+                              const ResultDirectory& directory);
+
+/// Draws the charts of a calibration, if the scene asks for any: `forecast`, the scores of each event, fitted and
+/// predicted from the others; `posterior`, the distribution of each key before and after; `response`, the score over
+/// pairs of keys. Returns false if one could not be drawn, with a warning.
+bool draw_calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
+                             const CalibrationResult& result, const ResultDirectory& directory, RunLog& log);
+
+/// Returns those that a calibration may have, in the order of the page.
+std::vector<ChartTitle> calibration_chart_titles();
+
+/// Returns the mean score round the centres of n x n equal parts of the distributions of two keys, from the members of
+/// a stage: weighted by exp(-r^2 / (2 b^2)) over the distance r in places, b = 0.08. Row 0 has the greatest places of
+/// the second key. NaN if no member finished.
+Raster smoothed_scores(const std::vector<double>& first, const std::vector<double>& second,
+                       const std::vector<double>& scores, std::int64_t n);
+
+}  // namespace frana::app::study

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/study/pool/calibration_runs.h"
+
+namespace frana::app::study {
+
+/// How an event is explained by a set of weights. A score is 1 - misfit: 1 agrees.
+struct Explained {
+    std::size_t best = 0;                  ///< member that explains the used surveys best
+    double best_score = 0;                 ///< its score at this event
+    double mean = 0, low = 0, high = 0;    ///< of the scores with these weights; 5 and 95 %
+    double effective = 0;                  ///< effective number of members
+    bool possible = false;                 ///< false: no member finished for the surveys used
+    std::vector<KeyPosterior> posteriors;  ///< by key, with these weights
+};
+
+/// One event: explained with its own survey, and predicted from those of the others.
+struct EventResult {
+    Explained fitted, predicted;
+};
+
+/// What follows from all runs.
+struct CalibrationResult {
+    std::vector<double> weights;  ///< by member of the last stage
+    std::size_t best = 0;         ///< member with the greatest likelihood
+    double effective = 0;         ///< effective number of members
+    double exponent = 0;          ///< of the likelihood, as the members support it
+    std::vector<KeySample> keys;
+    std::vector<KeyPosterior> posteriors;  ///< by key
+    std::vector<IndistinctPair> indistinct;
+    std::vector<EventResult> events;
+    std::vector<Sentence> sentences;  ///< what the surveys say
+};
+
+/// Throws Error(numerical) if no member finished for all events.
+CalibrationResult calibration_result(const CalibrationInput& input, const CalibrationRuns& runs);
+
+/// Mean over the events of a member's scores; NaN if it failed at one.
+double score_of(const std::vector<double>& misfits);
+
+/// Returns the name of a key in tables: with its event if others have it not.
+std::string column_of(const CalibrationSpec& calibration, const KeySample& key);
+
+}  // namespace frana::app::study

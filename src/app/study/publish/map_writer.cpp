@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/publish/map_writer.h"
+
+#include "analysis/trace.h"
+#include "app/input/scene_language.h"
+#include "app/pictures/map_layer.h"
+#include "app/store/scene_identity.h"
+#include "app/store/vector_layers.h"
+#include "gis/raster/styles.h"
+#include "params/keys/classes.h"
+#include "params/keys/result_rasters.h"
+
+namespace frana::app::study {
+
+MapWriter::MapWriter(const Prepared& base, const ResultDirectory& directory)
+    : directory_(directory), metadata_(provenance(base)), output_(base.spec.output), words_(words_of(base.spec)) {}
+
+void MapWriter::write(const std::string& name, const Raster& raster) const {
+    write(name, {band_of(name, raster)});
+}
+
+gis::BandText MapWriter::bound_text(const std::string& name, const char* bound, const std::string& unit) const {
+    return {name + "_" + bound, std::string(bound) + " bound: runs whose full reach is not known could have come", unit,
+            metadata_};
+}
+
+void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& error,
+                                  const Raster* upper, const Raster* lower) const {
+    gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
+    gis::RasterBand band = band_of(name, probability);
+    band.zero_elsewhere = true;
+    std::vector<gis::RasterBand> bands{band, {error, text, true}};
+    if (upper != nullptr) bands.push_back({*upper, bound_text(name, "upper", "-"), true});
+    if (lower != nullptr) bands.push_back({*lower, bound_text(name, "lower", "-"), true});
+    write(name, bands);
+}
+
+void MapWriter::write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper,
+                               const Raster* lower) const {
+    gis::RasterBand band = band_of(name, quantile);
+    if (lower == nullptr) band.text.description += ", at least";
+    if (!upper) band.text.description += "; without an upper bound";
+    std::vector<gis::RasterBand> bands{band};
+    if (upper) bands.push_back({*upper, bound_text(name, "upper", band.text.unit)});
+    if (lower != nullptr) bands.push_back({*lower, bound_text(name, "lower", band.text.unit)});
+    write(name, bands);
+}
+
+gis::RasterBand MapWriter::band_of(const std::string& name, const Raster& raster) const {
+    const ResultRaster& row = *find_result_raster(name);
+    return {raster, {name, description_of(row, name, output_), row.unit, metadata_}};
+}
+
+void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand>& bands) const {
+    const ResultRaster& row = *find_result_raster(name);
+    const std::string file = directory_.path(name + ".tif");
+    gis::write_geotiff(file, bands);
+    if (!row.is_drawn()) return;
+    const std::vector<double> bounds = class_bounds(row, output_.classes, maximum(bands.front().raster));
+    gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, words_, row.zero_is_blank),
+                      row.unit, gis::StyleKind::classed, raster_title(row, name, words_));
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/input/prepare.h"
+#include "app/store/result_directory.h"
+#include "core/words/words.h"
+#include "gis/raster/raster_out.h"
+#include "params/keys/scene_spec.h"
+
+namespace frana::app::study {
+
+/// Writes rasters of the table of result rasters with their texts and styles.
+class MapWriter {
+  public:
+    /// @param base of which the rasters are made
+    MapWriter(const Prepared& base, const ResultDirectory& directory);
+
+    void write(const std::string& name, const Raster& raster) const;
+    /// With its standard error as second band; 0, not nodata, where nothing came. Bounds, where there are any, follow.
+    void write_probability(const std::string& name, const Raster& probability, const Raster& error,
+                           const Raster* upper = nullptr, const Raster* lower = nullptr) const;
+
+    /// With bounds as next bands.
+    /// @param upper none: the quantile has none
+    /// @param lower null: the quantile itself is the lower one
+    void write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper,
+                        const Raster* lower) const;
+
+  private:
+    /// Of the band with the "upper" or "lower" bound of a raster.
+    [[nodiscard]] gis::BandText bound_text(const std::string& name, const char* bound, const std::string& unit) const;
+    [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;
+    void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const;
+
+    const ResultDirectory& directory_;
+    std::map<std::string, std::string> metadata_;
+    OutputSpec output_;
+    Words words_;
+};
+
+}  // namespace frana::app::study

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/publish/publish_calibration.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/input/scene_language.h"
+#include "app/pictures/charts.h"
+#include "app/store/recorded_inputs.h"
+#include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/study/pool/study_result.h"
+#include "app/study/publish/calibration_report.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "app/text/text_table.h"
+#include "app/text/today.h"
+#include "app/text/version.h"
+#include "core/json.h"
+#include "core/text.h"
+#include "params/grammar/picture_text.h"
+#include "params/scene/write_scene.h"
+#include "render/canvas/canvas.h"
+
+namespace frana::app::study {
+namespace {
+
+/// A stage as a table: everything but the weights follows from the members.
+struct Columns {
+    std::vector<std::string> names;
+    std::vector<std::vector<std::string>> rows;  ///< by member
+};
+
+std::string cell(double value) {
+    return std::isnan(value) ? "" : shortest_text(value);
+}
+
+void add_keys(const CalibrationSpec& calibration, const Stage& stage, Columns& to) {
+    const std::size_t shared = calibration.study.vary.size();
+    for (std::size_t k = 0; k < shared; ++k) to.names.push_back(calibration.study.vary[k].key);
+    for (const EventSpec& event : calibration.events)
+        for (const Variation& one : event.vary)
+            to.names.push_back(column_of(calibration, {one.key, event.name, one.distribution, {}, {}, {}}));
+    for (std::size_t i = 0; i < stage.size(); ++i) {
+        for (std::size_t k = 0; k < shared; ++k) to.rows[i].push_back(stage.tables.front().values[i][k]);
+        for (const SampleTable& table : stage.tables)
+            for (std::size_t k = shared; k < table.keys.size(); ++k) to.rows[i].push_back(table.values[i][k]);
+    }
+}
+
+void add_misfits(const CalibrationSpec& calibration, const Stage& stage, Columns& to) {
+    for (std::size_t e = 0; e < stage.events.size(); ++e) {
+        const std::string& event = calibration.events[e].name;
+        to.names.push_back("score " + event);
+        for (const Weight& one : stage.events[e].measures)
+            to.names.push_back(std::string("misfit ") + row_of(one.measure).name + " " + event);
+    }
+    to.names.emplace_back("engine_seconds");
+    to.names.insert(to.names.end(), std::begin(k_end_columns), std::end(k_end_columns));
+    to.names.emplace_back("reason");
+    for (std::size_t i = 0; i < stage.size(); ++i) {
+        std::string reason;
+        double seconds = 0;
+        MemberEnd worst;  // of the events
+        for (std::size_t e = 0; e < stage.events.size(); ++e) {
+            const MemberOutcome& one = stage.events[e].members[i];
+            const bool finished = one.failure.empty();
+            to.rows[i].push_back(finished ? shortest_text(1 - one.agreement.misfit) : "");
+            for (std::size_t m = 0; m < stage.events[e].measures.size(); ++m)
+                to.rows[i].push_back(finished ? shortest_text(one.agreement.parts[m]) : "");
+            if (!finished) reason += (reason.empty() ? "" : "; ") + calibration.events[e].name + ": " + one.failure;
+            seconds += one.engine_seconds;
+            worst.stop_reason += (e == 0 ? "" : "; ") + one.end.stop_reason;
+            worst.moving_fraction = std::max(worst.moving_fraction, one.end.moving_fraction);
+            worst.left_fraction = std::max(worst.left_fraction, one.end.left_fraction);
+            worst.energy_error = std::fmax(worst.energy_error, one.end.energy_error);
+            worst.warnings.insert(worst.warnings.end(), one.end.warnings.begin(), one.end.warnings.end());
+        }
+        to.rows[i].push_back(shortest_text(seconds));
+        for (std::string& cell : end_values(worst)) to.rows[i].push_back(std::move(cell));
+        to.rows[i].push_back(reason);
+    }
+}
+
+Columns columns_of(const CalibrationInput& input, const Stage& stage, const std::vector<double>* weights) {
+    Columns columns;
+    columns.names = {"member", "status"};
+    if (weights != nullptr) columns.names.emplace_back("weight");
+    columns.names.emplace_back("score");
+    const Misfits misfits = stage.misfits();
+    for (std::size_t i = 0; i < stage.size(); ++i) {
+        const double score = score_of(misfits[i]);
+        auto& row = columns.rows.emplace_back();
+        row = {std::to_string(i), std::isnan(score) ? "failed" : "finished"};
+        if (weights != nullptr) row.push_back(shortest_text((*weights)[i]));
+        row.push_back(cell(score));
+    }
+    add_keys(input.spec(), stage, columns);
+    add_misfits(input.spec(), stage, columns);
+    return columns;
+}
+
+std::string line_of(const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+    return text + "\n";
+}
+
+std::string csv_of(const Columns& columns) {
+    std::string text = line_of(columns.names);
+    for (const auto& row : columns.rows) text += line_of(row);
+    return text;
+}
+
+Json json_of(const KeyPosterior& key, const std::string& best) {
+    Json json{{"key", key.key}};
+    if (!key.event.empty()) json["event"] = key.event;
+    json["best"] = best;
+    if (key.nominal) {
+        for (const auto& [value, probability] : key.values) json["probabilities"][value] = probability;
+        return json;
+    }
+    json["q05"] = key.low;
+    json["q50"] = key.median;
+    json["q95"] = key.high;
+    json["prior_q05"] = key.prior_low;
+    json["prior_q95"] = key.prior_high;
+    json["width_of_prior"] = key.width;
+    return json;
+}
+
+Json json_of(const CalibrationResult& result, const Explained& one) {
+    if (!one.possible) return nullptr;
+    Json json{{"best_member", one.best}, {"best_score", one.best_score},
+              {"mean_score", one.mean},  {"q05", one.low},
+              {"q95", one.high},         {"effective_members", one.effective}};
+    for (std::size_t k = 0; k < one.posteriors.size(); ++k)
+        json["intervals"].push_back(json_of(one.posteriors[k], result.keys[k].texts[one.best]));
+    return json;
+}
+
+}  // namespace
+
+std::vector<std::string> best_values(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event) {
+    return runs.last().tables[event].overrides(result.best);
+}
+
+std::string posterior_csv(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
+    return csv_of(columns_of(input, runs.last(), &result.weights));
+}
+
+std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event) {
+    const SampleTable& table = runs.last().tables[event];
+    Columns columns{{"member", "weight", "score"}, {}};
+    columns.names.insert(columns.names.end(), table.keys.begin(), table.keys.end());
+    const Misfits misfits = runs.last().misfits();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        auto& row = columns.rows.emplace_back();
+        row = {std::to_string(i), shortest_text(result.weights[i]),
+               std::isnan(misfits[i][event]) ? "" : shortest_text(1 - misfits[i][event])};
+        row.insert(row.end(), table.values[i].begin(), table.values[i].end());
+    }
+    return csv_of(columns);
+}
+
+std::string design_csv(const CalibrationInput& input, const CalibrationRuns& runs) {
+    return csv_of(columns_of(input, runs.design, nullptr));
+}
+
+std::string calibration_json(const CalibrationInput& input, const CalibrationRuns& runs,
+                             const CalibrationResult& result) {
+    const CalibrationSpec& calibration = input.spec();
+    const Stage& stage = runs.last();
+    const Misfits misfits = stage.misfits();
+    Json json{{"format", k_result_format},
+              {"members", stage.size()},
+              {"effective_members", result.effective},
+              {"exponent", calibration.exponent},
+              {"exponent_used", result.exponent},
+              {"best_member", result.best},
+              {"best_score", score_of(misfits[result.best])}};
+    Json& objective = json["objective"] = Json::object();
+    for (const Weight& one : calibration.objective) objective[row_of(one.measure).name] = one.weight;
+    Json& keys = json["intervals"] = Json::array();
+    for (std::size_t k = 0; k < result.posteriors.size(); ++k)
+        keys.push_back(json_of(result.posteriors[k], result.keys[k].texts[result.best]));
+    Json& pairs = json["indistinct"] = Json::array();
+    for (const IndistinctPair& pair : result.indistinct)
+        pairs.push_back({{"first", column_of(calibration, result.keys[pair.first])},
+                         {"second", column_of(calibration, result.keys[pair.second])},
+                         {"correlation", pair.correlation}});
+    Json& events = json["events"] = Json::array();
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventRuns& runs_of_event = stage.events[e];
+        Json event{{"name", calibration.events[e].name},
+                   {"scene", calibration.events[e].members.study.scene},
+                   {"cell_size", runs_of_event.cell_size},
+                   {"fitted", json_of(result, result.events[e].fitted)}};
+        if (runs_of_event.observed_runout > 0) event["observed_runout_m"] = runs_of_event.observed_runout;
+        const MemberAgreement& best = runs_of_event.members[result.best].agreement;
+        for (std::size_t m = 0; m < runs_of_event.measures.size(); ++m)
+            event["best_misfits"][row_of(runs_of_event.measures[m].measure).name] = best.parts[m];
+        if (input.events() > 1) event["leave_one_out"] = json_of(result, result.events[e].predicted);
+        events.push_back(std::move(event));
+    }
+    json["says"] = texts_of(result.sentences);
+    return json_text(json);
+}
+
+std::string calibration_summary_json(const CalibrationInput& input, const CalibrationRuns& runs,
+                                     const CalibrationFacts& facts) {
+    const StudySpec& study = input.spec().study;
+    const std::size_t members = runs.design.size() + (runs.refined ? runs.refined->size() : 0),
+                      failed = runs.design.failed() + (runs.refined ? runs.refined->failed() : 0);
+    Json json{
+        {"program", k_program},
+        {"version", k_version},
+        {"format", k_result_format},
+        {"date", facts.date},
+        {"kind", "calibration"},
+        {"study", study.file},
+        {"sampling", name_of(study.sampling)},
+        {"seed", study.seed},
+        {"samples", runs.design.size()},
+        {"refine", runs.refined ? runs.refined->size() : 0},
+        {"runs", members * input.events()},
+        {"failed_runs", failed},
+        {"run_troubles", json_of(facts.troubles)},
+        {"wall_seconds", facts.wall_seconds},
+        {"threads", facts.threads},
+        {"runs_per_hour", facts.wall_seconds > 0 ? 3600 * static_cast<double>(runs.computed) / facts.wall_seconds : 0},
+        {"warnings", texts_of(facts.warnings)}};
+    return json_text(json);
+}
+
+namespace {
+
+/// The files that the study and the scenes of its events name.
+std::vector<NamedFile> inputs_of(const CalibrationInput& input) {
+    std::vector<NamedFile> files;
+    static_cast<void>(with_files(input.spec(), [&](const std::string& key, const std::string& path) {
+        files.push_back({key, path});
+        return path;
+    }));
+    for (const StudyInput& event : input.own)
+        for (NamedFile& file : named_files(event.base.spec)) files.push_back(std::move(file));
+    return files;
+}
+
+void write_best_scenes(const CalibrationInput& input, const CalibrationResult& result,
+                       const ResultDirectory& directory) {
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
+        const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
+        write_text_file(directory.path(name), echoed_scene(study.member(result.best).scene, directory.target()));
+    }
+}
+
+void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog& log) {
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventResult& event = result.events[e];
+        std::string text = input.spec().events[e].name + ": score " + number_text(event.fitted.best_score, 3) +
+                           " fitted (mean " + number_text(event.fitted.mean, 3) + ")";
+        if (input.events() > 1)
+            text += event.predicted.possible
+                        ? ", " + number_text(event.predicted.best_score, 3) + " predicted from the others (mean " +
+                              number_text(event.predicted.mean, 3) + ")"
+                        : ", not predicted: no member finished for the others";
+        log.info(text);
+    }
+    for (const Sentence& sentence : result.sentences) log.info(sentence.text());
+}
+
+/// All runs, each with the table that has its row.
+std::vector<RunOfStudy> runs_of(const CalibrationRuns& runs) {
+    std::vector<RunOfStudy> all;
+    const auto add = [&](const Stage& stage, const char* table) {
+        for (RunOfStudy& run : stage.runs()) {
+            run.table = table;
+            all.push_back(std::move(run));
+        }
+    };
+    add(runs.design, k_design_table);
+    if (runs.refined) add(*runs.refined, k_posterior_table);
+    return all;
+}
+
+bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
+    const std::size_t failed = runs.last().failed(), all = runs.last().size() * events;
+    if (failed == 0) return false;
+    log.warn(worded("{1} of {2} runs failed: their members have no weight. posterior.csv has the reason of each",
+                    {std::to_string(failed), std::to_string(all)}));
+    return static_cast<double>(failed) > k_most_failed * static_cast<double>(all);
+}
+
+}  // namespace
+
+void load_calibration_drawing(const CalibrationInput& input) {
+    for (const StudyInput& event : input.own)
+        if (event.base.spec.output.maps.front() != "off") render::vtk();
+}
+
+StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,
+                                 const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
+    const CalibrationResult result = calibration_result(input, runs);
+    StudyOutcome outcome;
+    const std::vector<RunOfStudy> all = runs_of(runs);
+    const Troubles troubles = troubles_of(all, false);
+    outcome.has_troubles = troubles.any();
+    if (troubles.any()) log.warn_first(headline(troubles));
+    if (troubles.open > 0) {
+        const bool in_posterior = troubles_of(runs.last().runs(), false).open > 0;
+        if (in_posterior)
+            log.warn(worded(
+                "The scores of runs that were cut, held or left the ground are those of unfinished flows, and so is "
+                "the posterior: raise time.end, or use a larger DTM"));
+        else
+            log.warn(worded(
+                "The scores of runs that were cut, held or left the ground are those of unfinished flows; all of them "
+                "are rows of design.csv, none of posterior.csv"));
+    }
+    outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
+    for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);
+    if (const auto warning = few_members(result.effective)) log.warn(*warning);
+    write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
+    write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
+    write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));
+    write_text_file(directory.path(k_design_table), design_csv(input, runs));
+    for (std::size_t e = 0; input.events() > 1 && e < input.events(); ++e)
+        if (const EventSpec& event = input.spec().events[e]; !event.vary.empty())
+            write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
+    write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
+    write_best_scenes(input, result, directory);
+    const bool mapped = publish_calibration_maps(input, runs, result, troubles, directory, log);
+    outcome.pictures_failed = !draw_calibration_charts(input, runs, result, directory, log) || !mapped;
+    tell(input, result, log);
+    const CalibrationFacts facts{troubles, since_start.seconds(), threads, log.warnings(), today()};
+    if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);
+    write_text_file(directory.path(k_summary_file), calibration_summary_json(input, runs, facts));
+    write_text_file(directory.path(k_log_file), log.text());
+    return outcome;
+}
+
+}  // namespace frana::app::study

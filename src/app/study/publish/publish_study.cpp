@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/publish/publish_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "analysis/trace.h"
+#include "app/compare/probability_comparison.h"
+#include "app/input/scene_language.h"
+#include "app/publish/publish_hazard.h"
+#include "app/publish/publish_project.h"
+#include "app/publish/report_comparison.h"
+#include "app/store/interrupted_run.h"
+#include "app/store/recorded_inputs.h"
+#include "app/store/result_directory.h"
+#include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/store/vector_layers.h"
+#include "app/study/plan/read_study.h"
+#include "app/study/plan/study_input.h"
+#include "app/study/pool/member_threads.h"
+#include "app/study/pool/study_result.h"
+#include "app/study/publish/map_writer.h"
+#include "app/study/publish/study_files.h"
+#include "app/study/publish/study_tables.h"
+#include "app/study/statistics/study_maps.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "app/text/today.h"
+#include "core/text.h"
+#include "gis/raster/footprint.h"
+#include "gis/vector/vector_out.h"
+
+namespace frana::app::study {
+namespace {
+
+constexpr const char* k_matrix_source =
+    "after the Swiss recommendations of 1997 (BWW, BRP, BUWAL), or as the region gives it";
+
+/// The finished members, of a region those of one scenario.
+std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& result,
+                                    const std::optional<std::string>& scenario) {
+    std::vector<UnionMember> members;
+    for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
+        UnionMember member{result.members[result.finished_at[i]].member, result.finished.records[i], {}};
+        if (!input.slopes.empty()) {
+            const Slope& slope = input.slopes[member.number];
+            if (scenario && slope.scenario != *scenario) continue;
+            member.return_period = slope.return_period;
+        }
+        members.push_back(std::move(member));
+    }
+    return members;
+}
+
+std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
+    const auto scheme = hazard_scheme_of(input.base.spec);
+    const DegreeMatrix& matrix = input.reading.study.region->degrees;
+    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   scheme->name,
+                 k_matrix_source, k_degree_zones_file, intensity_limits(*scheme)};
+    return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
+}
+
+void write_reached(const StudyInput& input, const Raster& depth, const ResultDirectory& directory) {
+    const double threshold = input.base.spec.output.trace_threshold;
+    std::vector<gis::OutlineLayer> layers = known_outlines(input);
+    layers.push_back({"trace", {}});
+    PolygonFeature reached;
+    reached.parts = gis::polygonise(trace_mask(depth, threshold));
+    reached.numbers["threshold_m"] = threshold;
+    if (!reached.parts.empty()) layers.back().features.push_back(std::move(reached));
+    write_result_outlines(directory.path(k_outlines_file), depth.grid.crs_wkt, layers, words_of(input.base.spec));
+}
+
+double covered_area(const Raster& depth, double threshold) {
+    std::int64_t cells = 0;
+    depth.values.for_each_stored([&](std::size_t, double value) { cells += value > threshold; });
+    return static_cast<double>(cells) * depth.grid.cell_area();
+}
+
+/// Of a large map, whose elevations are read where somebody asks for them.
+void read_ground_under(const Raster& depth, Raster& terrain) {
+    if (!terrain.values.is_tiled()) return;
+    depth.values.for_each_stored(
+        [&](std::size_t cell, double) { static_cast<void>(std::as_const(terrain).values[cell]); });
+}
+
+/// Names of the rasters of a union.
+struct UnionNames {
+    std::string depth, velocity, pressure, arrival, hits, worst;
+};
+
+/// Writes the rasters one after the other, so that memory contains few at once. Returns the depth.
+Raster write_union(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
+                   const UnionNames& names, const ResultDirectory& directory) {
+    const MapWriter writer(input.base, directory);
+    Raster depth;
+    {
+        DepthUnion maps = depth_union(members, grid);
+        writer.write(names.depth, maps.depth);
+        writer.write(names.hits, maps.hits);
+        writer.write(names.worst, maps.worst);
+        depth = std::move(maps.depth);
+    }
+    writer.write(names.velocity, greatest_of(members, Quantity::velocity, grid));
+    writer.write(names.pressure, greatest_of(members, Quantity::pressure, grid));
+    writer.write(names.arrival, earliest_arrival(members, grid));
+    return depth;
+}
+
+/// @param name of a scenario in names of files
+void write_scenario(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
+                    const std::string& name, const ResultDirectory& directory) {
+    const std::string of_scenario = "scenario_";
+    write_union(
+        input, members, grid,
+        {of_scenario + "max_depth_" + name, of_scenario + "max_velocity_" + name, of_scenario + "max_pressure_" + name,
+         of_scenario + "arrival_time_" + name, of_scenario + "hit_count_" + name, of_scenario + "worst_source_" + name},
+        directory);
+    const auto scheme = hazard_scheme_of(input.base.spec);
+    if (!scheme) return;
+    ClassMap map{of_scenario + "intensity_" + name, scheme->title, scheme->classes, scheme->name, scheme->source, "",
+                 {scheme->minimum_label()}};
+    publish_classes(greatest_of(members, Quantity::intensity, grid), map, provenance(input.base),
+                    words_of(input.base.spec), directory);
+}
+
+/// Writes the terrain and the rasters of a study with a polygon for each member: the union of all, how many reach each
+/// cell, which is the worst; of a region also those of each scenario, and the degree of hazard where it has return
+/// periods. Adds the area of the union and those of the degrees to the facts.
+void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory, StudyFacts& facts) {
+    const auto& region = input.reading.study.region;
+    const std::vector<UnionMember> all = members_of(input, result, std::nullopt);
+    {
+        const Raster depth = write_union(input, all, result.grid,
+                                         {"union_max_depth", "union_max_velocity", "union_max_pressure",
+                                          "union_arrival_time", "hit_count", "worst_source"},
+                                         directory);
+        read_ground_under(depth, input.base.scene.terrain);
+        publish_study_ground(input, directory);
+        write_reached(input, depth, directory);
+        facts.reached_threshold = input.base.spec.output.trace_threshold;
+        facts.reached_m2 = {covered_area(depth, facts.reached_threshold)};
+    }
+    if (region && region->return_period)
+        facts.degrees = write_degree(input, worst_degree(all, result.grid, region->degrees), directory);
+    if (!region || !region->scenario) return;
+    std::map<std::string, bool> scenarios;
+    for (const UnionMember& member : all) scenarios[input.slopes[member.number].scenario] = true;
+    std::vector<std::string> names;
+    for (const auto& [name, present] : scenarios) names.push_back(name);
+    const std::vector<std::string> stems = file_stems(names);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        write_scenario(input, members_of(input, result, names[i]), result.grid, stems[i], directory);
+}
+
+/// Writes a region's table of slopes as a layer: every release polygon, also of those that failed, with what its
+/// attributes say, its status, its figures, and the outline of what it reaches.
+/// @param traces the outlines of finished members
+void write_slopes(const StudyInput& input, const StudyResult& result, const gis::OutlineLayer& traces,
+                  const std::string& path) {
+    gis::OutlineLayer slopes{"slopes", {}};
+    for (const MemberResult& member : result.members) {
+        const Slope& slope = input.slopes[member.member];
+        PolygonFeature feature;
+        feature.parts = slope.outline;
+        feature.numbers["member"] = static_cast<double>(member.member);
+        if (slope.return_period) feature.numbers["return_period"] = *slope.return_period;
+        feature.texts = {{"name", slope.name},
+                         {"group", slope.group},
+                         {"scenario", slope.scenario},
+                         {"status", member.failure.empty() ? "finished" : "failed"},
+                         {"reason", member.failure}};
+        add_end(member.end, feature.numbers, feature.texts);
+        for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
+        for (std::size_t k = 0; k < input.table.keys.size(); ++k)
+            feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
+        slopes.features.push_back(std::move(feature));
+    }
+    write_result_outlines(path, result.grid.crs_wkt, {slopes, traces}, words_of(input.base.spec));
+}
+
+namespace fs = std::filesystem;
+
+/// Cells beyond those that a member reached, where the maps of a large terrain end.
+constexpr std::int64_t k_margin = 32;
+
+/// Puts the maps on one grid. That of the central member where it is not large and contains all that any member
+/// reached; otherwise the part of the terrain round all of them.
+void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
+    const GridSpec& grid = input.base.scene.grid;
+    const CellWindow reached = reached_window(result.finished, grid);
+    const bool is_inside = reached.row >= 0 && reached.column >= 0 && reached.row + reached.rows <= grid.rows &&
+                           reached.column + reached.columns <= grid.columns;
+    if (is_inside && !input.base.scene.terrain.values.is_tiled()) {
+        result.grid = grid;
+        return;
+    }
+    const CellWindow window{reached.row - k_margin, reached.column - k_margin, reached.rows + 2 * k_margin,
+                            reached.columns + 2 * k_margin};
+    SceneReading reading = input.central;
+    const Bounds part = part_of(grid, window).bounds(), file = input.base.ground.file.bounds;
+    const bool same_crs = input.base.ground.file.crs_wkt == grid.crs_wkt;  // then no more than there is
+    reading.scene.terrain.bounds = !same_crs ? part
+                                             : Bounds{std::max(part.west, file.west), std::max(part.south, file.south),
+                                                      std::min(part.east, file.east), std::min(part.north, file.north)};
+    RunLog silent(true);
+    Problems problems;
+    std::optional<TerrainInput> ground = prepare_terrain(reading, silent, problems);
+    problems.throw_if_any();
+    input.base.scene.terrain = std::move(ground->terrain);
+    input.base.scene.grid = result.grid = input.base.scene.terrain.grid;
+    log.note("maps are on the part of the terrain round the cells that a member reached: " +
+             extent_text(result.grid.bounds()));
+}
+
+/// Outlines of all members, each in a raster no larger than what was reached.
+void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& folder,
+                           const std::string& path) {
+    gis::OutlineLayer layer{"members", {}};
+    for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
+        const MemberResult& member = result.members[result.finished_at[i]];
+        FinishedMembers alone;
+        alone.records.push_back(record_file(folder, member.member));
+        const CellWindow window = reached_window(alone, result.grid);
+        if (window.rows == 0) continue;
+        const auto record = own_record(input, folder, member.member);
+        const Raster depth = record->raster(Quantity::depth, part_of(result.grid, window));
+        PolygonFeature feature;
+        feature.parts = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
+        if (feature.parts.empty()) continue;
+        feature.numbers["member"] = static_cast<double>(member.member);
+        feature.numbers["weight"] = input.table.weights[member.member];
+        if (!input.table.level_runs.empty()) {
+            feature.numbers["weight"] = result.finished.weights[i];
+            feature.numbers["cell_size_m"] = input.table.level_runs[member.member].cell_size;
+        }
+        add_end(member.end, feature.numbers, feature.texts);
+        for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
+        for (std::size_t k = 0; k < input.table.keys.size(); ++k)
+            feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
+        if (!input.slopes.empty()) {
+            const Slope& slope = input.slopes[member.member];
+            feature.texts.insert({{"name", slope.name}, {"group", slope.group}, {"scenario", slope.scenario}});
+        }
+        layer.features.push_back(std::move(feature));
+    }
+    if (input.slopes.empty())
+        write_result_outlines(path, result.grid.crs_wkt, {layer}, words_of(input.base.spec));
+    else
+        write_slopes(input, result, layer, path);
+}
+
+bool is_kept(Keep keep, const MemberResult& member) {
+    return keep == Keep::all || (keep == Keep::failed && !member.failure.empty());
+}
+
+void write_kept_members(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
+    for (const MemberResult& member : result.members) {
+        if (!is_kept(input.reading.study.keep, member)) continue;
+        char name[40];
+        std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
+        directory.make_folder(name);
+        const auto record = own_record(input, directory.folder(), member.member);
+        write_member(input, member.member, *record, result.grid, directory, name);
+    }
+}
+
+std::string percent(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
+}
+
+bool warn_of_failures(const StudyInput& input, const StudyResult& result, const std::vector<LevelSummary>& levels,
+                      RunLog& log) {
+    if (result.failed() == 0) return false;
+    for (const MemberResult& member : result.members)
+        if (!member.failure.empty() && !input.slopes.empty())
+            log.note("slope " + std::to_string(member.member) +
+                     (input.slopes[member.member].name.empty() ? "" : " " + input.slopes[member.member].name) +
+                     " failed: " + member.failure);
+    const double fraction = static_cast<double>(result.failed()) / static_cast<double>(result.members.size());
+    const auto first = std::find_if(result.members.begin(), result.members.end(),
+                                    [](const MemberResult& member) { return !member.failure.empty(); });
+    log.warn(worded(
+        "{1} of {2} members failed and are in no map; the first, member {3}: {4}. members.csv has the reason of each",
+        {std::to_string(result.failed()), std::to_string(result.members.size()), std::to_string(first->member),
+         first->failure.c_str()}));
+    const bool level_failed = std::any_of(levels.begin(), levels.end(), [](const LevelSummary& level) {
+        return static_cast<double>(level.failed) > k_most_failed * static_cast<double>(level.statistics.members);
+    });
+    return fraction > k_most_failed || level_failed;
+}
+
+void warn_of_error(const StudyInput& input, const StudyResult& result, const MapError& error, RunLog& log) {
+    log.info(std::to_string(result.finished_at.size()) + " members; standard error of the probabilities " +
+             percent(error.largest) + " at most, " + percent(error.mean) + " on average where it is not 0");
+    const auto& until = input.reading.study.until;
+    if (until && error.largest > *until)
+        log.warn(
+            worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
+}
+
+/// The probabilities against the scene's surveyed outline, where it has one.
+struct StudyComparison {
+    ProbabilityMap map;
+    ProbabilityScores scores;
+};
+
+/// Writes the scores. A survey that cannot be compared does not fail the study.
+std::optional<StudyComparison> compare_study(const StudyInput& input, const ResultDirectory& directory, RunLog& log) {
+    if (!input.base.scar || input.reading.study.per_polygon()) return std::nullopt;
+    Survey survey;
+    survey.scar = parts_of(input.base.scar->features);
+    survey.scar_label = input.base.spec.observed.perimeter.value_or("");
+    return attempt(worded("the survey could not be compared: {1}"), log, [&] {
+        StudyComparison comparison{read_probability_map(directory.folder(), std::nullopt), {}};
+        comparison.map.file = fs::path(comparison.map.file).filename().string();
+        comparison.scores = compare_with_survey(comparison.map, survey, log);
+        write_probability_comparison(comparison.scores, comparison.map, survey, directory.folder());
+        return std::optional(std::move(comparison));
+    });
+}
+
+/// The files that the central scene and the study name.
+std::vector<NamedFile> inputs_of(const StudyInput& input) {
+    std::vector<NamedFile> files = named_files(input.base.spec);
+    static_cast<void>(with_files(input.reading.study, [&](const std::string& key, const std::string& path) {
+        files.push_back({key, path});
+        return path;
+    }));
+    return files;
+}
+
+}  // namespace
+
+StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& directory, RunLog& log) {
+    StudyInput& input = study.input;
+    StudyResult result = read_study_result(input, directory.folder(), study.members);
+    StudyOutcome outcome;
+    StudyFacts facts;
+    facts.levels = level_summaries(input, result);
+    const bool is_region = input.reading.study.region.has_value();
+    const std::vector<RunOfStudy> runs = result.runs();
+    facts.troubles = troubles_of(runs, is_region);
+    facts.troubles.on_levels = !input.levels.empty();
+    outcome.has_troubles = facts.troubles.any();
+    if (facts.troubles.any()) log.warn_first(headline(facts.troubles));
+    outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
+    for (const Sentence& kind : kinds_of_warnings(runs, log.warnings())) log.warn(kind);
+    const StudySpec echoed = seen_from(input.reading.study, directory.target());
+    write_text_file(directory.path(is_region ? k_region_file : k_study_file),
+                    is_region ? region_text(echoed) : study_text(echoed));
+    facts.threads = study.threads;
+    facts.computed = study.computed;
+    facts.date = today();
+    std::vector<FigureSensitivity> figures;
+    const Bounds map = computed_ground(input);
+    if (!result.finished_at.empty()) {
+        choose_grid(input, result, log);
+        if (input.reading.study.per_polygon()) {
+            publish_unions(input, result, directory, facts);
+        } else {
+            publish_study_ground(input, directory);
+            figures = sensitivities(result);
+            publish_study_maps(input, result, directory, facts);
+            warn_of_error(input, result, facts.error, log);
+            facts.median = median_member(input, result);
+            if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);
+        }
+        write_member_outlines(input, result, directory.folder(), directory.path(k_member_outlines));
+        facts.exposure = publish_study_exposure(input, result, map, directory);
+        if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));
+    }
+    write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
+    write_text_file(directory.path(k_member_table), members_csv(input, result));
+    if (!input.reading.study.per_polygon())
+        write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
+    write_kept_members(input, result, directory);
+    // Maps show what the summary says; what drawing adds to it comes at the end.
+    write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
+    if (!result.finished_at.empty() && !draw_study(input, result, figures, directory, log))
+        outcome.pictures_failed = true;
+    if (!result.finished_at.empty())
+        publish_project(directory.folder(), input.base.spec.output.title.value_or(scene_name(input.base.spec)) +
+                                                (is_region ? ", region" : ", study"));
+    std::optional<StudyComparison> comparison;
+    if (!result.finished_at.empty()) comparison = compare_study(input, directory, log);
+    facts.wall_seconds = study.since_start.seconds();
+    facts.warnings = log.warnings();
+    if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);
+    if (comparison) renew_report(directory.folder(), comparison->scores, comparison->map);
+    write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
+    write_text_file(directory.path(k_log_file), log.text());
+    return outcome;
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "app/process/stopwatch.h"
+#include "app/store/result_directory.h"
+#include "app/study/plan/study_input.h"
+#include "app/study/publish/study_tables.h"
+
+namespace frana::app::study {
+
+/// What was done before a study is written.
+struct FinishedStudy {
+    StudyInput& input;
+    std::size_t members;   ///< that ran
+    std::size_t computed;  ///< of these in this session
+    int threads;
+    const Stopwatch& since_start;
+};
+
+struct StudyOutcome {
+    bool too_many_failed = false;
+    bool pictures_failed = false;
+    bool has_troubles = false;  ///< Troubles::any
+};
+
+/// Writes everything that follows from the members' records in the directory: rasters, tables, outlines, maps, charts,
+/// report.html, summary.json. Throws Error(environment).
+StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& directory, RunLog& log);
+
+/// Writes report.html of a study from its tables and the pictures already in its directory: one self-contained file.
+/// Throws Error(environment).
+void write_study_report(const StudyInput& input, const StudyResult& result,
+                        const std::vector<FigureSensitivity>& figures, const StudyFacts& facts,
+                        const ResultDirectory& directory);
+
+}  // namespace frana::app::study

@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/publish/study_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "analysis/trace.h"
+#include "app/input/scene_language.h"
+#include "app/pictures/charts.h"
+#include "app/pictures/map_layer.h"
+#include "app/pictures/map_source.h"
+#include "app/pictures/result_reader.h"
+#include "app/publish/publish_rasters.h"
+#include "app/store/interrupted_run.h"
+#include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/store/vector_layers.h"
+#include "app/study/publish/map_writer.h"
+#include "app/study/statistics/cell_statistics.h"
+#include "app/text/text_file.h"
+#include "core/text.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/footprint.h"
+#include "gis/raster/raster_out.h"
+#include "params/keys/result_rasters.h"
+#include "params/scene/write_scene.h"
+#include "render/animation/movie.h"
+#include "render/canvas/canvas.h"
+
+namespace frana::app::study {
+namespace {
+
+constexpr std::size_t k_most_panels = 9;
+constexpr const auto& k_colours = render::k_chart_colours;
+
+/// What the charts of a study show.
+struct ChartData {
+    const StudyInput& input;
+    const StudyResult& result;
+    const std::vector<FigureSensitivity>& sensitivities;
+};
+
+std::string axis_label(const Figure& figure, const Words& words) {
+    return figure_title(figure, words) + (figure.unit.empty() || figure.unit == "-" ? "" : " [" + figure.unit + "]");
+}
+
+/// Fraction of the weight of members with more than each value: a staircase.
+std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<Point> points;
+    double above = 1;
+    for (const std::size_t i : order) {
+        points.push_back({values[i], std::max(0.0, above)});
+        above -= weights[i];
+        points.push_back({values[i], std::max(0.0, above)});
+    }
+    return points;
+}
+
+std::optional<render::Chart> exceedance(const ChartData& data, const std::string& title, const MapSource& source) {
+    const StudyResult& result = data.result;
+    if (result.figures().empty()) return std::nullopt;
+    const Words& words = source.style.words;
+    render::Chart chart = chart_sheet(source, title, words("fraction of the members with more than the value"),
+                                      "members.csv", std::min(k_most_panels, result.figures().size()));
+    for (std::size_t f = 0; f < result.figures().size() && chart.panels.size() < k_most_panels; ++f) {
+        const Figure& figure = result.figures()[f];
+        render::ChartPanel panel{
+            figure_title(figure, words), axis_label(figure, words), words("probability of more [-]"), {}, {0}};
+        panel.series.push_back({"", k_colours[0], exceedance_curve(result.figure(f), result.finished.weights), 2.4});
+        chart.panels.push_back(std::move(panel));
+    }
+    return chart;
+}
+
+/// One bar for each key, from 0 to its value, with its interval as a thin line.
+std::optional<render::Chart> sensitivity(const ChartData& data, const std::string& title, const MapSource& source) {
+    if (data.sensitivities.empty()) return std::nullopt;
+    const Words& words = source.style.words;
+    const bool by_indices = data.input.table.groups > 0;
+    render::Chart chart = chart_sheet(
+        source, title,
+        words(by_indices ? worded("bar: total Sobol' index, thin line: its interval of 95 %, circle: first order")
+                         : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
+        "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
+    for (const FigureSensitivity& figure : data.sensitivities) {
+        if (chart.panels.size() == k_most_panels) break;
+        render::ChartPanel panel{figure_title(figure.figure, words),
+                                 words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
+                                 "",
+                                 {}};
+        panel.note = words("the figure does not vary");
+        const double count = static_cast<double>(figure.keys.size());
+        panel.has_rows = true;
+        panel.on_y = {0.5, count + 0.5};
+        panel.on_x = {by_indices ? 0 : -1.05, 1.05};
+        for (std::size_t k = 0; k < figure.keys.size(); ++k) {
+            const KeySensitivity& one = figure.keys[k];
+            const auto& value = by_indices ? one.total : one.rank_correlation;
+            if (!value) continue;
+            const double y = count - static_cast<double>(k);
+            const Rgb colour = k_colours[k % std::size(k_colours)];
+            render::ChartSeries bar{data.input.table.keys[k], colour, {{0, y}, {value->value, y}}, 14};
+            panel.series.push_back(std::move(bar));
+            panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
+            if (!by_indices) continue;
+            render::ChartSeries first{"", {20, 20, 20}, {{one.first_order->value, y}}, 1};
+            first.marker = render::Marker::circle;
+            panel.series.push_back(std::move(first));
+        }
+        chart.panels.push_back(std::move(panel));
+    }
+    return chart;
+}
+
+std::optional<render::Chart> convergence(const ChartData& data, const std::string& title, const MapSource& source) {
+    const std::vector<ErrorAt> errors = convergence_of(data.input, data.result);
+    if (errors.empty()) return std::nullopt;
+    const Words& words = source.style.words;
+    render::Chart chart = chart_sheet(source, title, words("standard error of the probabilities of depth over the map"),
+                                      words("records of the members"), 1);
+    render::ChartPanel panel{words("Standard error"), words("members"), words("standard error [-]"), {}};
+    panel.x = panel.y = render::Scale::logarithmic;
+    render::ChartSeries largest{words("largest"), k_colours[1], {}},
+        mean{words("mean where it is not 0"), k_colours[0], {}};
+    mean.stroke = render::Stroke::dashed;
+    largest.marker = render::Marker::circle;
+    mean.marker = render::Marker::square;
+    for (const ErrorAt& at : errors) {
+        largest.points.push_back({static_cast<double>(at.members), at.error.largest});
+        mean.points.push_back({static_cast<double>(at.members), at.error.mean});
+    }
+    panel.series = {largest, mean};
+    chart.panels.push_back(std::move(panel));
+    return chart;
+}
+
+/// Every chart of a study, in the order of the page.
+constexpr ChartRow<ChartData> k_charts[] = {
+    {{"exceedance", worded("exceedance")}, exceedance},
+    {{"sensitivity", worded("sensitivity of the results")}, sensitivity},
+    {{"convergence", worded("convergence of the probabilities")}, convergence},
+};
+
+/// The first members of a study that are independent of each other.
+FinishedMembers independent_members(const StudyResult& result) {
+    if (result.groups == 0) return result.finished;
+    FinishedMembers first;
+    for (std::size_t i = 0; i < result.groups; ++i) {  // of whole groups, in the order of members: matrix A
+        first.records.push_back(result.design.records[i]);
+        first.weights.push_back(1);
+    }
+    return first;
+}
+
+}  // namespace
+
+std::string figure_title(const Figure& figure, const Words& words) {
+    for (const char* of_a_place : {worded("greatest depth at gauge {1}"), worded("greatest speed at gauge {1}"),
+                                   worded("greatest discharge through {1}"), worded("volume through {1}")}) {
+        const std::string before(of_a_place, std::string(of_a_place).find("{1}"));
+        if (figure.title.starts_with(before)) return words(of_a_place, {figure.title.substr(before.size())});
+    }
+    return words(figure.title);
+}
+
+std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
+    constexpr std::size_t k_first = 8;
+    std::vector<ErrorAt> all;
+    if (!input.levels.empty()) return all;  // its members are not exchangeable
+    const FinishedMembers members = independent_members(result);
+    for (std::size_t count = k_first;; count *= 2) {
+        const std::size_t some = std::min(count, members.size());
+        if (some < 2) break;
+        all.push_back({some, error_of_first(members, some, Quantity::depth, result.grid,
+                                            input.base.spec.output.depth_thresholds)});
+        if (some == members.size()) break;
+    }
+    return all;
+}
+
+std::vector<ChartTitle> study_charts() {
+    return titles_of(k_charts);
+}
+
+namespace {
+
+using Values = std::span<const float>;
+
+class Builder {
+  public:
+    Builder(const StudyInput& input, const StudyResult& result)
+        : input_(input),
+          result_(result),
+          layer_(*input.base.extra.exposure),
+          cells_(exposed_cells(layer_, result.grid)),
+          values_(layer_.features.size()) {
+        const Raster& terrain = input.base.scene.terrain;
+        const bool is_known = input.slopes.empty() && !terrain.values.is_tiled();
+        for (std::size_t f = 0; f < cells_.size() && is_known; ++f)
+            values_[f].has_ground =
+                cells_[f].empty() || std::any_of(cells_[f].begin(), cells_[f].end(),
+                                                 [&](std::size_t cell) { return !std::isnan(terrain.values[cell]); });
+    }
+
+    std::vector<ExposureRow> rows(const Bounds& map) {
+        greatest(Quantity::depth, &ExposureValues::depth);
+        greatest(Quantity::velocity, &ExposureValues::velocity);
+        greatest(Quantity::pressure, &ExposureValues::pressure);
+        for_each(Quantity::arrival, [&](std::size_t feature, Values values) {
+            const float first = *std::min_element(values.begin(), values.end());
+            if (std::isfinite(first)) values_[feature].arrival = static_cast<double>(first);
+        });
+        std::vector<ExposureRow> rows = exposure_rows(layer_, values_, map);
+        input_.reading.study.per_polygon() ? add_sources(rows) : add_probabilities(rows);
+        return rows;
+    }
+
+  private:
+    /// Of all runs whose records count: one that failed has hit before it failed.
+    template <class Visit>
+    void for_each(Quantity quantity, const Visit& visit) const {
+        const bool has_open = result_.open.any();
+        for_each_feature((has_open ? result_.open.runs : result_.finished).records, quantity, result_.grid, cells_,
+                         visit);
+    }
+    [[nodiscard]] std::size_t member_of(std::size_t record) const {
+        return result_.members[result_.open.any() ? record : result_.finished_at[record]].member;
+    }
+    void greatest(Quantity quantity, double ExposureValues::*member) {
+        for_each(quantity, [&](std::size_t feature, Values values) {
+            values_[feature].*member = static_cast<double>(*std::max_element(values.begin(), values.end()));
+        });
+    }
+    void add_probabilities(std::vector<ExposureRow>& rows) const {
+        const ProbabilityEstimate estimate(result_.finished);
+        const auto add = [&](Quantity quantity, const std::vector<double>& thresholds,
+                             const std::vector<std::string>& names) {
+            const auto set = [&](std::size_t feature, const std::string& name, double value) {
+                rows[feature].numbers.emplace_back(name, rows[feature].is_on_map() ? value : k_no_data);
+            };
+            for_each_feature(result_.finished.records, quantity, result_.grid, cells_,
+                             [&](std::size_t feature, Values values) {
+                                 for (std::size_t t = 0; t < thresholds.size(); ++t)
+                                     set(feature, names[t], estimate.of(values, thresholds[t]).value);
+                             });
+            if (!result_.open.any()) return;
+            for_each(quantity, [&](std::size_t feature, Values values) {
+                for (std::size_t t = 0; t < thresholds.size(); ++t)
+                    set(feature, names[t] + "_upper", sum_bound(result_.open, values, thresholds[t], true));
+            });
+        };
+        add(Quantity::depth, {0}, {"probability_reached"});
+        for (const MappedEvents& events : mapped_events(input_.base.spec))
+            add(events.quantity, events.thresholds, events.rasters);
+    }
+    void add_sources(std::vector<ExposureRow>& rows) const {
+        for_each(Quantity::depth, [&](std::size_t feature, Values values) {
+            ExposureRow& row = rows[feature];
+            const auto count = std::count_if(values.begin(), values.end(), [](float depth) { return depth > 0; });
+            const auto worst =
+                static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+            const std::size_t member = member_of(worst);
+            row.numbers.emplace_back("sources", row.is_on_map() ? static_cast<double>(count) : k_no_data);
+            row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(member) : k_no_data);
+            if (!input_.slopes.empty())
+                row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
+        });
+    }
+
+    const StudyInput& input_;
+    const StudyResult& result_;
+    const gis::ExposedLayer& layer_;
+    std::vector<std::vector<std::size_t>> cells_;
+    std::vector<ExposureValues> values_;
+};
+
+}  // namespace
+
+Bounds computed_ground(const StudyInput& input) {
+    const GridSpec& grid = input.base.scene.grid;
+    if (input.slopes.empty()) return grid.bounds();
+    const gis::RasterInfo& file = input.base.ground.file;
+    if (const auto& bounds = input.base.spec.terrain.bounds) return *bounds;
+    return gis::CrsTransform(grid.crs_wkt.empty() ? "" : file.crs_wkt, grid.crs_wkt, file.bounds).around(file.bounds);
+}
+
+ReachedBy exposure_reached_by(const StudyInput& input) {
+    return input.reading.study.per_polygon() ? ReachedBy::any_slope : ReachedBy::any_run;
+}
+
+std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
+                                                     const Bounds& map, const ResultDirectory& directory) {
+    const auto& layer = input.base.extra.exposure;
+    if (!layer) return std::nullopt;
+    ExposureTotals totals = write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt,
+                                           words_of(input.base.spec), directory);
+    totals.is_least = result.open.any();
+    return totals;
+}
+
+namespace {
+
+/// Quantiles and moments, of depth and velocity alone.
+void write_distribution(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
+                        bool on_levels, const MapWriter& writer) {
+    std::vector<std::optional<Raster>> upper, lower;
+    if (result.open.any()) upper = quantile_bounds(result.open, true, quantity, result.grid);
+    if (result.open.any() && on_levels) lower = quantile_bounds(result.open, false, quantity, result.grid);
+    for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
+        const std::string file = "quantile_max_" + name + "_" + k_study_quantiles[q].name;
+        if (result.open.any())
+            writer.write_quantile(file, maps.quantile[q], upper[q], on_levels ? &*lower[q] : nullptr);
+        else
+            writer.write(file, maps.quantile[q]);
+    }
+    writer.write("mean_max_" + name, maps.mean);
+    writer.write("deviation_max_" + name, maps.deviation);
+}
+
+/// Of the cells with at least this probability.
+PolygonFeature probability_outline(const Raster& probability, double least) {
+    Raster mask(probability.grid);
+    probability.values.for_each_stored([&](std::size_t cell, double value) {
+        if (value >= least) mask.values[cell] = 1;
+    });
+    PolygonFeature feature;
+    feature.parts = gis::polygonise(mask);
+    feature.numbers["probability"] = least;
+    return feature;
+}
+
+double area_at_least(const Raster& probability, double least) {
+    std::int64_t cells = 0;
+    probability.values.for_each_stored([&](std::size_t, double value) { cells += value >= least; });
+    return static_cast<double>(cells) * probability.grid.cell_area();
+}
+
+/// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
+void write_probability_outlines(const StudyInput& input, const Raster& probability, const std::string& path) {
+    std::vector<gis::OutlineLayer> layers = known_outlines(input);
+    for (const StudyQuantile& quantile : k_study_quantiles) {
+        gis::OutlineLayer layer{probability_layer(quantile.name), {}};
+        PolygonFeature feature = probability_outline(probability, quantile.fraction);
+        feature.numbers["threshold_m"] = input.base.spec.output.depth_thresholds.front();
+        if (!feature.parts.empty()) layer.features.push_back(std::move(feature));
+        layers.push_back(std::move(layer));
+    }
+    write_result_outlines(path, probability.grid.crs_wkt, layers, words_of(input.base.spec));
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
+                                                    "Check the place's rights and free space"});
+}
+
+/// Those that are handed on; `frana render` draws the others.
+bool is_drawn_at_once(const std::string& name) {
+    return name.starts_with("probability_") || name.starts_with("quantile_max_depth_") ||
+           name.starts_with("sensitivity_") || name.starts_with("union_max_") || name == "hit_count" ||
+           name.starts_with("scenario_max_depth_") || name.starts_with("scenario_intensity_") ||
+           name == "hazard_degree";
+}
+
+}  // namespace
+
+std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
+    gis::OutlineLayer release{"release", {}};
+    const auto& areas = input.other_releases.empty() ? input.base.scene.release : input.other_releases;
+    for (std::size_t i = 0; i < areas.size() && input.slopes.empty(); ++i)
+        release.features.push_back(release_outline(areas[i], i));
+    for (std::size_t i = 0; i < input.slopes.size(); ++i) {
+        PolygonFeature feature;
+        feature.parts = input.slopes[i].outline;
+        feature.texts["name"] = input.slopes[i].name.empty() ? std::to_string(i) : input.slopes[i].name;
+        release.features.push_back(std::move(feature));
+    }
+    std::vector<gis::OutlineLayer> layers{std::move(release)};
+    if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
+    return layers;
+}
+
+void publish_study_ground(const StudyInput& input, const ResultDirectory& directory) {
+    publish_ground(input.base, directory);
+}
+
+void publish_study_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
+                        StudyFacts& facts) {
+    const OutputSpec& output = input.base.spec.output;
+    const MapWriter writer(input.base, directory);
+    const bool on_levels = !input.levels.empty();
+    std::vector<Raster> errors;
+    for (const MappedEvents& events : mapped_events(input.base.spec)) {
+        QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
+        std::vector<RasterInterval> bounds;
+        if (result.open.any())
+            bounds = probability_bounds(maps.probability, result.open, events.quantity, events.thresholds, result.grid);
+        for (std::size_t t = 0; t < events.rasters.size(); ++t)
+            writer.write_probability(events.rasters[t], maps.probability[t], maps.error[t],
+                                     bounds.empty() ? nullptr : &bounds[t].upper,
+                                     bounds.empty() || !on_levels ? nullptr : &bounds[t].lower);
+        if (events.quantity == Quantity::depth) {
+            write_distribution(result, maps, events.quantity, "depth", on_levels, writer);
+            writer.write("hit_count", maps.hits);
+            if (!maps.probability.empty()) {
+                write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
+                facts.reached_threshold = events.thresholds.front();
+                for (const StudyQuantile& quantile : k_study_quantiles)
+                    facts.reached_m2.push_back(area_at_least(maps.probability.front(), quantile.fraction));
+            }
+        }
+        if (events.quantity == Quantity::velocity)
+            write_distribution(result, maps, events.quantity, "velocity", on_levels, writer);
+        std::move(maps.error.begin(), maps.error.end(), std::back_inserter(errors));
+    }
+    const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
+    for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
+        writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
+    if (result.equal_weights() && result.design_at.size() > 1) {
+        const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
+        const std::vector<Raster> maps =
+            sensitivity_maps(result.design, result.points, result.groups, result.grid, threshold);
+        for (std::size_t k = 0; k < maps.size(); ++k) writer.write("sensitivity_" + input.table.keys[k], maps[k]);
+    }
+    facts.error = map_error(errors);
+}
+
+void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,
+                  const ResultDirectory& directory, const std::string& folder) {
+    const auto path = [&](const std::string& file) { return directory.path(folder) + "/" + file; };
+    SceneSpec scene = input.member(member).scene;
+    if (!input.slopes.empty() && !record.figures.empty()) scene.terrain.bounds = record.grid().bounds();
+    write_text_file(path(k_scene_file), echoed_scene(scene, directory.target() + "/" + folder));
+    const std::pair<const char*, Quantity> k_maps[] = {
+        {"max_depth", Quantity::depth}, {"max_velocity", Quantity::velocity}, {"arrival_time", Quantity::arrival}};
+    for (const auto& [name, quantity] : k_maps) {
+        if (record.runs.empty()) continue;
+        const ResultRaster& row = *find_result_raster(name);
+        gis::write_geotiff(path(std::string(name) + ".tif"), record.raster(quantity, grid),
+                           {row.name, description_of(row, row.name, scene.output), row.unit, provenance(input.base)});
+    }
+}
+
+void load_study_drawing(const StudyInput& input) {
+    const OutputSpec& output = input.base.spec.output;
+    const bool films = output.animation && !input.reading.study.per_polygon();
+    if (films || output.maps.front() != "off") render::vtk();
+    if (films) render::libav();
+}
+
+bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
+                const ResultDirectory& directory, RunLog& log) {
+    const OutputSpec& output = input.base.spec.output;
+    if (output.maps.front() == "off") return true;
+    bool good = true;
+    const ResultReader written(directory.folder());
+    MapSource source = written.map_source();
+    source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
+    LayerDrawer drawer(source);
+    drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
+    if (output.report) {
+        make_folder(written.path(k_page_folder));
+        drawer.draw_for_page_too(written.path(k_page_folder));
+    }
+    make_folder(written.path("maps"));
+    for (const std::string& name : written.drawable()) {
+        if (!is_drawn_at_once(name)) continue;
+        good &= is_drawn("maps/" + name, log,
+                         [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
+    }
+    if (!output.charts || input.reading.study.per_polygon()) return good;  // of sources there is no distribution
+    make_folder(written.path("charts"));
+    return draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report,
+                           log) &&
+           good;
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/pictures/charts.h"
+#include "app/publish/publish_exposure.h"
+#include "app/store/result_directory.h"
+#include "app/study/member_record.h"
+#include "app/study/plan/study_input.h"
+#include "app/study/pool/study_result.h"
+#include "app/study/publish/study_tables.h"
+#include "app/study/statistics/study_maps.h"
+#include "gis/vector/vector_out.h"
+
+namespace frana::app::study {
+
+/// One point of the convergence of the probabilities.
+struct ErrorAt {
+    std::size_t members = 0;
+    MapError error;
+};
+
+/// Returns the standard errors of the probabilities of depth after some numbers of members, up to all of them; of
+/// Saltelli's design those of matrix A, which are independent.
+std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result);
+
+/// Returns the title of a figure of a study in a language: "run-out".
+std::string figure_title(const Figure& figure, const Words& words);
+
+/// Returns the charts that a study may have, in the order of the page.
+std::vector<ChartTitle> study_charts();
+
+/// The ground of which a study says something: the working grid, of a region the DTM.
+Bounds computed_ground(const StudyInput& input);
+
+/// What reaches the exposed features of a study, for its sentence.
+ReachedBy exposure_reached_by(const StudyInput& input);
+
+/// Writes what the members together do to the exposed features, if there are any: the greatest values of all; of
+/// distributions the probability that the feature, not only one of its cells, is reached and exceeds each threshold; of
+/// polygons how many reach it, and which is the worst.
+std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
+                                                     const Bounds& map, const ResultDirectory& directory);
+
+/// Writes the terrain, the scene of the central member and the release areas of all.
+void publish_study_ground(const StudyInput& input, const ResultDirectory& directory);
+
+/// Writes all rasters of the table of result rasters that a study makes, and the outlines where the least depth of
+/// output.depth-thresholds is exceeded with probabilities of 5, 50 and 95 %. Adds the error of the probabilities and
+/// these areas to the facts.
+void publish_study_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
+                        StudyFacts& facts);
+
+/// Returns the layers of extent.gpkg that are known before the members run.
+std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
+
+/// Writes a member's scene and maps to a folder of the result.
+void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,
+                  const ResultDirectory& directory, const std::string& folder);
+
+/// Loads what draw_study() and film_member() draw with, before the members run. Throws Error(environment) if it is
+/// missing.
+void load_study_drawing(const StudyInput& input);
+
+/// Draws the maps and charts that the scene's output.maps and output.charts ask for. Returns false if one could not be
+/// drawn, with a warning.
+bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
+                const ResultDirectory& directory, RunLog& log);
+
+}  // namespace frana::app::study

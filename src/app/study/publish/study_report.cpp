@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/publish/publish_study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "app/input/scene_language.h"
+#include "app/pictures/map_layer.h"
+#include "app/publish/html_page.h"
+#include "app/publish/report.h"
+#include "app/publish/report_answer.h"
+#include "app/publish/report_comparison.h"
+#include "app/publish/report_numbers.h"
+#include "app/publish/report_tables.h"
+#include "app/store/result_files.h"
+#include "app/study/plan/study_input.h"
+#include "app/study/pool/study_result.h"
+#include "app/study/publish/study_files.h"
+#include "app/study/publish/study_tables.h"
+#include "app/text/number_text.h"
+#include "app/text/version.h"
+#include "core/colour.h"
+#include "core/text.h"
+#include "core/words/words.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
+#include "simulation/run_summary.h"
+
+namespace frana::app::study {
+namespace {
+
+constexpr std::size_t k_keys = 8, k_names = 3, k_name_letters = 40, k_slopes = 20;
+
+/// A figure of the runs: 5, 50 and 95 % do not exceed these.
+struct Spread {
+    double low = 0, median = 0, high = 0;
+    [[nodiscard]] bool is_one_value() const { return high - low < 1e-6 * median; }
+};
+
+std::optional<std::size_t> place_of_figure(const StudyResult& result, const std::string& key) {
+    const auto& figures = result.figures();
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
+    if (found == figures.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - figures.begin());
+}
+
+std::optional<Spread> spread_of(const StudyResult& result, const std::string& key) {
+    const auto place = place_of_figure(result, key);
+    if (!place) return std::nullopt;
+    const std::vector<double> values = result.figure(*place);
+    const auto quantile = [&](double q) { return figure_quantile(values, result.finished.weights, q); };
+    return Spread{quantile(0.05), quantile(0.5), quantile(0.95)};
+}
+
+std::string names_of(const std::vector<std::string>& all) {
+    std::vector<std::string> names;
+    for (const std::string& name : all)
+        if (!name.empty() && names.size() < k_names) names.push_back(elided(valid_utf8(name), k_name_letters));
+    return joined(names, ", ") + (all.size() > names.size() && !names.empty() ? ", …" : "");
+}
+
+Document released(const StudyInput& input, const StudyResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    std::vector<std::string> areas, told;
+    for (const ReleaseArea& area : input.base.scene.release) areas.push_back(area.name);
+    if (const std::string names = names_of(areas); !names.empty()) told.push_back(names + ":");
+    if (const auto volume = spread_of(result, "volume_m3"))
+        told.push_back(
+            volume->is_one_value()
+                ? words("{1} m³ in every run.", {number.grouped(volume->median)})
+                : words("{1} m³ in the median of the runs, between {2} and {3} m³ in 90 % of them.",
+                        {number.grouped(volume->median), number.grouped(volume->low), number.grouped(volume->high)}));
+    return told.empty() ? Document() : Document().paragraph(words("What fails."), joined(told, " "));
+}
+
+Document varied(const StudyInput& input, const Words& words) {
+    const std::vector<Variation>& vary = input.reading.study.vary;
+    std::vector<std::string> told;
+    for (std::size_t i = 0; i < std::min(k_keys, vary.size()); ++i)
+        told.push_back(vary[i].key + " = " + vary[i].distribution.text);
+    if (vary.size() > k_keys) told.emplace_back("…");
+    const std::string keys = told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
+    return Document().paragraph(words("What varies."),
+                                words("{1}. All other values are those of the scene {2}.",
+                                      {keys, std::filesystem::path(input.reading.study.scene).filename().string()}));
+}
+
+Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    const ReportNumbers number(words);
+    std::string text;
+    if (const auto run_out = spread_of(result, k_run_out_key)) {
+        const std::vector<std::string> numbers{number.grouped(run_out->median), number.grouped(run_out->low),
+                                               number.grouped(run_out->high)};
+        text = facts.troubles.make_lower_bounds()
+                   ? words(
+                         "In at least half of the runs the material comes more than {1} m far in map view, in at most "
+                         "5 % of them less than {2} m and in at least 5 % more than {3} m.",
+                         numbers)
+                   : words(
+                         "In half of the runs the material comes more than {1} m far in map view, in 5 % of them less "
+                         "than {2} m and in 5 % more than {3} m.",
+                         numbers);
+    }
+    if (facts.reached_m2.size() == std::size(k_study_quantiles))
+        text += " " + words(
+                          "Deeper than {1} m at some time are {2} m² with a probability of at least 95 %, {3} m² "
+                          "with at least 50 %, {4} m² with at least 5 %.",
+                          {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
+                           number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
+    if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
+        text += " " + words(facts.troubles.make_lower_bounds()
+                                ? worded("The full reach is not known of {1} of {2} runs: these values are lower "
+                                         "bounds.")
+                                : worded("The full reach is not known of {1} of {2} runs: as they count in "
+                                         "differences of levels, these values may be too small or too large."),
+                            {std::to_string(unfinished), std::to_string(facts.troubles.runs)});
+    return Document().paragraph(words("Where it goes."), text);
+}
+
+/// The name of a source, else its number.
+std::string source_name(const StudyInput& input, std::size_t member) {
+    const bool named = !input.slopes.empty() && !input.slopes[member].name.empty();
+    return named ? elided(valid_utf8(input.slopes[member].name), k_name_letters) : std::to_string(member);
+}
+
+Document reached_by_sources(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
+                            const Words& words) {
+    const ReportNumbers number(words);
+    std::string text;
+    if (const auto place = place_of_figure(result, k_run_out_key)) {
+        const std::vector<double> values = result.figure(*place);
+        const auto farthest = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+        text = words(
+            facts.troubles.make_lower_bounds()
+                ? worded("The farthest run-out is at least {1} m in map view, from source {2}; half of the sources "
+                         "come more than {3} m far.")
+                : worded("The farthest run-out is {1} m in map view, from source {2}; half of the sources come more "
+                         "than {3} m far."),
+            {number.grouped(values[farthest]), source_name(input, result.members[result.finished_at[farthest]].member),
+             number.grouped(figure_quantile(values, result.finished.weights, 0.5))});
+    }
+    if (!facts.reached_m2.empty())
+        text += " " + words("At least one source covers {1} m² deeper than {2} m.",
+                            {number.grouped(facts.reached_m2.front()), number(facts.reached_threshold)});
+    text +=
+        " " + words("Maps show the worst of all: what at least one of the sources causes, not all of them together.");
+    return Document().paragraph(words("Where it goes."), text);
+}
+
+std::string runs_sentence(const StudyInput& input, const StudyResult& result, const Words& words) {
+    const StudySpec& study = input.reading.study;
+    const std::string finished = std::to_string(result.finished_at.size()), all = std::to_string(result.members.size());
+    if (study.per_polygon()) return words("{1} of {2} sources were computed, each failing alone.", {finished, all});
+    return words(
+        "{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
+        {finished, all, name_of(study.sampling), std::to_string(study.seed)});
+}
+
+Document sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    const ReportNumbers number(words);
+    const StudySpec& study = input.reading.study;
+    std::string text = runs_sentence(input, result, words);
+    if (result.failed() > 0) text += " " + words("{1} failed and are in no map.", {std::to_string(result.failed())});
+    if (study.per_polygon()) return Document().paragraph(words("How sure."), text);
+    text += " " + words(
+                      "The standard error of the probabilities is at most {1} %, on average {2} % where it is not 0: "
+                      "it measures the number of runs, not how well model, terrain and distributions describe "
+                      "nature.",
+                      {number.percent(facts.error.largest), number.percent(facts.error.mean)});
+    if (study.until)
+        text += " " +
+                (facts.error.largest <= *study.until
+                     ? words("The error asked for (study.until = {1}) is reached.", {shortest_text(*study.until)})
+                     : words("The error asked for (study.until = {1}) is not reached.", {shortest_text(*study.until)}));
+    return Document().paragraph(words("How sure."), text);
+}
+
+Document figures_table(const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    if (result.figures().empty()) return {};
+    const ReportNumbers number(words);
+    Table table({words("value"), "", words("mean"), "5 %", "50 %", "95 %"});
+    const std::vector<double>& weights = result.finished.weights;
+    for (std::size_t f = 0; f < result.figures().size(); ++f) {
+        const std::vector<double> values = result.figure(f);
+        const auto quantile = [&](double q) {
+            const double value = figure_quantile(values, weights, q), upper = result.quantile_bound(f, q, true);
+            const bool on_levels = result.open.any() && !facts.levels.empty();
+            const double least = on_levels ? result.quantile_bound(f, q, false) : value;
+            if (on_levels && std::isfinite(upper))
+                return words("{1} to {2}", {number.of_any_size(least), number.of_any_size(upper)});
+            const bool is_bound = on_levels || upper > value;  // open runs may exceed it
+            return (is_bound ? "> " : "") + number.of_any_size(least);
+        };
+        const Figure& figure = result.figures()[f];
+        table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
+                   number.of_any_size(weighted_mean(values, weights)), quantile(0.05), quantile(0.5), quantile(0.95)});
+    }
+    return Document()
+        .subheading(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed"))
+        .add(table);
+}
+
+Document slopes_table(const StudyInput& input, const StudyResult& result, const Words& words) {
+    const ReportNumbers number(words);
+    const auto run_out = place_of_figure(result, k_run_out_key), volume = place_of_figure(result, "volume_m3"),
+               area = place_of_figure(result, "covered_area_m2"), depth = place_of_figure(result, "max_depth_m");
+    if (!run_out) return {};
+    const auto of = [&](std::size_t i, const std::optional<std::size_t>& figure) {
+        return figure ? result.members[i].figures[*figure].value : k_no_data;
+    };
+    std::vector<std::size_t> order = result.finished_at;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return of(a, run_out) > of(b, run_out); });
+    Table table({words("source"), words("volume [m³]"), words("Run-out [m]"), words("covered area [m²]"),
+                 words("greatest depth [m]")});
+    for (std::size_t i = 0; i < std::min(k_slopes, order.size()); ++i) {
+        const std::size_t member = result.members[order[i]].member;
+        table.row({source_name(input, member), number.grouped(of(order[i], volume)),
+                   number.grouped(of(order[i], run_out)), number.grouped(of(order[i], area)),
+                   number(of(order[i], depth), 3)});
+    }
+    Document sources;
+    sources.subheading(words("Sources")).add(table);
+    if (order.size() > k_slopes)
+        sources.small(words("The {1} that come farthest; members.csv has all.", {std::to_string(k_slopes)}));
+    return sources;
+}
+
+Document degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
+    if (degrees.empty()) return {};
+    const ReportNumbers number(words);
+    Table table({"", words("Degree of hazard"), words("area [m²]")});
+    for (const HazardArea& one : degrees) {
+        Cell colour = "";
+        colour.swatch = hex(one.kind.colour);
+        table.row({colour,
+                   class_label(one.kind.name + ": " + one.kind.thresholds, words),
+                   {number.grouped(one.area_m2), "n"}});
+    }
+    return table;
+}
+
+/// The first page of a study's report: what fails, what varies, where it goes in how many of the runs, how
+/// sure that is. Of sources that fail alone: what at least one of them reaches.
+Document study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    const bool per_polygon = input.reading.study.per_polygon();
+    const std::string not_done =
+        per_polygon ? words("Each source is computed with one set of values, not with the range of what is possible.")
+                    : words(
+                          "Only what is named here is varied: errors of the model, of the terrain and of other "
+                          "values are in no probability.");
+    Document answer;
+    if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
+    answer.heading("answer", words("Scenario and answer"));
+    if (!per_polygon) answer.add(released(input, result, words)).add(varied(input, words));
+    answer.add(per_polygon ? reached_by_sources(input, result, facts, words) : reached_by_runs(result, facts, words))
+        .add(sure(input, result, facts, words));
+    if (!per_polygon) answer.part(k_comparison_answer, comparison_answer(std::nullopt, words));
+    return answer.first_warnings(facts.warnings, words).paragraph(words("Not done."), not_done);
+}
+
+/// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
+Document study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
+    return figures_table(result, facts, words);
+}
+
+/// The sources of a study in which each fails alone, those that come farthest first; empty for others.
+Document study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
+    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : Document();
+}
+
+/// Slopes that a report lists; members.csv has all.
+inline constexpr std::size_t k_most_slopes = 50;
+
+/// A figure of members.csv that the table shows.
+struct ShownFigure {
+    const char *key, *title;
+    bool in_groups;  ///< "1 000", else three digits
+};
+
+constexpr ShownFigure k_figures[] = {{"volume_m3", worded("Volume [m³]"), true},
+                                     {"runout_m", worded("Run-out [m]"), true},
+                                     {"max_depth_m", worded("Greatest depth [m]"), false},
+                                     {"max_velocity_ms", worded("Greatest speed [m/s]"), false}};
+
+std::string figure_text(const MemberResult& member, const ShownFigure& shown, const Words& words) {
+    for (const Figure& figure : member.figures)
+        if (figure.key == shown.key)
+            return words.number(shown.in_groups ? grouped(figure.value) : number_text(figure.value, 3));
+    return "";
+}
+
+std::string why_open(const MemberEnd& end, const Words& words) {
+    if (end.is_cut) return words("it still moved at the end");
+    if (end.left()) return words("it left the computed ground");
+    return end.is_held ? words("cells without elevation held it") : "";
+}
+
+/// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
+/// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
+Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
+    if (input.slopes.empty()) return {};
+    const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
+    const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberResult& member) {
+        return member.failure.empty() && member.end.is_open();
+    });
+    std::vector<std::string> heads{"", words("Slope")};
+    if (has_scenarios) heads.push_back(words("Scenario"));
+    for (const ShownFigure& shown : k_figures) heads.push_back(words(shown.title));
+    if (has_open) heads.push_back(words("Lower bounds, since"));
+    if (has_failures) heads.push_back(words("Why it failed"));
+    Table table(heads);
+    for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
+        const MemberResult& member = result.members[i];
+        const Slope& slope = input.slopes[member.member];
+        std::vector<Cell> cells{std::to_string(member.member), valid_utf8(slope.name)};
+        if (has_scenarios) cells.push_back(valid_utf8(slope.scenario));
+        // The figures of a run that failed are those of another event.
+        for (const ShownFigure& shown : k_figures)
+            cells.push_back(member.failure.empty() ? figure_text(member, shown, words) : "");
+        if (has_open) cells.push_back(member.failure.empty() ? why_open(member.end, words) : "");
+        if (has_failures) cells.push_back(words(member.failure));
+        table.row(cells, member.failure.empty() && !member.end.is_open() ? "" : "warning");
+    }
+    Document section;
+    section.heading("slopes", words("Slopes")).add(table);
+    if (result.members.size() > k_most_slopes)
+        section.small(words("The first {1} of {2} slopes; {3} has all.",
+                            {std::to_string(k_most_slopes),
+                             words.number(grouped(static_cast<double>(result.members.size()))), k_member_table}));
+    return section;
+}
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t k_figures_on_first_page = 12;
+
+Table keys_table(const StudyInput& input, const Words& words) {
+    Table table({words("key"), words("distribution")});
+    for (const Variation& one : input.reading.study.vary) table.row({one.key, one.distribution.text});
+    for (const Correlation& one : input.reading.study.correlate)
+        table.row(
+            {one.first + ", " + one.second, words("rank correlation {1}", {words.number(shortest_text(one.rho))})});
+    return table;
+}
+
+Table levels_table(const std::vector<LevelSummary>& levels, const Words& words) {
+    const ReportNumbers number(words);
+    double all = 0;
+    for (const LevelSummary& level : levels) all += level.statistics.cost * static_cast<double>(level.members);
+    Table table({words("level"), words("cells [m]"), words("members"),
+                 words("variance of the difference, of that on level 0 [%]"), words("part of the cost [%]")});
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        const LevelSummary& level = levels[l];
+        const double cost = level.statistics.cost * static_cast<double>(level.members);
+        table.row({std::to_string(l), number(level.cell_size), std::to_string(level.members),
+                   number.percent(level.statistics.variance / levels.front().statistics.variance),
+                   number.percent(cost / all)});
+    }
+    return table;
+}
+
+std::string interval_text(const std::optional<Interval>& one, const Words& words) {
+    if (!one) return "";
+    const ReportNumbers number(words);
+    return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
+}
+
+Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, const Words& words) {
+    Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"),
+                 words("method")});
+    for (const FigureSensitivity& figure : figures)
+        for (std::size_t k = 0; k < figure.keys.size(); ++k) {
+            const KeySensitivity& one = figure.keys[k];
+            table.row({figure_title(figure.figure, words), input.table.keys[k], interval_text(one.first_order, words),
+                       interval_text(one.total, words), interval_text(one.rank_correlation, words),
+                       one.method.empty() ? words("not measurable") : one.method});
+        }
+    return Document().add(table).small(
+        words("What part of the variance of a value its key explains, alone (first order) and with others (total), or "
+              "how the two are correlated; in brackets the interval of 95 %."));
+}
+
+Paragraph median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory,
+                           const Words& words) {
+    const ReportNumbers number(words);
+    std::string values;
+    for (const std::string& one : input.table.overrides(median.member)) values += (values.empty() ? "" : ", ") + one;
+    Paragraph told{
+        {{words("Member {1}: {2} {3} {4}, nearest to the weighted median of all, {5}. Its values: {6}.",
+                {std::to_string(median.member), figure_title(median.figure, words), number.grouped(median.figure.value),
+                 ReportNumbers::unit(median.figure.unit), number.grouped(median.median), values})}}};
+    if (fs::exists(directory.path(k_animation_file)))
+        told.text.push_back({words("Film of this member"), "", k_animation_file});
+    return told;
+}
+
+Table failures_list(const StudyResult& result, const Words& words) {
+    Table table({words("member"), words("reason")});
+    for (const MemberResult& member : result.members)
+        if (!member.failure.empty()) table.row({std::to_string(member.member), member.failure});
+    return table;
+}
+
+/// The map that answers the question of the study first.
+std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDirectory& directory) {
+    const std::vector<double>& depths = input.base.spec.output.depth_thresholds;
+    const std::string of_runs = depths.empty() ? "" : "probability_depth_" + shortest_text(depths.front());
+    std::vector<std::string> maps = pictures_in(directory.path("maps"));
+    for (const std::string name : {"union_max_depth", "hazard_degree", of_runs.c_str()}) {
+        const auto found = std::find_if(maps.begin(), maps.end(),
+                                        [&](const std::string& map) { return fs::path(map).stem() == name; });
+        if (found != maps.end()) std::rotate(maps.begin(), found, found + 1);
+    }
+    return maps;
+}
+
+std::string title_of(const StudyInput& input, const Words& words) {
+    const SceneSpec& spec = input.base.spec;
+    const std::string name = spec.output.title.value_or(scene_name(spec));
+    return !input.slopes.empty()               ? words("{1}: a region of many slopes", {name})
+           : input.reading.study.per_polygon() ? words("{1}: each source alone", {name})
+                                               : words("{1}: a range of runs", {name});
+}
+
+void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& words, Document& page) {
+    page.heading("inputs", words("Distributions and inputs"));
+    if (!input.reading.study.vary.empty()) page.add(keys_table(input, words));
+    if (!facts.levels.empty()) page.subheading(words("Levels")).add(levels_table(facts.levels, words));
+    page.add(inputs_table(input.base, words)).folded(words("Keys used"), parameters_table(input.base, true, words));
+}
+
+}  // namespace
+
+void write_study_report(const StudyInput& input, const StudyResult& result,
+                        const std::vector<FigureSensitivity>& figures, const StudyFacts& facts,
+                        const ResultDirectory& directory) {
+    const Words words = words_of(input.base.spec);
+    const std::vector<std::string> maps = maps_in_order(input, directory);
+    const std::string& folder = directory.folder();
+    Document page = study_answer(input, result, facts, words);
+    page.add(exposure_answer(facts.exposure, exposure_reached_by(input), words));
+    if (!maps.empty()) page.maps({maps.front()}, folder, words);
+    // The first page of paper has room for a short table under its picture.
+    const bool is_short = input.reading.study.per_polygon() || result.figures().size() <= k_figures_on_first_page;
+    if (is_short) page.add(study_values(input, result, facts, words));
+    page.end_answer();
+    if (!is_short) page.add(study_values(input, result, facts, words));
+    page.add(study_sources(input, result, words))
+        .add(exposure_section(facts.exposure, words))
+        .add(slopes_section(input, result, words))
+        .heading("maps", words("Maps"));
+    if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);
+    if (maps.size() == 1) page.paragraph(words("The only map is on the first page."));
+    if (maps.empty()) page.paragraph(words("There are no maps."));
+    page.part(k_comparison_section, {});
+    add_inputs(input, facts, words, page);
+    if (!figures.empty())
+        page.heading("sensitivity", words("Sensitivity")).add(sensitivity_table(input, figures, words));
+    page.charts(study_charts(), folder, words);
+    if (facts.median)
+        page.heading("median", words("Median member")).add(median_paragraph(input, *facts.median, directory, words));
+    if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
+    if (result.failed() > 0) page.heading("failures", words("Failed members")).add(failures_list(result, words));
+    write_page(folder,
+               {title_of(input, words),
+                words("Computed with {1}, study {2}, {3}",
+                      {std::string(k_program) + " " + k_version, fs::path(input.reading.study.file).filename().string(),
+                       words.date(facts.date)}),
+                words, maps.empty() ? Opening::answer : Opening::answer_with_picture},
+               page);
+}
+
+}  // namespace frana::app::study

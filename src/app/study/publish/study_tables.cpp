@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/publish/study_tables.h"
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/pictures/animation.h"
+#include "app/pictures/result_reader.h"
+#include "app/process/signals.h"
+#include "app/publish/summary.h"
+#include "app/store/frame_store.h"
+#include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/study/publish/study_files.h"
+#include "app/text/number_text.h"
+#include "app/text/text_table.h"
+#include "app/text/version.h"
+#include "core/json.h"
+#include "core/text.h"
+#include "params/keys/scene_parameters.h"
+#include "simulation/simulation.h"
+
+namespace frana::app::study {
+namespace {
+
+void write_frames(const StudyInput& input, const StudyResult& result, std::size_t member,
+                  const ResultDirectory& directory) {
+    RunLog silent(true);
+    const Prepared prepared = prepare(input.member(member), silent);
+    if (!prepared.scene.grid.same_cells(result.grid))
+        throw Error(ErrorKind::input,
+                    Problem{"has other cells than the maps", "member " + std::to_string(member), "", "",
+                            "`frana run` with its values from " + std::string(k_member_table) + " makes the film"});
+    directory.make_folder(k_frame_folder);
+    FrameWriter frames(directory.path(k_frame_folder), provenance(prepared));
+    RunOptions options;
+    options.on_frame = [&](Frame frame) { frames.add(std::move(frame)); };
+    options.stop_requested = [&] { return stop_signal() != 0 || frames.failed(); };
+    run(prepared.scene, options);
+    frames.finish();
+}
+
+void remove_frames(const ResultDirectory& directory) {
+    std::error_code ignored;  // what is left belongs to the files of a result
+    std::filesystem::remove_all(directory.path(k_frame_folder), ignored);
+}
+
+/// Members of a multilevel study may be on larger cells.
+bool is_on_own_cells(const StudyInput& input, std::size_t member) {
+    if (input.table.level_runs.empty()) return true;
+    return input.table.level_runs[member].cell_size == input.levels.back().cell_size;
+}
+
+std::string sentence(const MedianMember& median) {
+    return "member " + std::to_string(median.member) + ", " + median.figure.title + " " + grouped(median.figure.value) +
+           " " + median.figure.unit + " (median of all " + grouped(median.median) + ")";
+}
+
+}  // namespace
+
+std::optional<MedianMember> median_member(const StudyInput& input, const StudyResult& result) {
+    for (std::size_t f = 0; f < result.figures().size(); ++f) {
+        if (result.figures()[f].key != k_median_figure) continue;
+        const std::vector<double> values = result.figure(f);
+        const double median = figure_quantile(values, result.finished.weights, 0.5);
+        std::optional<std::size_t> nearest;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!is_on_own_cells(input, result.members[result.finished_at[i]].member)) continue;
+            if (!nearest || std::abs(values[i] - median) < std::abs(values[*nearest] - median)) nearest = i;
+        }
+        if (!nearest) return std::nullopt;
+        const MemberResult& member = result.members[result.finished_at[*nearest]];
+        return MedianMember{member.member, member.figures[f], median};
+    }
+    return std::nullopt;
+}
+
+bool film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
+                 const ResultDirectory& directory, RunLog& log) {
+    const OutputSpec& output = input.base.spec.output;
+    if (!output.animation) return true;
+    bool complete = false;
+    try {
+        write_frames(input, result, median.member, directory);
+        const ResultReader written(directory.folder());
+        MapSource source = written.map_source();
+        source.title = output.title.value_or(scene_name(input.base.spec));
+        const Words& words = source.style.words;
+        source.subtitle = words(
+            "member {1}, {2} {3} {4} (median of all {5})",
+            {std::to_string(median.member), figure_title(median.figure, words),
+             words.number(grouped(median.figure.value)), median.figure.unit, words.number(grouped(median.median))});
+        AnimationRequest film{
+            animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
+        film.stop_requested = [] { return stop_signal() != 0; };
+        complete = stop_signal() == 0 && write_animation(film, directory.path(k_animation_file));
+        if (complete)
+            log.note(std::string("drew ") + k_animation_file + ": " + sentence(median));
+        else
+            log.warn(worded("{1} is left out because of the signal", {k_animation_file}));
+    } catch (const Error& error) {
+        log.warn(worded("{1} could not be drawn: {2}", {k_animation_file, std::string(error.what())}));
+    }
+    remove_frames(directory);
+    return complete;
+}
+
+namespace {
+
+/// Columns that scripts read, before the figures of gauges and others.
+constexpr const char* k_first_figures[] = {"runout_m", "covered_area_m2", "max_depth_m", "max_velocity_ms",
+                                           "volume_m3"};
+
+std::vector<std::string> figure_columns(const StudyResult& result) {
+    std::vector<std::string> columns(std::begin(k_first_figures), std::end(k_first_figures));
+    for (const Figure& figure : result.figures())
+        if (std::find(columns.begin(), columns.end(), figure.key) == columns.end()) columns.push_back(figure.key);
+    return columns;
+}
+
+std::string figure_cell(const MemberResult& member, const std::string& key) {
+    for (const Figure& figure : member.figures)
+        if (figure.key == key) return shortest_text(figure.value);
+    return "";
+}
+
+std::string cells(const std::optional<Interval>& interval) {
+    if (!interval) return ",";
+    return shortest_text(interval->low) + "," + shortest_text(interval->high);
+}
+
+std::string value_cell(const std::optional<Interval>& interval) {
+    return interval ? shortest_text(interval->value) : "";
+}
+
+/// What the attributes of a region's slopes say, and the terrain on which each ran, as terrain.bounds takes it.
+std::string slope_columns(const StudyInput& input) {
+    return input.slopes.empty() ? "" : ",name,group,scenario,return_period,terrain.bounds";
+}
+
+std::string slope_cells(const StudyInput& input, const MemberResult& member) {
+    if (input.slopes.empty()) return "";
+    const Slope& slope = input.slopes[member.member];
+    const Bounds& box = member.terrain;
+    const std::string bounds = shortest_text(box.west) + " " + shortest_text(box.south) + " " +
+                               shortest_text(box.east) + " " + shortest_text(box.north);
+    return "," + csv_cell(slope.name) + "," + csv_cell(slope.group) + "," + csv_cell(slope.scenario) + "," +
+           (slope.return_period ? shortest_text(*slope.return_period) : "") + "," +
+           (member.figures.empty() ? "" : bounds);
+}
+
+}  // namespace
+
+std::string members_csv(const StudyInput& input, const StudyResult& result) {
+    const std::vector<std::string> figures = figure_columns(result);
+    const bool has_levels = !input.table.level_runs.empty();
+    std::string text = "member,status,weight";
+    if (has_levels) text += std::string(",level,") + k_cell_size_key;
+    text += slope_columns(input);
+    for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
+    for (const std::string& figure : figures) text += "," + csv_cell(figure);
+    text += ",engine_seconds";
+    for (const char* column : k_end_columns) text += std::string(",") + column;
+    text += ",reason\n";
+    std::vector<double> weights(result.members.size());  // 0: not used
+    for (std::size_t i = 0; i < result.finished.size(); ++i)
+        weights[result.finished_at[i]] = result.finished.weights[i];
+    for (const MemberResult& member : result.members) {
+        text += std::to_string(member.member) + (member.failure.empty() ? ",finished," : ",failed,") +
+                shortest_text(has_levels ? weights[member.member] : input.table.weights[member.member]);
+        if (has_levels) {
+            const SampleTable::LevelRun& run = input.table.level_runs[member.member];
+            text += "," + std::to_string(run.level) + "," + shortest_text(run.cell_size);
+        }
+        text += slope_cells(input, member);
+        for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
+        for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
+        text += "," + shortest_text(member.engine_seconds);
+        for (const std::string& cell : end_values(member.end)) text += "," + csv_cell(cell);
+        text += "," + csv_cell(member.failure) + "\n";
+    }
+    return text;
+}
+
+std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
+    std::string text =
+        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method\n";
+    for (const FigureSensitivity& figure : figures) {
+        for (std::size_t k = 0; k < figure.keys.size(); ++k) {
+            const KeySensitivity& one = figure.keys[k];
+            text += csv_cell(figure.figure.key) + "," + csv_cell(input.table.keys[k]) + "," +
+                    value_cell(one.first_order) + "," + value_cell(one.total) + "," + cells(one.first_order) + "," +
+                    cells(one.total) + "," + value_cell(one.rank_correlation) + "," + cells(one.rank_correlation) +
+                    "," + (one.method.empty() ? "not measurable" : one.method) + "\n";
+        }
+    }
+    return text;
+}
+
+std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts) {
+    const StudySpec& study = input.reading.study;
+    const GridSpec& grid = result.grid;
+    Json json{{"program", k_program},
+              {"version", k_version},
+              {"format", k_result_format},
+              {"date", facts.date},
+              {"kind", study.region ? "region" : "ensemble"},
+              {"language", input.base.spec.output.language},
+              {"study", study.file},
+              {"scene", study.scene},
+              {"sampling", name_of(study.sampling)},
+              {"seed", study.seed},
+              {"samples", result.members.size()},
+              {"finished", result.finished_at.size()},
+              {"failed", result.failed()},
+              {"run_troubles", json_of(facts.troubles)},
+              {"wall_seconds", facts.wall_seconds},
+              {"threads", facts.threads},
+              {"members_per_hour",
+               facts.wall_seconds > 0 ? 3600 * static_cast<double>(facts.computed) / facts.wall_seconds : 0},
+              {"crs", input.base.ground.crs_label}};
+    Json& varied = json["varied"] = Json::array();
+    for (const Variation& one : study.vary)
+        varied.push_back({{"key", one.key}, {"distribution", one.distribution.text}});
+    if (study.vary.empty() && !study.per_polygon())
+        for (const std::string& key : input.table.keys) varied.push_back({{"key", key}, {"distribution", "table"}});
+    if (facts.levels.empty()) json["effective_members"] = result.finished.effective_size();
+    for (const LevelSummary& level : facts.levels)
+        json["levels"].push_back({{"cell_size", level.cell_size},
+                                  {"members", level.members},
+                                  {"failed", level.failed},
+                                  {"variance", level.statistics.variance},
+                                  {"particle_steps_per_member", level.statistics.cost}});
+    if (!study.per_polygon()) {
+        json["largest_standard_error"] = facts.error.largest;
+        json["mean_standard_error"] = facts.error.mean;
+    }
+    if (study.until)
+        json["until"] = {{"standard_error", *study.until}, {"reached", facts.error.largest <= *study.until}};
+    json["grid"] = {{"columns", grid.columns},
+                    {"rows", grid.rows},
+                    {"cell_size", grid.cell_size},
+                    {"west", grid.west},
+                    {"north", grid.north}};
+    json["depth_thresholds_m"] = input.base.spec.output.depth_thresholds;
+    json["velocity_thresholds_ms"] = input.base.spec.output.velocity_thresholds;
+    json["pressure_thresholds_kpa"] = input.base.spec.output.pressure_thresholds;
+    if (const auto& scheme = input.base.spec.hazard.scheme) json["hazard_scheme"] = *scheme;
+    for (std::size_t f = 0; f < result.figures().size(); ++f) {
+        const std::vector<double> values = result.figure(f);
+        const std::vector<double>& weights = result.finished.weights;
+        Json& figure = json["figures"][result.figures()[f].key];
+        figure["mean"] = weighted_mean(values, weights);
+        for (const StudyQuantile& quantile : k_study_quantiles) {
+            const std::string name = std::string("q") + quantile.name;
+            figure[name] = figure_quantile(values, weights, quantile.fraction);
+            if (!result.open.any()) continue;
+            // Runs whose full reach is not known may have come farther: null is "more than q".
+            const double bound = result.quantile_bound(f, quantile.fraction, true);
+            figure["upper_bound"][name] = std::isfinite(bound) ? Json(bound) : Json();
+            if (!facts.levels.empty()) figure["lower_bound"][name] = result.quantile_bound(f, quantile.fraction, false);
+        }
+    }
+    if (const auto& median = facts.median)
+        json["median_member"] = {{"member", median->member},
+                                 {"figure", median->figure.key},
+                                 {"value", median->figure.value},
+                                 {"median", median->median}};
+    Json& failures = json["failures"] = Json::array();
+    for (const MemberResult& member : result.members)
+        if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
+    if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
+    json["warnings"] = texts_of(facts.warnings);
+    return json_text(json);
+}
+
+}  // namespace frana::app::study

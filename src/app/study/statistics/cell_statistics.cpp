@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/statistics/cell_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "core/error.h"
+
+namespace frana::app::study {
+namespace {
+
+constexpr std::size_t k_budget_bytes = 256'000'000;
+
+MemberRecord require_record(const std::string& path) {
+    auto record = read_record(path);
+    if (!record)
+        throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", path, "", "",
+                                                    "Check the disk; --resume computes that member again"});
+    return *std::move(record);
+}
+
+CellWindow inside(const CellWindow& window, const GridSpec& grid) {
+    const std::int64_t top = std::max<std::int64_t>(0, window.row), left = std::max<std::int64_t>(0, window.column);
+    return {top, left, std::min(window.row + window.rows, grid.rows) - top,
+            std::min(window.column + window.columns, grid.columns) - left};
+}
+
+}  // namespace
+
+double FinishedMembers::effective_size() const {
+    double sum = 0, squares = 0;
+    for (const double weight : weights) {
+        sum += weight;
+        squares += weight * weight;
+    }
+    return squares > 0 ? sum * sum / squares : 0;
+}
+
+CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) {
+    constexpr std::int64_t k_far = std::numeric_limits<std::int64_t>::max();
+    std::int64_t top = k_far, bottom = -k_far, left = k_far, right = -k_far;
+    for (const std::string& file : members.records) {
+        require_record(file).for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t) {
+            top = std::min(top, row);
+            bottom = std::max(bottom, row);
+            left = std::min(left, column);
+            right = std::max(right, column);
+        });
+    }
+    if (bottom < top) return {};
+    return {top, left, bottom - top + 1, right - left + 1};
+}
+
+void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
+    const CellWindow window = inside(reached_window(members, grid), grid);
+    if (window.rows <= 0 || window.columns <= 0) return;
+    const std::size_t count = members.size(), columns = static_cast<std::size_t>(window.columns);
+    const auto rows_at_once =
+        static_cast<std::int64_t>(std::max<std::size_t>(1, k_budget_bytes / (sizeof(float) * count * columns)));
+    const float nothing = quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
+    for (std::int64_t first = window.row; first < window.row + window.rows; first += rows_at_once) {
+        const std::int64_t last = std::min(first + rows_at_once, window.row + window.rows);
+        const std::size_t cells = static_cast<std::size_t>(last - first) * columns;
+        std::vector<float> values(cells * count, nothing);
+        std::vector<bool> reached(cells);
+        for (std::size_t m = 0; m < count; ++m) {
+            const MemberRecord record = require_record(members.records[m]);
+            const std::vector<float>& of_member = record.of(quantity);
+            record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+                const bool is_inside =
+                    row >= first && row < last && column >= window.column && column < window.column + window.columns;
+                if (!is_inside) return;
+                const std::size_t cell =
+                    static_cast<std::size_t>(row - first) * columns + static_cast<std::size_t>(column - window.column);
+                reached[cell] = true;
+                values[cell * count + m] = of_member[index];
+            });
+        }
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            if (!reached[cell]) continue;
+            const auto row = first + static_cast<std::int64_t>(cell / columns),
+                       column = window.column + static_cast<std::int64_t>(cell % columns);
+            visit(static_cast<std::size_t>(row * grid.columns + column), {values.data() + cell * count, count});
+        }
+    }
+}
+
+double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper) {
+    double sum = 0;
+    for (std::size_t m = 0; m < values.size(); ++m)
+        if (static_cast<double>(values[m]) > threshold || runs.exceeds(m, upper)) sum += runs.runs.weights[m];
+    return std::clamp(sum, 0.0, 1.0);
+}
+
+double LevelDifferences::Level::variance() const noexcept {
+    if (count < 2) return std::numeric_limits<double>::infinity();
+    return std::max(0.0, squares - sum * sum / count) / (count - 1);
+}
+
+std::vector<LevelDifferences::Level> LevelDifferences::of(std::span<const float> values, double threshold) const {
+    std::vector<Level> levels;
+    const auto happened = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1 : 0; };
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        if (members_.weights[m] < 0) continue;  // belongs to the one before
+        const bool is_pair = m + 1 < values.size() && members_.weights[m + 1] < 0;
+        const double difference = happened(m) - (is_pair ? happened(m + 1) : 0);
+        levels.resize(std::max(levels.size(), members_.levels[m] + 1));
+        Level& level = levels[members_.levels[m]];
+        level.count += 1;
+        level.sum += difference;
+        level.squares += difference * difference;
+    }
+    return levels;
+}
+
+ProbabilityEstimate::ProbabilityEstimate(const FinishedMembers& members)
+    : members_(members), differences_(members), effective_size_(members.effective_size()) {
+    for (const std::size_t group : members.groups) group_count_ = std::max(group_count_, group + 1);
+}
+
+Probability ProbabilityEstimate::of(std::span<const float> values, double threshold) const {
+    Probability p;
+    if (!members_.levels.empty()) {
+        double squares = 0;
+        for (const LevelDifferences::Level& level : differences_.of(values, threshold)) {
+            p.value += level.mean();
+            squares += level.variance() / level.count;
+        }
+        constexpr double k_unknown = 0.5;  // where a level has a single member
+        return {std::clamp(p.value, 0.0, 1.0), std::isfinite(squares) ? std::sqrt(squares) : k_unknown};
+    }
+    double hits = 0, misses = 0;
+    for (std::size_t m = 0; m < values.size(); ++m)
+        (static_cast<double>(values[m]) > threshold ? hits : misses) += members_.weights[m];
+    // Weights add up to 1 but for rounding; where all members came, p is 1 and its error 0.
+    p.value = hits / (hits + misses);
+    p.error = group_count_ > 0 ? group_error(p.value, values, threshold)
+                               : std::sqrt(std::max(0.0, p.value * (1 - p.value)) / effective_size_);
+    return p;
+}
+
+double ProbabilityEstimate::group_error(double probability, std::span<const float> values, double threshold) const {
+    std::vector<double> hits(group_count_), size(group_count_);
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        hits[members_.groups[m]] += static_cast<double>(values[m]) > threshold ? 1 : 0;
+        size[members_.groups[m]] += 1;
+    }
+    double squares = 0, used = 0;
+    for (std::size_t g = 0; g < group_count_; ++g) {
+        if (size[g] == 0) continue;
+        const double difference = hits[g] / size[g] - probability;
+        squares += difference * difference;
+        used += 1;
+    }
+    return used > 1 ? std::sqrt(squares / (used - 1) / used) : 0.5;
+}
+
+namespace {
+
+template <class Value>
+double quantile_of(std::span<const Value> values, const std::vector<double>& weights, double q,
+                   std::vector<std::size_t>& order) {
+    order.resize(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
+    double sum = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        sum += weights[order[i]];
+        // Weights of a multilevel study have either sign: only with all members of a value is its sum meant.
+        if (i + 1 < order.size() && values[order[i + 1]] == values[order[i]]) continue;
+        if (sum >= q - k_weight_rounding) return static_cast<double>(values[order[i]]);
+    }
+    return static_cast<double>(values[order.back()]);
+}
+
+}  // namespace
+
+double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,
+                         std::vector<std::size_t>& order) {
+    return quantile_of(values, weights, q, order);
+}
+
+double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q) {
+    std::vector<std::size_t> order;
+    return quantile_of(std::span<const double>(values), weights, q, order);
+}
+
+std::vector<double> level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                                    const std::vector<double>& thresholds, std::size_t levels) {
+    std::vector<double> sums(levels);
+    const LevelDifferences differences(members);
+    for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
+        for (const double threshold : thresholds) {
+            const std::vector<LevelDifferences::Level> at = differences.of(values, threshold);
+            for (std::size_t l = 0; l < at.size(); ++l)
+                if (at[l].count > 1) sums[l] += at[l].variance();
+        }
+    });
+    return sums;
+}
+
+namespace {
+
+using Place = std::pair<std::size_t, std::size_t>;  // cell, feature
+
+/// The values of the features from `first` to before `last`.
+std::vector<float> values_of(const std::vector<std::string>& records, Quantity quantity, const GridSpec& grid,
+                             const std::vector<std::vector<std::size_t>>& cells, std::size_t first, std::size_t last) {
+    std::vector<Place> places;
+    for (std::size_t feature = first; feature < last; ++feature)
+        for (const std::size_t cell : cells[feature]) places.emplace_back(cell, feature - first);
+    std::sort(places.begin(), places.end());
+    const bool is_arrival = quantity == Quantity::arrival;
+    const std::size_t count = records.size();
+    std::vector<float> values((last - first) * count, is_arrival ? std::numeric_limits<float>::infinity() : 0.0F);
+    for (std::size_t m = 0; m < count; ++m) {
+        const MemberRecord record = require_record(records[m]);
+        const std::vector<float>& of_member = record.of(quantity);
+        if (of_member.empty()) continue;
+        record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+            if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
+            const auto cell = static_cast<std::size_t>(row * grid.columns + column);
+            for (auto one = std::lower_bound(places.begin(), places.end(), Place{cell, 0});
+                 one != places.end() && one->first == cell; ++one) {
+                float& value = values[one->second * count + m];
+                value = is_arrival ? std::min(value, of_member[index]) : std::max(value, of_member[index]);
+            }
+        });
+    }
+    return values;
+}
+
+}  // namespace
+
+void for_each_feature(const std::vector<std::string>& records, Quantity quantity, const GridSpec& grid,
+                      const std::vector<std::vector<std::size_t>>& cells,
+                      const std::function<void(std::size_t feature, std::span<const float> values)>& visit) {
+    if (records.empty()) return;
+    const std::size_t at_once = std::max<std::size_t>(1, k_budget_bytes / (sizeof(float) * records.size()));
+    for (std::size_t first = 0; first < cells.size(); first += at_once) {
+        const std::size_t last = std::min(first + at_once, cells.size());
+        const std::vector<float> values = values_of(records, quantity, grid, cells, first, last);
+        for (std::size_t feature = first; feature < last; ++feature)
+            visit(feature, {values.data() + (feature - first) * records.size(), records.size()});
+    }
+}
+
+}  // namespace frana::app::study

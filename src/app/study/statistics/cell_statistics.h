@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/study/member_record.h"
+#include "core/grid_spec.h"
+#include "core/raster.h"
+
+namespace frana::app::study {
+
+/// The finished members of a study, in the order of their numbers, as files.
+struct FinishedMembers {
+    std::vector<std::string> records;  ///< their files
+    /// As many; their sum is 1. In a multilevel study the coarser run of a pair has the negative weight of its finer
+    /// one.
+    std::vector<double> weights;
+    std::vector<std::size_t> groups;  ///< of Saltelli's design: the group of each; empty: all are independent
+    /// Of a multilevel study: the level of each run; the coarser one of a pair follows its finer one. Empty: one level.
+    std::vector<std::size_t> levels{};
+
+    [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
+    /// Number of independent members with equal weights whose mean is as certain: (sum w)^2 / sum w^2.
+    [[nodiscard]] double effective_size() const;
+};
+
+/// All runs of a study with those that failed: of some nobody knows where they would have come.
+struct OpenRuns {
+    FinishedMembers runs;       ///< weights over all of them
+    std::vector<bool> is_open;  ///< of each: it was cut, held, left the ground or failed
+
+    [[nodiscard]] bool any() const { return std::find(is_open.begin(), is_open.end(), true) != is_open.end(); }
+    /// Whether a run is taken to exceed everything for the upper bound of a sum, or for the lower one: there it is
+    /// where it counts negatively, the coarser one of a pair of levels.
+    [[nodiscard]] bool exceeds(std::size_t run, bool upper) const {
+        return is_open[run] && (runs.weights[run] > 0) == upper;
+    }
+};
+
+/// Returns a bound of the probability that a value exceeds a threshold, from the values of all runs.
+double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper);
+
+/// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
+/// for each member, 0 (arrival: infinity) where it did not come. A run on larger cells has one value for all cells of
+/// the grid within each of its own. Reads the records window by window: memory is bounded by a budget, whatever the
+/// number of members and cells. Throws Error(environment) for a record that cannot be read.
+void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
+
+/// Returns the window that contains all cells reached by any member, in rows and columns of a grid; it may reach beyond
+/// that grid, if members had others. Empty if there is none.
+CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid);
+
+/// The differences between the two indicators (0 or 1) of an event in each pair of runs of a multilevel study.
+class LevelDifferences {
+  public:
+    struct Level {
+        double count = 0, sum = 0, squares = 0;  ///< of the differences
+
+        [[nodiscard]] double mean() const noexcept { return sum / count; }
+        /// Of the sample; infinite of fewer than two members.
+        [[nodiscard]] double variance() const noexcept;
+    };
+    explicit LevelDifferences(const FinishedMembers& members) : members_(members) {}
+    /// @return by level; the event is that a value exceeds the threshold
+    [[nodiscard]] std::vector<Level> of(std::span<const float> values, double threshold) const;
+
+  private:
+    const FinishedMembers& members_;
+};
+
+struct Probability {
+    double value = 0;
+    double error = 0;  ///< standard error; 0 where all members are alike
+};
+
+/// Estimates the probability p that a value exceeds a threshold, p = sum w_i I_i with the indicators I_i in each
+/// member. Error: sqrt(p (1 - p) / n_effective) for independent members; with groups sqrt(var(group means) / groups);
+/// with levels sqrt(sum var_l / n_l) of the differences of each level, and p is set to 0 or 1 where the sum lies
+/// beyond.
+class ProbabilityEstimate {
+  public:
+    explicit ProbabilityEstimate(const FinishedMembers& members);
+    [[nodiscard]] Probability of(std::span<const float> values, double threshold) const;
+
+  private:
+    [[nodiscard]] double group_error(double probability, std::span<const float> values, double threshold) const;
+
+    const FinishedMembers& members_;
+    LevelDifferences differences_;
+    double effective_size_;
+    std::size_t group_count_ = 0;
+};
+
+/// Of the sum of weights: what additions leave.
+inline constexpr double k_weight_rounding = 1e-12;
+
+/// Least value v with at least the fraction q of all weight at values <= v. `order` is scratch.
+double weighted_quantile(std::span<const float> values, const std::vector<double>& weights, double q,
+                         std::vector<std::size_t>& order);
+
+/// The same for a figure of the members; the weights have a sum of 1.
+double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
+
+/// Returns for each level the sum over all cells and thresholds of the variance of its difference.
+std::vector<double> level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                                    const std::vector<double>& thresholds, std::size_t levels);
+
+/// Calls visit(feature, values) for every feature, in order; values has one number for each member: the greatest value
+/// in any of the feature's cells (arrival: the least), 0 (arrival: infinity) where the member reached none. Memory is
+/// bounded by a budget, whatever the number of members and features. Throws Error(environment) for a record that cannot
+/// be read.
+/// @param records files of the members
+/// @param cells of each feature, on the grid
+void for_each_feature(const std::vector<std::string>& records, Quantity quantity, const GridSpec& grid,
+                      const std::vector<std::vector<std::size_t>>& cells,
+                      const std::function<void(std::size_t feature, std::span<const float> values)>& visit);
+
+}  // namespace frana::app::study

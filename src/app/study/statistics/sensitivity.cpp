@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/statistics/sensitivity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "app/study/openturns/functions.h"
+
+namespace frana::app::study {
+namespace {
+
+/// The estimator divides by the variance in A, and in each other matrix.
+bool varies_in_every_matrix(const std::vector<double>& output, std::size_t groups) {
+    for (std::size_t first = 0; first < output.size(); first += groups) {
+        const auto begin = output.begin() + static_cast<std::ptrdiff_t>(first);
+        if (std::all_of(begin, begin + static_cast<std::ptrdiff_t>(groups),
+                        [&](double value) { return value == *begin; }))
+            return false;
+    }
+    return true;
+}
+
+/// Mean ranks: equal values share the mean of theirs.
+std::vector<double> ranks_of(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<double> ranks(values.size());
+    for (std::size_t first = 0; first < order.size();) {
+        std::size_t last = first;
+        while (last + 1 < order.size() && values[order[last + 1]] == values[order[first]]) ++last;
+        for (std::size_t i = first; i <= last; ++i) ranks[order[i]] = static_cast<double>(first + last) / 2;
+        first = last + 1;
+    }
+    return ranks;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Pearson's correlation; NaN if one of the two does not vary.
+double correlation(const std::vector<double>& x, const std::vector<double>& y) {
+    const double mean_x = mean_of(x), mean_y = mean_of(y);
+    double xx = 0, yy = 0, xy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += (x[i] - mean_x) * (x[i] - mean_x);
+        yy += (y[i] - mean_y) * (y[i] - mean_y);
+        xy += (x[i] - mean_x) * (y[i] - mean_y);
+    }
+    if (!(xx > 0) || !(yy > 0)) return std::numeric_limits<double>::quiet_NaN();
+    return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
+}
+
+/// eta: root of the variance between the means of the classes over all variance.
+double correlation_ratio(const std::vector<double>& classes, const std::vector<double>& y) {
+    std::map<double, std::pair<double, double>> sums;  // of values, and count
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        sums[classes[i]].first += y[i];
+        sums[classes[i]].second += 1;
+    }
+    const double mean = mean_of(y);
+    double between = 0, all = 0;
+    for (const auto& [name, sum] : sums) between += sum.second * std::pow(sum.first / sum.second - mean, 2);
+    for (const double value : y) all += (value - mean) * (value - mean);
+    if (!(all > 0)) return std::numeric_limits<double>::quiet_NaN();
+    return std::sqrt(std::min(1.0, between / all));
+}
+
+/// Fisher's transformation with the variance of Bonett and Wright (2000) for Spearman's rho.
+Interval rank_interval(double rho, std::size_t count) {
+    constexpr double k_normal = 1.959963984540054;  // 97.5 % quantile
+    if (count <= 3 || std::abs(rho) >= 1) return {rho, count <= 3 ? -1.0 : rho, count <= 3 ? 1.0 : rho};
+    const double z = std::atanh(rho), half = k_normal * std::sqrt((1 + rho * rho / 2) / static_cast<double>(count - 3));
+    return {rho, std::tanh(z - half), std::tanh(z + half)};
+}
+
+bool all_different(const std::vector<double>& values) {
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+}
+
+std::vector<double> column_of(const DesignPoints& points, std::size_t key) {
+    std::vector<double> column;
+    for (const auto& row : points.numbers) column.push_back(row[key]);
+    return column;
+}
+
+}  // namespace
+
+std::vector<std::vector<KeySensitivity>> sobol_indices(const DesignPoints& points,
+                                                       const std::vector<std::vector<double>>& outputs,
+                                                       std::size_t groups) {
+    std::vector<std::vector<KeySensitivity>> all(outputs.size(), std::vector<KeySensitivity>(points.nominal.size()));
+    if (groups < 2) return all;
+    for (std::size_t q = 0; q < outputs.size(); ++q)
+        if (varies_in_every_matrix(outputs[q], groups))
+            all[q] = openturns().indices(points, outputs[q], groups, outputs.size() == 1);
+    return all;
+}
+
+RankCorrelations::RankCorrelations(const DesignPoints& points) : nominal_(points.nominal) {
+    for (std::size_t k = 0; k < nominal_.size(); ++k) {
+        const std::vector<double> column = column_of(points, k);
+        measurable_.push_back(!nominal_[k] || !all_different(column));
+        columns_.push_back(nominal_[k] ? column : ranks_of(column));
+    }
+}
+
+std::vector<KeySensitivity> RankCorrelations::with(const std::vector<double>& output) const {
+    std::vector<KeySensitivity> all(nominal_.size());
+    const std::vector<double> ranks = ranks_of(output);
+    for (std::size_t k = 0; k < nominal_.size(); ++k) {
+        if (!measurable_[k]) continue;
+        const double value = nominal_[k] ? correlation_ratio(columns_[k], ranks) : correlation(columns_[k], ranks);
+        if (std::isnan(value)) continue;
+        all[k].rank_correlation = nominal_[k] ? Interval{value, value, value} : rank_interval(value, output.size());
+        all[k].method = nominal_[k] ? "correlation ratio" : "Spearman";
+    }
+    return all;
+}
+
+double RankCorrelations::with_event(std::size_t key, const std::vector<char>& happened) const {
+    if (!measurable_[key]) return std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> output(happened.begin(), happened.end());
+    return nominal_[key] ? correlation_ratio(columns_[key], output) : correlation(columns_[key], output);
+}
+
+}  // namespace frana::app::study

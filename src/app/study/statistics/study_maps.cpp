@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/statistics/study_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "app/study/member_record.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "params/keys/result_rasters.h"
+#include "params/keys/scene_parameters.h"
+
+namespace frana::app::study {
+
+namespace {
+
+/// Calls visit(member, record, cell, index) for the cells that each member reached.
+template <class Visit>
+void for_each_cell(const std::vector<UnionMember>& members, const GridSpec& grid, const Visit& visit) {
+    for (const UnionMember& member : members) {
+        const auto record = read_record(member.record);
+        if (!record)
+            throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", member.record, "", "",
+                                                        "Check the disk; --resume computes that member again"});
+        record->for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+            if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
+            visit(member, *record, static_cast<std::size_t>(row * grid.columns + column), index);
+        });
+    }
+}
+
+void raise(double& greatest, double value) {
+    greatest = std::isnan(greatest) ? value : std::max(greatest, value);
+}
+
+}  // namespace
+
+DepthUnion depth_union(const std::vector<UnionMember>& members, const GridSpec& grid) {
+    DepthUnion maps{Raster(grid, k_no_data), Raster(grid, k_no_data), Raster(grid, k_no_data)};
+    for_each_cell(members, grid,
+                  [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
+                      const auto depth = static_cast<double>(record.depth[index]);
+                      double& deepest = maps.depth.values[cell];
+                      if (std::isnan(deepest) || depth > deepest) {
+                          deepest = depth;
+                          maps.worst.values[cell] = static_cast<double>(member.number);
+                      }
+                      double& hits = maps.hits.values[cell];
+                      hits = (std::isnan(hits) ? 0 : hits) + (depth > 0 ? 1 : 0);
+                  });
+    return maps;
+}
+
+Raster greatest_of(const std::vector<UnionMember>& members, Quantity quantity, const GridSpec& grid) {
+    Raster greatest(grid, k_no_data);
+    for_each_cell(members, grid,
+                  [&](const UnionMember&, const MemberRecord& record, std::size_t cell, std::size_t index) {
+                      const std::vector<float>& values = record.of(quantity);
+                      const bool has_class = quantity != Quantity::intensity || (!values.empty() && values[index] > 0);
+                      if (!values.empty() && has_class)
+                          raise(greatest.values[cell], static_cast<double>(values[index]));
+                  });
+    return greatest;
+}
+
+Raster earliest_arrival(const std::vector<UnionMember>& members, const GridSpec& grid) {
+    Raster earliest(grid, k_no_data);
+    for_each_cell(members, grid,
+                  [&](const UnionMember&, const MemberRecord& record, std::size_t cell, std::size_t index) {
+                      const auto arrival = static_cast<double>(record.arrival[index]);
+                      if (!std::isfinite(arrival)) return;
+                      double& first = earliest.values[cell];
+                      first = std::isnan(first) ? arrival : std::min(first, arrival);
+                  });
+    return earliest;
+}
+
+Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees) {
+    Raster worst(grid, k_no_data);
+    for_each_cell(
+        members, grid, [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
+            if (record.intensity.empty() || !(record.intensity[index] >= 1) || !member.return_period) return;
+            raise(worst.values[cell],
+                  static_cast<double>(degrees.of(static_cast<int>(record.intensity[index]), *member.return_period)));
+        });
+    return worst;
+}
+
+namespace {
+
+/// Values of the members that came to a cell, and their weights with a sum of 1.
+struct Arrived {
+    std::vector<float> values;
+    std::vector<double> weights;
+};
+
+Arrived arrived_of(std::span<const float> values, const std::vector<double>& weights) {
+    Arrived arrived;
+    double sum = 0;
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        if (!std::isfinite(values[m])) continue;
+        arrived.values.push_back(values[m]);
+        arrived.weights.push_back(weights[m]);
+        sum += weights[m];
+    }
+    if (!(sum > 0)) return {};  // only in a multilevel study: it is estimated that no run comes
+    for (double& weight : arrived.weights) weight /= sum;
+    return arrived;
+}
+
+void add_moments(std::span<const float> values, const std::vector<double>& weights, std::size_t cell,
+                 QuantityMaps& maps) {
+    double mean = 0, squares = 0, hits = 0;
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        mean += weights[m] * static_cast<double>(values[m]);
+        hits += values[m] > 0 ? 1 : 0;
+    }
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        const double difference = static_cast<double>(values[m]) - mean;
+        squares += weights[m] * difference * difference;
+    }
+    // Below 0 only by estimate, with levels.
+    maps.mean.values[cell] = std::max(0.0, mean);
+    maps.deviation.values[cell] = std::sqrt(std::max(0.0, squares));
+    maps.hits.values[cell] = hits;
+}
+
+/// Greatest and mean of the errors that are not 0.
+class ErrorSummary {
+  public:
+    void add(double error) {
+        if (!(error > 0)) return;
+        greatest_ = std::max(greatest_, error);
+        sum_ += error;
+        count_ += 1;
+    }
+    [[nodiscard]] MapError result() const { return {greatest_, count_ > 0 ? sum_ / count_ : 0}; }
+
+  private:
+    double greatest_ = 0, sum_ = 0, count_ = 0;
+};
+
+/// Cells that wait until so many can be given to the estimator at once.
+constexpr std::size_t k_cells_at_once = 256;
+
+}  // namespace
+
+QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::vector<double>& thresholds) {
+    QuantityMaps maps;
+    const bool arrival = quantity == Quantity::arrival,
+               has_distribution = quantity == Quantity::depth || quantity == Quantity::velocity;
+    if (!arrival) {
+        maps.probability.assign(thresholds.size(), Raster(grid));
+        maps.error.assign(thresholds.size(), Raster(grid));
+    }
+    if (has_distribution) maps.mean = maps.deviation = maps.hits = Raster(grid, k_no_data);
+    if (has_distribution || arrival) maps.quantile.assign(std::size(k_study_quantiles), Raster(grid, k_no_data));
+    if (members.size() == 0) return maps;
+    const ProbabilityEstimate estimate(members);
+    std::vector<std::size_t> order;
+    for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        if (arrival) {
+            const Arrived arrived = arrived_of(values, members.weights);
+            for (std::size_t q = 0; q < std::size(k_study_quantiles) && !arrived.values.empty(); ++q)
+                maps.quantile[q].values[cell] =
+                    weighted_quantile(arrived.values, arrived.weights, k_study_quantiles[q].fraction, order);
+            return;
+        }
+        for (std::size_t t = 0; t < thresholds.size(); ++t) {
+            const Probability probability = estimate.of(values, thresholds[t]);
+            maps.probability[t].values[cell] = probability.value;
+            maps.error[t].values[cell] = probability.error;
+        }
+        if (!has_distribution) return;
+        for (std::size_t q = 0; q < std::size(k_study_quantiles); ++q) {
+            const double value = weighted_quantile(values, members.weights, k_study_quantiles[q].fraction, order);
+            if (value > 0) maps.quantile[q].values[cell] = value;
+        }
+        add_moments(values, members.weights, cell, maps);
+    });
+    return maps;
+}
+
+std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs,
+                                               Quantity quantity, const std::vector<double>& thresholds,
+                                               const GridSpec& grid) {
+    const std::vector<float> nothing(runs.is_open.size(), 0.0F);
+    std::vector<RasterInterval> bounds;
+    for (const double threshold : thresholds)
+        bounds.push_back({Raster(grid, sum_bound(runs, nothing, threshold, false)),
+                          Raster(grid, sum_bound(runs, nothing, threshold, true))});
+    for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        for (std::size_t t = 0; t < thresholds.size(); ++t) {
+            const double p = probability[t].values[cell];
+            bounds[t].lower.values[cell] = std::min(p, sum_bound(runs, values, thresholds[t], false));
+            bounds[t].upper.values[cell] = std::max(p, sum_bound(runs, values, thresholds[t], true));
+        }
+    });
+    return bounds;
+}
+
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool upper, Quantity quantity,
+                                                   const GridSpec& grid) {
+    double open = 0;
+    for (std::size_t m = 0; m < runs.is_open.size(); ++m) open += runs.exceeds(m, true) ? runs.runs.weights[m] : 0;
+    std::vector<std::optional<Raster>> bounds;
+    for (const StudyQuantile& quantile : k_study_quantiles)
+        bounds.push_back(upper && open > 1 - quantile.fraction + k_weight_rounding
+                             ? std::nullopt
+                             : std::optional(Raster(grid, k_no_data)));
+    std::vector<std::size_t> order;
+    std::vector<float> extreme;
+    for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        extreme.assign(values.begin(), values.end());
+        for (std::size_t m = 0; m < extreme.size(); ++m)
+            if (runs.exceeds(m, upper)) extreme[m] = std::numeric_limits<float>::infinity();
+        for (std::size_t q = 0; q < bounds.size(); ++q) {
+            if (!bounds[q]) continue;
+            const double value = weighted_quantile(extreme, runs.runs.weights, k_study_quantiles[q].fraction, order);
+            if (value > 0) bounds[q]->values[cell] = value;
+        }
+    });
+    return bounds;
+}
+
+MapError map_error(const std::vector<Raster>& errors) {
+    ErrorSummary all;
+    for (const Raster& raster : errors)
+        raster.values.for_each_stored([&](std::size_t, double error) { all.add(error); });
+    return all.result();
+}
+
+MapError error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
+                        const std::vector<double>& thresholds) {
+    FinishedMembers first = members;
+    first.records.resize(count);
+    first.weights.resize(count);
+    if (!first.groups.empty()) first.groups.resize(count);
+    if (!first.levels.empty()) first.levels.resize(count);
+    double sum = 0;
+    for (const double weight : first.weights) sum += weight;
+    for (double& weight : first.weights) weight /= sum;
+    const ProbabilityEstimate estimate(first);
+    ErrorSummary all;
+    for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
+        for (const double threshold : thresholds) all.add(estimate.of(values, threshold).error);
+    });
+    return all.result();
+}
+
+std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, std::size_t groups,
+                                     const GridSpec& grid, double threshold) {
+    const std::size_t keys = points.nominal.size();
+    std::vector<Raster> maps(keys, Raster(grid, k_no_data));
+    const RankCorrelations correlations(points);
+    std::vector<std::size_t> cells;
+    std::vector<std::vector<double>> outputs;
+    const auto flush = [&] {
+        if (outputs.empty()) return;
+        const auto indices = sobol_indices(points, outputs, groups);
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            for (std::size_t k = 0; k < keys; ++k)
+                if (const auto& first = indices[i][k].first_order)
+                    maps[k].values[cells[i]] = std::clamp(first->value, 0.0, 1.0);
+        cells.clear();
+        outputs.clear();
+    };
+    for_each_reached_cell(members, Quantity::depth, grid, [&](std::size_t cell, std::span<const float> values) {
+        std::vector<char> happened(values.size());
+        std::transform(values.begin(), values.end(), happened.begin(),
+                       [&](float value) { return static_cast<char>(static_cast<double>(value) > threshold); });
+        const auto count = static_cast<std::size_t>(std::count(happened.begin(), happened.end(), 1));
+        if (count == 0 || count == happened.size()) return;
+        if (groups > 0) {
+            cells.push_back(cell);
+            outputs.emplace_back(happened.begin(), happened.end());
+            if (cells.size() == k_cells_at_once) flush();
+            return;
+        }
+        for (std::size_t k = 0; k < keys; ++k) {
+            const double rho = correlations.with_event(k, happened);
+            maps[k].values[cell] = rho * rho;
+        }
+    });
+    flush();
+    return maps;
+}
+
+}  // namespace frana::app::study

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/hazard.h"
+#include "app/study/member_record.h"
+#include "app/study/statistics/cell_statistics.h"
+#include "app/study/statistics/sensitivity.h"
+#include "core/raster.h"
+
+namespace frana::app::study {
+
+/// A member that counts in a union.
+struct UnionMember {
+    std::size_t number = 0;
+    std::string record;  ///< its file
+    std::optional<double> return_period{};
+};
+
+// The worst of several members, cell by cell: what at least one of several sources does there. NaN where none came.
+// Each function reads each record once, one after the other: time grows with the number of members, memory with the
+// cells they reached, for the rasters of one function at a time. Throws Error(environment) for a record that cannot be
+// read.
+
+struct DepthUnion {
+    Raster depth;  ///< greatest [m]
+    Raster hits;   ///< number of members that came
+    Raster worst;  ///< number of the member with the greatest depth, the lowest of several
+};
+DepthUnion depth_union(const std::vector<UnionMember>& members, const GridSpec& grid);
+
+/// Greatest value of a quantity (velocity, pressure, intensity); NaN everywhere if the records have none.
+Raster greatest_of(const std::vector<UnionMember>& members, Quantity quantity, const GridSpec& grid);
+
+/// Earliest arrival [s].
+Raster earliest_arrival(const std::vector<UnionMember>& members, const GridSpec& grid);
+
+/// Greatest degree of hazard; NaN also where no member has intensity and return period.
+Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees);
+
+/// What the members together say of one quantity, cell by cell. Rasters are NaN where no member came, except the
+/// probabilities and their errors, which are 0 there.
+struct QuantityMaps {
+    std::vector<Raster> probability;  ///< of exceeding each threshold
+    std::vector<Raster> error;        ///< its standard error
+    std::vector<Raster> quantile;     ///< for each of k_study_quantiles; NaN where it is 0
+    Raster mean, deviation;           ///< with 0 where a member did not come
+    Raster hits;                      ///< number of members that came
+};
+
+/// Of depth and velocity. For arrival only the quantiles are made, among the members that came; of pressure and
+/// intensity only the probabilities.
+QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::vector<double>& thresholds);
+
+/// What a value may be where runs are open: each may exceed everything, everywhere, for material behind may push its
+/// front farther and higher than it had energy when it was cut.
+struct RasterInterval {
+    Raster lower, upper;
+};
+
+/// Returns the intervals of probabilities; they contain the probability itself.
+/// @param probability of each threshold, of the runs that count
+std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs,
+                                               Quantity quantity, const std::vector<double>& thresholds,
+                                               const GridSpec& grid);
+
+/// Returns an upper or a lower bound of each of k_study_quantiles of depth or velocity. None for a quantile beyond the
+/// weight of the runs that are not open, which then has no upper bound.
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool upper, Quantity quantity,
+                                                   const GridSpec& grid);
+
+/// Greatest and mean of the standard errors of probabilities over the cells where they are not 0.
+struct MapError {
+    double largest = 0, mean = 0;
+};
+MapError map_error(const std::vector<Raster>& errors);
+
+/// The same for the first members alone, of one quantity and all thresholds, without keeping maps.
+MapError error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
+                        const std::vector<double>& thresholds);
+
+/// Returns for each key the fraction of the variance of the event "deeper than the threshold" that it explains alone:
+/// first-order Sobol' indices with Saltelli's design (a group that has lost a member must not be among them), otherwise
+/// squared rank correlations. NaN where all or none of the members exceed it, and below 0 by estimate set to 0.
+/// @param groups rows of matrix A; 0: independent members
+std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, std::size_t groups,
+                                     const GridSpec& grid, double threshold);
+
+}  // namespace frana::app::study

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/hazard.h"
+#include "core/error.h"
+
+namespace frana::app::study {
+
+/// Points of the unit cube, by member and key: cumulative probabilities of the keys' distributions.
+using Places = std::vector<std::vector<double>>;
+
+enum class Law { uniform, log_uniform, normal, log_normal, triangular, choice, gaussian_field };
+
+/// The distribution of one key.
+struct Distribution {
+    Law law = Law::uniform;
+    /// In the key's unit: limits (uniform, log-uniform), mean and standard deviation (normal, log-normal, of the value
+    /// itself) with two limits where it is cut off, least, likeliest and greatest value (triangular), standard
+    /// deviation and range [m] (gaussian-field).
+    std::vector<double> numbers;
+    std::vector<std::string> values;  ///< choice
+    std::vector<double> weights;      ///< choice: as many, their sum is 1
+    std::string text;                 ///< as written
+
+    /// Whether its values have no order.
+    [[nodiscard]] bool is_nominal() const noexcept { return law == Law::choice || law == Law::gaussian_field; }
+};
+
+struct Variation {
+    std::string key;  ///< of the scene: "material.turbulence"
+    Distribution distribution;
+};
+
+/// Rank correlation (Spearman's rho) of two varied keys, by a normal copula.
+struct Correlation {
+    std::string first, second;
+    double rho = 0;
+
+    [[nodiscard]] bool is_of_the_keys_of(const Correlation& other) const {
+        return (first == other.first && second == other.second) || (first == other.second && second == other.first);
+    }
+};
+
+enum class Sampling {
+    sobol,
+    latin_hypercube,
+    random,
+    grid,
+    saltelli,
+    table,
+    polygons  ///< no sampling: each polygon of the release perimeter is a member of its own
+};
+
+/// How the values of members are found. A method is a row of k_samplings; its points are drawn in openturns/module.cpp.
+struct SamplingMethod {
+    /// A sample: the first members are one too, so that it may stop early; keys may be correlated. A design: all its
+    /// members together, with independent keys. Given: nothing is drawn.
+    enum class Kind { sample, design, given };
+    Sampling sampling;
+    const char* name;  ///< of samples and designs in study.sampling
+    Kind kind;
+    bool goes_on = false;  ///< more members may follow the last one, as study.levels needs
+};
+inline constexpr SamplingMethod k_samplings[] = {
+    {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true},
+    {Sampling::latin_hypercube, "latin-hypercube", SamplingMethod::Kind::sample},
+    {Sampling::random, "random", SamplingMethod::Kind::sample, true},
+    {Sampling::grid, "grid", SamplingMethod::Kind::design},
+    {Sampling::saltelli, "saltelli", SamplingMethod::Kind::design},
+    {Sampling::table, "table", SamplingMethod::Kind::given},
+    {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
+
+/// Returns the row of a method, and its name.
+constexpr const SamplingMethod& method_of(Sampling sampling) noexcept {
+    for (const SamplingMethod& row : k_samplings)
+        if (row.sampling == sampling) return row;
+    return k_samplings[0];
+}
+inline std::string name_of(Sampling sampling) {
+    return method_of(sampling).name;
+}
+
+enum class Keep { none, failed, all };
+inline std::string name_of(Keep keep) {
+    return keep == Keep::none ? "none" : keep == Keep::all ? "all" : "failed";
+}
+
+/// A region: a study with a polygon for each member, whose attributes say what each is.
+struct RegionSpec {
+    /// Columns of the release perimeter: what a slope is called, what it belongs to, which of several events it is,
+    /// and the return period of that [years].
+    std::optional<std::string> name, group, scenario, return_period;
+    /// A key of the scene whose value is in a column.
+    struct Column {
+        std::string key, column;
+    };
+    std::vector<Column> columns;
+    std::optional<double> window;  ///< terrain round a polygon [m]; none: what the flow can reach
+    DegreeMatrix degrees;
+};
+
+/// A study as specified in its file; the scene is not read yet.
+struct StudySpec {
+    std::string file;   ///< the study file, absolute
+    std::string scene;  ///< absolute
+    std::int64_t samples = 200;
+    Sampling sampling = Sampling::sobol;
+    std::string table;  ///< absolute; sampling by a table alone
+    std::int64_t seed = 1;
+    std::optional<double> until;  ///< largest standard error of a probability at which no more members are run
+    std::optional<std::size_t>
+        levels;  ///< cell sizes of a multilevel study; none: members are on the scene's own cells
+    Keep keep = Keep::none;
+    std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
+    std::vector<Variation> vary;   ///< in the order of the file
+    std::vector<Correlation> correlate;
+    std::optional<RegionSpec> region;  ///< only with polygons
+
+    [[nodiscard]] bool per_polygon() const noexcept { return sampling == Sampling::polygons; }
+};
+
+/// A study as far as its file could be read, and all its problems.
+struct StudyReading {
+    StudySpec study;
+    Problems problems;
+    std::string label;  ///< the study file as the user named it
+
+    /// Returns where a key is given, for messages: "study.ini: vary.material.turbulence".
+    [[nodiscard]] std::string where(const std::string& name) const { return label + ": " + name; }
+};
+
+}  // namespace frana::app::study

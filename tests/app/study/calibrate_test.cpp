@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibrations, as a user sees them.
+#include <gdal_priv.h>
+
+#include <sys/mount.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "gis/access/table_in.h"
+#include "gis/raster/raster_in.h"
+#include "started_program.h"
+#include "study/part_of_raster.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Rows = std::vector<std::map<std::string, std::string>>;
+
+const std::string k_two_keys =
+    "[vary]\nmaterial.friction-angle = uniform(10, 26)\nmaterial.turbulence = log-uniform(200, 2000)\n";
+const std::string k_jaccard = "[objective]\njaccard = 1\n";
+
+/// A folder with a tiny scene whose scar was drawn by frana: the run with a friction angle of 17 degrees.
+class Calibrate : public TinyScene {
+  protected:
+    Calibrate() {
+        write_event("slope.ini", "truth", 17);
+        write_study("samples = 24\nrefine = 16\n", k_jaccard + k_two_keys);
+    }
+
+    void write_event(const std::string& scene, const std::string& scar, double angle,
+                     const std::string& more = "") const {
+        write_scene("stop-when-still = off\n" + k_numbers_only + more);
+        const Outcome outcome = frana({"run", "scene.ini", "--out", scar, "--quiet", "--set", "time.end=12", "--set",
+                                       "material.friction-angle=" + std::to_string(angle)});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        write(scene,
+              read_text(path("scene.ini")) + "[scar]\nperimeter = " + scar + "/extent.gpkg\nperimeter-layer = trace\n");
+    }
+    void write_study(const std::string& head, const std::string& rest,
+                     const std::string& set = "[set]\ntime.end = 12\n") const {
+        write("study.ini", "[study]\nscene = slope.ini\n" + head + set + rest);
+    }
+    [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}, const std::string& out = "out") const {
+        std::vector<std::string> arguments{"calibrate", "study.ini", "--out", out, "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return frana(arguments);
+    }
+    [[nodiscard]] Rows table(const std::string& name) const {
+        const gis::Table table = gis::read_table(path(name), "table");
+        Rows rows;
+        for (const auto& cells : table.rows) {
+            auto& row = rows.emplace_back();
+            for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
+        }
+        return rows;
+    }
+    [[nodiscard]] Json calibration(const std::string& out = "out") const {
+        return parse_json(read_text(path(out + "/calibration.json")));
+    }
+    [[nodiscard]] std::vector<std::string> records() const {
+        std::vector<std::string> names;
+        for (const std::string& name : files())
+            if (name.find("/record_") != std::string::npos && name.find("out.partial/") != std::string::npos)
+                names.push_back(name);
+        return names;
+    }
+    [[nodiscard]] Outcome stop_after(std::size_t members, int signal_number) const {
+        StartedProgram program(folder_.string(), {"calibrate", "study.ini", "--out", "out", "--threads", "2"});
+        EXPECT_TRUE(program.wait_until([&] { return records().size() >= members; }));
+        program.send(signal_number);
+        return program.wait();
+    }
+    /// Everything that must not differ: all but wall times.
+    [[nodiscard]] std::map<std::string, std::string> lasting(const std::string& out) const {
+        std::map<std::string, std::string> content;
+        for (const std::string name : {"calibration.json", "best.ini", "study.ini"})
+            content[name] = read_text(path(out + "/" + name));
+        for (const std::string name : {"posterior.csv", "design.csv"}) {
+            for (auto& row : table(out + "/" + name)) {
+                row.erase("engine_seconds");
+                for (const auto& [key, value] : row) content[name] += key + "=" + value + ";";
+            }
+        }
+        return content;
+    }
+    void expect_same(const std::string& a, const std::string& b) const {
+        const auto first = lasting(a), second = lasting(b);
+        for (const auto& [name, content] : first) EXPECT_EQ(content, second.at(name)) << name;
+    }
+    void expect_refused(const std::vector<std::string>& words) const {
+        const auto before = files();
+        for (const std::string command : {"calibrate", "check"}) {
+            const Outcome outcome = frana({command, "study.ini"});
+            EXPECT_EQ(outcome.exit_code, 2) << command;
+            for (const std::string& one : words)
+                EXPECT_NE(outcome.err.find(one), std::string::npos) << command << ": " << one << "\n" << outcome.err;
+        }
+        EXPECT_EQ(files(), before);
+    }
+};
+
+// The scar is a run of frana's: its friction is found, and `frana run` with the best scene has the score.
+// Runs that were cut have the scores of unfinished flows; it was said that the survey does not determine the friction.
+TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
+    write_study("samples = 8\nrefine = 8\n", k_jaccard + k_two_keys,
+                "[set]\ntime.end = 3\noutput.maps = on\noutput.map-formats = svg\n");
+    ASSERT_EQ(run().exit_code, 0);
+    for (const auto& map : std::filesystem::directory_iterator(path("out/maps"))) {
+        const std::string page = read_text(map.path());
+        for (const char* words : {"16 of 16 runs were cut", "weighted"})
+            EXPECT_NE(page.find(words), std::string::npos) << map.path() << " lacks " << words;
+    }
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["cut"], 16);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("16 of 16 runs were cut"), std::string::npos);
+    EXPECT_NE(summary["warnings"][1].get<std::string>().find("posterior"), std::string::npos);
+    // The number of a member alone names two runs.
+    int named = 0;
+    for (const std::string warning : summary["warnings"]) {
+        if (warning.find("most of all member") == std::string::npos) continue;
+        ++named;
+        EXPECT_TRUE(warning.find(" of design.csv: ") != std::string::npos ||
+                    warning.find(" of posterior.csv: ") != std::string::npos)
+            << warning;
+    }
+    EXPECT_GT(named, 0);
+    for (const auto& row : table("out/posterior.csv")) EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
+    // All runs were cut: anything may have been reached.
+    int maps = 0;
+    for (const auto& file : std::filesystem::directory_iterator(path("out"))) {
+        const std::string name = file.path().filename().string();
+        if (!name.starts_with("posterior_") || file.path().extension() != ".tif") continue;
+        ++maps;
+        const GDALDatasetUniquePtr raster(GDALDataset::Open(file.path().c_str(), GDAL_OF_RASTER));
+        ASSERT_EQ(raster->GetRasterCount(), 3) << name;
+        double range[2];
+        ASSERT_EQ(raster->GetRasterBand(3)->ComputeRasterMinMax(FALSE, range), CE_None);
+        EXPECT_EQ(range[0], 1) << name;
+    }
+    EXPECT_GT(maps, 0);
+    EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
+}
+
+TEST_F(Calibrate, CheckWarnsOfTheReleaseAsThatOfTheSceneDoes) {
+    write_study("samples = 4\n", k_jaccard + k_two_keys, "[set]\nrelease.thickness = 90\n");
+    const Outcome check = frana({"check", "study.ini"});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    for (const char* part : {"m above the cell beside it", "m thick on average"})
+        EXPECT_NE(check.err.find(part), std::string::npos) << check.err;
+}
+
+TEST_F(Calibrate, SaysThatItsRunsLeftTheGround) {
+    write_study("samples = 4\nrefine = 4\n", k_jaccard + k_two_keys,
+                "[set]\ntime.end = 30\nterrain.bounds = 527000 5094000 527100 5094150\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_GT(summary["run_troubles"]["left_ground"], 4);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("runs left the computed ground"), std::string::npos);
+    EXPECT_EQ(run({"--strict", "--overwrite"}).exit_code, 3);
+}
+
+TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
+    write_study("samples = 256\nrefine = 192\n", k_jaccard + k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = calibration();
+    EXPECT_GT(json["best_score"].get<double>(), 0.9);
+    const Json& friction = json["intervals"][0];
+    EXPECT_EQ(friction["key"], "material.friction-angle");
+    EXPECT_LE(friction["q05"].get<double>(), 17);
+    EXPECT_GE(friction["q95"].get<double>(), 17);
+    EXPECT_LT(friction["width_of_prior"].get<double>(), 0.7);
+    const Outcome best = frana({"run", "out/best.ini", "--out", "best", "--quiet"});
+    ASSERT_EQ(best.exit_code, 0) << best.err;
+    EXPECT_NEAR(json_number(read_text(path("best/comparison.json")), "jaccard"), json["best_score"].get<double>(),
+                1e-12);
+    double weights = 0;
+    for (const auto& row : table("out/posterior.csv")) weights += std::stod(row.at("weight"));
+    EXPECT_NEAR(weights, 1, 1e-12);
+    EXPECT_FALSE(fs::exists(path("out/records")));
+}
+
+// posterior.csv is a table of weighted members: an ensemble of it runs those with a weight, with these weights.
+TEST_F(Calibrate, ItsPosteriorIsTheInputOfAnEnsemble) {
+    ASSERT_EQ(run().exit_code, 0);
+    write("ensemble.ini",
+          "[study]\nscene = slope.ini\nsampling = table:out/posterior.csv\n[set]\ntime.end = 12\n"
+          "output.depth-thresholds = 0.1\n");
+    const Outcome outcome = frana({"ensemble", "ensemble.ini", "--out", "range", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Rows members = table("range/members.csv");
+    std::size_t compared = 0;
+    double area = 0;
+    for (const auto& row : table("out/posterior.csv")) {
+        if (std::stod(row.at("weight")) == 0) continue;
+        ASSERT_LT(compared, members.size());
+        const auto& member = members[compared++];
+        for (const std::string key : {"material.friction-angle", "material.turbulence", "weight"})
+            EXPECT_EQ(member.at(key), row.at(key));
+        area += std::stod(row.at("weight")) * std::stod(member.at("covered_area_m2"));
+    }
+    EXPECT_EQ(compared, members.size());
+    EXPECT_GT(compared, 2U);
+    const Json summary = parse_json(read_text(path("range/summary.json")));
+    EXPECT_NEAR(summary["figures"]["covered_area_m2"]["mean"].get<double>(), area, 1e-9 * area);
+    // The calibration's own map: the same probabilities on the part of the ground that was reached.
+    expect_part(gis::read_result_raster(path("out/posterior_slope.tif")),
+                gis::read_result_raster(path("range/probability_depth_0.1.tif")));
+}
+
+TEST_F(Calibrate, SameBitsForAnyNumberOfThreads) {
+    for (const std::string threads : {"1", "2", "7"}) {
+        const Outcome outcome = run({"--threads", threads}, "out" + threads);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    expect_same("out1", "out2");
+    expect_same("out1", "out7");
+}
+
+TEST_F(Calibrate, ResumesAfterKillsInEitherStageAndEndsInTheSameBits) {
+    ASSERT_EQ(run({}, "whole").exit_code, 0);
+    for (const std::size_t members : {std::size_t{5}, std::size_t{30}}) {  // of the design, of those drawn from it
+        fs::remove_all(path("out"));
+        ASSERT_EQ(stop_after(members, SIGKILL).exit_code, -SIGKILL);
+        EXPECT_FALSE(fs::exists(path("out")));
+        const Outcome refused = run();
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_NE(refused.err.find("--resume continues it"), std::string::npos) << refused.err;
+        const std::vector<std::string> kept = records();
+        ASSERT_GE(kept.size(), members);
+        write(kept[0], read_text(path(kept[0])).substr(0, 50));
+        fs::remove(path(kept[1]));
+        const Outcome resumed = run({"--resume", "--threads", "1"});
+        ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+        expect_same("whole", "out");
+        const Outcome again = run({"--resume"});
+        EXPECT_EQ(again.exit_code, 0) << again.err;
+    }
+}
+
+TEST_F(Calibrate, ResumeRefusesMembersOfAChangedStudy) {
+    const Outcome stopped = stop_after(2, SIGTERM);
+    ASSERT_EQ(stopped.exit_code, 128 + SIGTERM) << stopped.err;
+    EXPECT_NE(stopped.err.find("--resume runs the others"), std::string::npos) << stopped.err;
+    write_study("samples = 24\nrefine = 16\n", "[objective]\njaccard = 1\narea = 1\n" + k_two_keys);
+    const Outcome resumed = run({"--resume"});
+    EXPECT_EQ(resumed.exit_code, 2);
+    EXPECT_NE(resumed.err.find("are of another study"), std::string::npos) << resumed.err;
+}
+
+TEST_F(Calibrate, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
+    write("slope.ini", read_text(path("slope.ini")) + "[numerics]\ncfll = 1\n");
+    write_study(
+        "samples = 0\nrefine = x\nkeep = all\n",
+        "[objective]\njaccart = 1\n[vary]\nmaterial.friction-angle = uniform(10, 95)\nterrain.bounds = choice(a)\n"
+        "scar.threshold = uniform(0.1, 0.2)\n");
+    expect_refused({"study.samples", "study.refine", "study.keep", "objective.jaccart", "vary.material.friction-angle",
+                    "vary.terrain.bounds", "vary.scar.threshold", "numerics.cfll: unknown key"});
+}
+
+TEST_F(Calibrate, AnEventWithoutAScarIsRefused) {
+    write_scene(k_numbers_only);
+    write("bare.ini", read_text(path("scene.ini")));
+    write_event("slope.ini", "truth2", 15);
+    write("study.ini", "[study]\nscene = slope.ini, bare.ini\nsamples = 4\n" + k_jaccard + k_two_keys);
+    expect_refused({"event bare", "has nothing that [objective] compares: jaccard", "observed.perimeter in the scene"});
+    write_study("samples = 4\n", "[objective]\njaccard = 1\narrival = 1\n" + k_two_keys);
+    expect_refused({"objective.arrival", "no event was surveyed for it"});
+    write_study("samples = 4\n", "[objective]\nspeed = 1\n[event slope]\nspeed bridge = 5\n" + k_two_keys);
+    expect_refused({"the scene has no gauge of this name"});
+}
+
+// Where the bed is slippery the flow of one event reaches cells without terrain.
+TEST_F(Calibrate, AnEventWhoseMembersAllFailEndsWithItsReason) {
+    write_dtm([](int, int column) { return column > 16 ? -9999 : 300 - 0.5 * (column + 0.5) * k_cell; }, true,
+              "short.asc");
+    write("bad.ini",
+          "[terrain]\ndtm = short.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+          "friction-angle = 15\n[output]\nmaps = off\n[scar]\nperimeter = perimeter.geojson\n");
+    write("study.ini", "[study]\nscene = slope.ini, bad.ini\nsamples = 6\nrefine = 4\n[set]\ntime.end = 12\n" +
+                           k_jaccard + k_two_keys);
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("event bad"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("without terrain"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+// Two events with one friction and a volume of their own each; each is predicted from the other.
+TEST_F(Calibrate, EventsArePredictedFromTheOthers) {
+    write_event("one.ini", "truth1", 14);
+    write_event("two.ini", "truth2", 20);
+    write(
+        "study.ini",
+        "[study]\nscene = one.ini, two.ini\nsamples = 32\nrefine = 24\n[set]\ntime.end = 12\n[objective]\njaccard = "
+        "1\nrunout = 0.5\n[vary]\nmaterial.friction-angle = uniform(8, 26)\n[vary one]\nrelease.volume = uniform(3000, "
+        "5000)\n[vary two]\nmaterial.turbulence = log-uniform(200, 2000)\n");
+    const Outcome outcome = frana({"calibrate", "study.ini", "--out", "out"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("predicted from the others"), std::string::npos) << outcome.err;
+    const Json json = calibration();
+    ASSERT_EQ(json["events"].size(), 2U);
+    const Rows own = table("out/posterior_one.csv"), all = table("out/posterior.csv");
+    const double frictions[] = {14, 20};
+    for (std::size_t e = 0; e < 2; ++e) {
+        const Json& event = json["events"][e];
+        const Json& predicted = event["leave_one_out"];
+        double greatest = 0;
+        for (const auto& row : all)
+            greatest = std::max(greatest, std::stod(row.at("score " + event["name"].get<std::string>())));
+        // The other survey gives the other friction, wrong by six degrees: worse than what could be fitted.
+        EXPECT_LT(predicted["best_score"].get<double>(), greatest - 0.05) << event.dump();
+        EXPECT_GT(predicted["best_score"].get<double>(), 0.3) << event.dump();
+        EXPECT_NEAR(predicted["intervals"][0]["q50"].get<double>(), frictions[1 - e], 3) << event.dump();
+        EXPECT_GT(event["observed_runout_m"].get<double>(), 50);
+    }
+    // A member of the posterior of one event alone, with its own keys.
+    ASSERT_EQ(own.size(), all.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        EXPECT_EQ(own[i].at("release.volume"), all[i].at("release.volume of one"));
+        EXPECT_EQ(own[i].at("weight"), all[i].at("weight"));
+    }
+    EXPECT_TRUE(fs::exists(path("out/best_one.ini")) && fs::exists(path("out/best_two.ini")));
+}
+
+// Values at gauges, the run-out by number, outlines and deposits: each measure of the run that drew them is 0.
+TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
+    write(
+        "gauges.geojson",
+        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
+        R"( "features": [{"type": "Feature", "properties": {"name": "bridge"},)"
+        R"( "geometry": {"type": "Point", "coordinates": [527120, 5094075]}}]})");
+    write_event("slope.ini", "surveyed", 17, "gauges = gauges.geojson\n");
+    const std::string summary = read_text(path("surveyed/summary.json"));
+    double arrival = 0, speed = 0, depth = 0;
+    for (const auto& row : table("surveyed/gauges.csv")) {
+        speed = std::max(speed, std::stod(row.at("speed_ms")));
+        depth = std::max(depth, std::stod(row.at("depth_m")));
+    }
+    const Raster times = gis::read_result_raster(path("surveyed/arrival_time.tif"));
+    arrival = times.at((static_cast<int>(k_south) + 150 - 5094075) / 5, (527120 - 527000) / 5);
+    ASSERT_GT(arrival, 0);
+    ASSERT_GT(speed, 0);
+    write("slope.ini", read_text(path("slope.ini")) + "deposit = surveyed/final_depth.tif\n");
+    write("study.ini",
+          "[study]\nscene = slope.ini\nsamples = 2\nsampling = latin-hypercube\nrefine = 0\ncoarse = "
+          "1\n[set]\ntime.end = 12\n[objective]\njaccard = "
+          "1\narea = 1\nrunout = 1\noutline = 1\ndeposit = 1\ndeposit-depth = 1\narrival = 1\nspeed = 1\ndepth = "
+          "1\n[event "
+          "slope]\nrunout = " +
+              std::to_string(json_number(summary, "runout.horizontal_m")) +
+              "\narrival bridge = " + std::to_string(arrival) + "\nspeed bridge = " + std::to_string(speed) +
+              "\ndepth bridge = " + std::to_string(depth) + "\n[vary]\nmaterial.friction-angle = choice(17, 25)\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    int same = 0, other = 0;
+    for (const auto& row : table("out/posterior.csv")) {
+        const bool is_truth = row.at("material.friction-angle") == "17";
+        (is_truth ? same : other) += 1;
+        for (const std::string measure :
+             {"jaccard", "area", "runout", "outline", "deposit", "deposit-depth", "arrival", "speed", "depth"}) {
+            const double misfit = std::stod(row.at("misfit " + measure + " slope"));
+            // Numbers of the study have six decimals; the file of depths is Float32.
+            if (is_truth)
+                EXPECT_NEAR(misfit, 0, 1e-5) << measure;
+            else
+                EXPECT_GT(misfit, 1e-4) << measure;
+            EXPECT_LE(misfit, 1) << measure;
+        }
+    }
+    EXPECT_EQ(same, 1);
+    EXPECT_EQ(other, 1);
+}
+
+TEST_F(Calibrate, ChartsAndReportAreDrawn) {
+    write("slope.ini", [&] {
+        std::string text = read_text(path("slope.ini"));
+        const std::string off = "maps = off\n";
+        return text.replace(text.find(off), off.size(), "map-size = 800x600\n");
+    }());
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string name : {"maps/posterior_slope.png", "charts/response.png", "charts/posterior.png",
+                                   "report.html", "log.txt", "summary.json"})
+        EXPECT_TRUE(fs::exists(path("out/" + name))) << name;
+    const std::string page = read_text(path("out/report.html"));
+    EXPECT_NE(page.find("What the surveys say"), std::string::npos);
+    EXPECT_EQ(json_text(read_text(path("out/summary.json")), "date").size(), std::string("2026-11-24").size());
+    EXPECT_NE(page.find("src=\"data:image/"), std::string::npos);
+}
+
+TEST_F(Calibrate, CheckTellsEventsMembersTimeMemoryAndDisk) {
+    const auto before = files();
+    const Outcome outcome = frana({"check", "study.ini"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string words :
+         {"is ready to run", "compared by jaccard 1", "cells of 10 m, then 5 m",
+          "material.turbulence log-uniform(200, 2000)", "24 on coarse cells, then 16, each for 1 event",
+          "estimated time", "memory", "disk", "-calibration"})
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Calibrate, AResultIsReplacedOnlyWhenAsked) {
+    write_study("samples = 8\nrefine = 4\n", k_jaccard + k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    const std::string first = read_text(path("out/posterior.csv"));
+    EXPECT_EQ(run().exit_code, 2);
+    write("out/notes.txt", "mine");
+    write_study("samples = 8\nrefine = 5\n", k_jaccard + k_two_keys);
+    EXPECT_EQ(run({"--resume"}).exit_code, 2);     // it is complete, and of another study
+    EXPECT_EQ(run({"--overwrite"}).exit_code, 2);  // a file of the user's is in the way
+    EXPECT_EQ(read_text(path("out/posterior.csv")), first);
+    EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
+    fs::remove(path("out/notes.txt"));
+    ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
+    EXPECT_EQ(table("out/posterior.csv").size(), 5U);
+}
+
+// What was computed before the disk was full is kept, and is not computed again.
+TEST_F(Calibrate, AFullDiskLosesNoMember) {
+    fs::create_directory(path("disk"));
+    if (::mount("tmpfs", path("disk").c_str(), "tmpfs", 0, "size=64k") != 0)
+        GTEST_SKIP() << "a small disk can be mounted by root only: " << std::strerror(errno);
+    fs::create_directory(path("beside"));  // as deep: the paths in best.ini are relative
+    ASSERT_EQ(run({}, "beside/whole").exit_code, 0);
+    const Outcome full = run({}, "disk/out");
+    EXPECT_EQ(full.exit_code, 4) << full.err;
+    EXPECT_FALSE(fs::exists(path("disk/out")));
+    EXPECT_EQ(::mount("tmpfs", path("disk").c_str(), "tmpfs", MS_REMOUNT, "size=64m"), 0) << std::strerror(errno);
+    const Outcome resumed = run({"--resume"}, "disk/out");
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    if (resumed.exit_code == 0) expect_same("beside/whole", "disk/out");
+    ::umount2(path("disk").c_str(), MNT_DETACH);
+}
+
+// A table whose weights are all 0 says nothing.
+TEST_F(Calibrate, AnEnsembleOfMembersWithoutWeightIsRefused) {
+    write("table.csv", "weight,material.friction-angle\n0,12\n0,14\n");
+    write("ensemble.ini", "[study]\nscene = slope.ini\nsampling = table:table.csv\n");
+    const Outcome outcome = frana({"ensemble", "ensemble.ini", "--out", "range"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("has no weight greater than 0"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Calibrate, AnEnsembleDoesNotTakeACalibration) {
+    const Outcome outcome = frana({"ensemble", "study.ini"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("for `frana calibrate`"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace frana::test

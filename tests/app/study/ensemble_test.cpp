@@ -1,0 +1,522 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies of many runs, as a user sees them.
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "gis/access/table_in.h"
+#include "gis/raster/raster_in.h"
+#include "study/tiny_study.h"
+#include "support/html_check.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A thin slab slides on a flat bed and stops after v^2 / (2 mu g): with mu even in [0.2, 0.4] its front passes x with
+// probability P(mu < v^2 / (2 g d)), d the distance of x from the front at the start. The slab is so thin that pressure
+// moves its front by less than a metre: sqrt(g h) t = 0.4 m. Three standard errors of 1000 members, and the probability
+// of half a cell, within which the front is known.
+TEST_F(Ensemble, ProbabilityOfTheSlidingBlockIsThatOfTheClosedForm) {
+    constexpr double v = 20, g = 9.81, low = 0.2, high = 0.4, front = 40, cell = 1;
+    constexpr int columns = 170, members = 1000;
+    std::string dtm = "ncols 170\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
+    for (int i = 0; i < columns * 4; ++i) dtm += (i + 1) % columns == 0 ? "0\n" : "0 ";
+    write("flat.asc", dtm);
+    write(
+        "block.geojson",
+        R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon",)"
+        R"( "coordinates": [[[10, 0], [40, 0], [40, 4], [10, 4], [10, 0]]]}}]})");
+    write("scene.ini",
+          "[terrain]\ndtm = flat.asc\ncrs = local\n[release]\nperimeter = block.geojson\nthickness = 2e-4\n"
+          "velocity = 20\ndirection = 90\n[material]\nfriction-coefficient = 0.3\n[numerics]\nboundary = wall\n"
+          "minimum-depth = 1e-5\n[time]\nend = 12\n[output]\nmaps = off\ndepth-thresholds = 1e-4\n"
+          "velocity-thresholds = 1\ntrace-threshold = 1e-4\nreport = off\n");
+    write_study("samples = 1000\nsampling = random\nseed = 3\n",
+                "[vary]\nmaterial.friction-coefficient = uniform(0.2, 0.4)\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Raster reached = gis::read_result_raster(path("out/probability_depth_1e-04.tif"));
+    int compared = 0;
+    for (int column = 0; column < columns; ++column) {
+        const double d = (column + 0.5) * cell - front;
+        const auto exact_at = [&](double distance) {
+            return std::clamp((v * v / (2 * g * distance) - low) / (high - low), 0.0, 1.0);
+        };
+        if (d < 40 || d > 115) continue;
+        const double exact = exact_at(d), half_cell = exact_at(d - cell / 2) - exact_at(d + cell / 2);
+        const double error = std::sqrt(exact * (1 - exact) / members);
+        EXPECT_NEAR(reached.at(2, column), exact, 3 * error + half_cell) << "x = " << (column + 0.5) * cell;
+        ++compared;
+    }
+    EXPECT_GT(compared, 70);
+}
+
+TEST_F(Ensemble, SameBitsForAnyNumberOfThreads) {
+    write_study("samples = 12\nkeep = all\n", k_two_keys);
+    for (const std::string threads : {"1", "2", "7"}) {
+        const Outcome outcome =
+            frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    expect_same("out1", "out2");
+    expect_same("out1", "out7");
+}
+
+TEST_F(Ensemble, ResumesAfterAKillAndEndsInTheSameBits) {
+    write_study("samples = 40\n", k_two_keys);
+    ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "whole", "--quiet"}).exit_code, 0);
+    ASSERT_EQ(stop_after(3, SIGKILL).exit_code, -SIGKILL);
+    EXPECT_FALSE(fs::exists(path("out")));
+    // Neither a run nor another study takes its members away.
+    EXPECT_EQ(run().exit_code, 2);
+    EXPECT_NE(run().err.find("--resume continues it"), std::string::npos);
+    const Outcome other = frana({"run", "scene.ini", "--out", "out", "--quiet"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("an interrupted study"), std::string::npos) << other.err;
+    // A damaged record and a missing one are computed again.
+    const std::vector<std::string> kept = records();
+    ASSERT_GE(kept.size(), 3U);
+    write(kept[0], read_text(path(kept[0])).substr(0, 100));
+    fs::remove(path(kept[1]));
+    const Outcome resumed = run({"--resume", "--threads", "1"});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_same("whole", "out");
+    EXPECT_FALSE(fs::exists(path("out/records")));
+    const Outcome again = run({"--resume"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST_F(Ensemble, ResumeRefusesMembersOfAnotherStudy) {
+    write_study("samples = 60\n", k_two_keys);
+    const Outcome stopped = stop_after(2, SIGTERM);
+    ASSERT_EQ(stopped.exit_code, 128 + SIGTERM) << stopped.err;
+    EXPECT_NE(stopped.err.find("--resume runs the others"), std::string::npos) << stopped.err;
+    write_study("samples = 60\nseed = 2\n", k_two_keys);
+    const Outcome resumed = run({"--resume"});
+    EXPECT_EQ(resumed.exit_code, 2);
+    EXPECT_NE(resumed.err.find("are of another study"), std::string::npos) << resumed.err;
+}
+
+// Any member can be run again alone.
+TEST_F(Ensemble, AMembersFiguresAreThoseOfARunWithItsValues) {
+    write_study("samples = 4\n",
+                k_two_keys + "terrain.error = gaussian-field(0.3, 40)\nrelease.volume = uniform(3000, 5000)\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 4U);
+    for (const auto& row : rows) {
+        ASSERT_EQ(row.at("status"), "finished");
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet"};
+        for (const auto& [key, value] : row)
+            if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
+        const Outcome alone = frana(arguments);
+        ASSERT_EQ(alone.exit_code, 0) << alone.err;
+        const std::string summary = read_text(path("alone/summary.json"));
+        const std::map<std::string, std::string> names{
+            {"runout_m", "runout.horizontal_m"},    {"covered_area_m2", "covered_area_m2"},
+            {"max_depth_m", "max_depth_m"},         {"max_depth_p999_m", "max_depth_p999_m"},
+            {"max_velocity_ms", "max_velocity_ms"}, {"volume_m3", "volume.entered_m3"}};
+        for (const auto& [figure, name] : names)
+            EXPECT_EQ(std::stod(row.at(figure)), json_number(summary, name))
+                << figure << ", member " << row.at("member");
+    }
+    EXPECT_NE(rows[0].at("terrain.error"), rows[1].at("terrain.error"));
+}
+
+// What members share is read once; a member with another file, or an error of its own, has its own ground.
+TEST_F(Ensemble, MembersWithOtherFilesHaveTheirOwnGround) {
+    write_dtm([](int, int column) { return 300 - 0.4 * std::min((column + 0.5) * k_cell, 200.0); }, true, "gentle.asc");
+    write_polygon("wide", {{30, 50}, {80, 50}, {80, 110}, {30, 110}});
+    write_study("sampling = grid\nsamples = 8\n",
+                "[set]\nterrain.error = 0.3, 40, 7\n[vary]\nterrain.dtm = choice(dtm.asc, gentle.asc)\n"
+                "release.perimeter = choice(perimeter.geojson, wide.geojson)\n"
+                "material.friction-angle = uniform(10, 20)\n");
+    const Outcome outcome = run({"--threads", "3"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::map<std::string, std::size_t> areas;
+    for (const auto& row : members()) {
+        std::vector<std::string> arguments{"run",     "scene.ini",   "--out", "alone",
+                                           "--quiet", "--overwrite", "--set", "terrain.error=0.3, 40, 7"};
+        for (const auto& [key, value] : row)
+            if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
+        const Outcome alone = frana(arguments);
+        ASSERT_EQ(alone.exit_code, 0) << alone.err;
+        const std::string summary = read_text(path("alone/summary.json"));
+        EXPECT_EQ(std::stod(row.at("covered_area_m2")), json_number(summary, "covered_area_m2")) << row.at("member");
+        EXPECT_EQ(std::stod(row.at("max_velocity_ms")), json_number(summary, "max_velocity_ms")) << row.at("member");
+        ++areas[row.at("max_velocity_ms")];
+    }
+    EXPECT_EQ(areas.size(), 8U);
+}
+
+TEST_F(Ensemble, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
+    write("scene.ini", read_text(path("scene.ini")) + "formats = png\n[numerics]\naccuracy = 5 %\ncfll = 1\n");
+    write_study("samples = 0\nlevls = 3\n",
+                "[vary]\nmaterial.friction-angle = uniform(10, 90)\nterrain.bounds = choice(a)\n"
+                "release.perimeter = choice(perimeter.geojson)\n");
+    const auto before = files();
+    for (const std::string command : {"ensemble", "check"}) {
+        const Outcome outcome = frana({command, "study.ini"});
+        EXPECT_EQ(outcome.exit_code, 2);
+        for (const std::string words :
+             {"study.samples", "study.levls: unknown key", "vary.material.friction-angle", "vary.terrain.bounds",
+              "output.formats", "numerics.accuracy", "numerics.cfll: unknown key"})
+            EXPECT_NE(outcome.err.find(words), std::string::npos) << command << ": " << words << "\n" << outcome.err;
+    }
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Ensemble, ASceneThatIsMissingIsReportedWithTheOtherProblems) {
+    write("study.ini", "[study]\nscene = nowhere.ini\nsamples = 0\n" + k_two_keys);
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("nowhere.ini: cannot be opened"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("study.samples"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Ensemble, AFileOfAChoiceThatCannotBeReadIsRefusedBefore) {
+    write_study("samples = 4\n", "[vary]\nrelease.perimeter = choice(perimeter.geojson, nowhere.geojson)\n");
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("nowhere.geojson"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+// Where the bed is slippery the flow reaches cells without terrain: such members have failed.
+// Where the terrain ends those fail that would come farthest, and others are held by its edge: what is said of the rest
+// is a lower bound, and what all would do on the whole terrain lies below the upper one.
+TEST_F(Ensemble, FailedMembersAreCountedWithTheirReason) {
+    const auto slope = [](int, int column) { return 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); };
+    const std::string head = "samples = 8\nsampling = grid\nkeep = failed\n",
+                      rest = "[set]\ntime.end = 40\n[vary]\nmaterial.friction-angle = uniform(1, 40)\n";
+    write_dtm(slope);
+    write_study(head, rest);
+    ASSERT_EQ(run().exit_code, 0);
+    fs::rename(path("out"), path("whole"));
+    write_dtm([&](int row, int column) { return column > 50 ? -9999 : slope(row, column); });
+    const Outcome outcome = run();
+    const Json told = parse_json(read_text(path("out/summary.json")));
+    EXPECT_NE(told["warnings"][0].get<std::string>().find(told["run_troubles"]["failed"].dump() + " of 8 runs failed"),
+              std::string::npos)
+        << told["warnings"][0];
+    GDALAllRegister();
+    for (const char* name : {"probability_depth_0.1", "probability_velocity_1"}) {
+        const auto band = [&](const std::string& folder, int number) {
+            const GDALDatasetUniquePtr file(GDALDataset::Open(path(folder + "/" + name + ".tif").c_str()));
+            std::vector<double> values(static_cast<std::size_t>(k_columns * k_rows));
+            EXPECT_EQ(file->GetRasterBand(number)->RasterIO(GF_Read, 0, 0, k_columns, k_rows, values.data(), k_columns,
+                                                            k_rows, GDT_Float64, 0, 0),
+                      CE_None);
+            return values;
+        };
+        const auto truth = band("whole", 1), upper = band("out", 3);
+        for (std::size_t cell = 0; cell < truth.size(); ++cell) EXPECT_LE(truth[cell], upper[cell] + 1e-6) << cell;
+    }
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    const std::string summary = read_text(path("out/summary.json"));
+    const int failed = static_cast<int>(json_number(summary, "failed"));
+    EXPECT_GT(failed, 0);
+    EXPECT_LT(failed, 8);
+    EXPECT_EQ(json_number(summary, "finished") + failed, 8);
+    for (const auto& row : members()) {
+        EXPECT_EQ(row.at("status") == "failed", !row.at("reason").empty());
+        if (row.at("status") == "failed") {
+            EXPECT_NE(row.at("reason").find("without terrain"), std::string::npos) << row.at("reason");
+            EXPECT_TRUE(fs::exists(path("out/members/member_000000" + row.at("member") + "/max_depth.tif")));
+        }
+    }
+    EXPECT_NE(outcome.err.find("members failed"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Ensemble, AResultIsReplacedOnlyWhenAsked) {
+    write_study("samples = 2\n", k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    const std::string first = read_text(path("out/members.csv"));
+    const Outcome refused = run();
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("contains a result already"), std::string::npos) << refused.err;
+    write("out/notes.txt", "mine");
+    write_study("samples = 3\n", k_two_keys);
+    EXPECT_EQ(run({"--resume"}).exit_code, 2);     // it is complete, and of another study
+    EXPECT_EQ(run({"--overwrite"}).exit_code, 2);  // a file of the user's is in the way
+    EXPECT_EQ(read_text(path("out/members.csv")), first);
+    EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
+    fs::remove(path("out/notes.txt"));
+    ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
+    EXPECT_EQ(members().size(), 3U);
+}
+
+TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {
+    write_study("samples = 6\nsampling = latin-hypercube\n", k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    fs::rename(path("out"), path("drawn"));
+    write_study("sampling = table:drawn/members.csv\n", "");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Raster a = gis::read_result_raster(path("drawn/mean_max_depth.tif")),
+                 b = gis::read_result_raster(path("out/mean_max_depth.tif"));
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        if (!std::isnan(a.values[i])) {
+            ASSERT_EQ(a.values[i], b.values[i]);
+        }
+    }
+}
+
+// GDAL takes a table without separators for none; `check` lists what each column is taken for.
+TEST_F(Ensemble, ATableOfOneColumnAndWhatItsColumnsAreTakenFor) {
+    write("one.csv", "material.friction-angle\n12\n\"15\"\n   \n");
+    write_study("sampling = table:one.csv\n", "");
+    ASSERT_EQ(run().exit_code, 0);
+    ASSERT_EQ(members().size(), 2U);  // a line of blanks is no member
+    EXPECT_EQ(members()[1]["material.friction-angle"], "15");
+    write("three.csv", "member,material.friction-angle,weight\n0,12,1\n1,14,2\n");
+    write_study("sampling = table:three.csv\n", "");
+    const Outcome outcome = frana({"check", "study.ini", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::vector<std::pair<std::string, std::string>> uses;
+    const Json document = parse_json(outcome.out);
+    for (const Json& column : document["columns"])
+        uses.emplace_back(column["name"].get<std::string>(), column["use"].get<std::string>());
+    EXPECT_EQ(uses,
+              (std::vector<std::pair<std::string, std::string>>{{"member", "a value of an earlier study, not used"},
+                                                                {"material.friction-angle", "varied"},
+                                                                {"weight", "weight of the member"}}));
+}
+
+TEST_F(Ensemble, CheckWarnsOfTheReleaseAsThatOfTheSceneDoes) {
+    write_study("samples = 4\n", "[set]\nrelease.thickness = 90\n" + k_two_keys);
+    const Outcome check = frana({"check", "study.ini"});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    for (const char* part : {"m above the cell beside it", "m thick on average"})
+        EXPECT_NE(check.err.find(part), std::string::npos) << check.err;
+}
+
+// What the pages of a run tell of a release that no outline shows has no page in a study.
+TEST_F(Ensemble, AReleaseThinnerThanTheTraceIsAWarningOfItsRuns) {
+    write_study("samples = 2\n", "[set]\noutput.trace-threshold = 9\n" + k_two_keys);
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(parse_json(read_text(path("out/summary.json")))["warnings"].dump().find(
+                  "of the release is thinner than output.trace-threshold = 9 m"),
+              std::string::npos);
+}
+
+// A single run warns that its front still moved; twelve of them said nothing.
+TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
+    write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
+    write_study("samples = 8\n", "[set]\ntime.end = 3\n" + k_two_keys);
+    const Outcome outcome = run({"--strict"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["cut"], 8);
+    EXPECT_GT(summary["run_troubles"]["greatest_moving_fraction"].get<double>(), 0.5);
+    ASSERT_FALSE(summary["warnings"].empty());
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("8 of 8 runs were cut"), std::string::npos);
+    for (const auto& row : members()) {
+        EXPECT_EQ(row.at("stop_reason"), "end-time");
+        EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
+        EXPECT_GE(std::stoi(row.at("warnings")), 1);
+    }
+    // The member that is named is the one that moves most, to the two digits of the sentence.
+    double most = 0;
+    std::map<std::string, double> moving;
+    for (const auto& row : members())
+        most = std::max(most, moving[row.at("member")] = std::stod(row.at("moving_fraction")));
+    const std::string told = summary["warnings"].dump(), before = "most of all member ";
+    const std::size_t named = told.rfind(before, told.find(": the flow still moves")) + before.size();
+    EXPECT_NEAR(moving.at(told.substr(named, told.find(':', named) - named)), most, 0.01) << told;
+    const std::string report = read_text(path("out/report.html"));
+    EXPECT_LT(report.find("8 of 8 runs were cut"), report.find("id=\"answer\""));
+    // Where they came not yet, they might have come.
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/probability_depth_0.1.tif").c_str()));
+    ASSERT_EQ(file->GetRasterCount(), 3);
+    std::vector<double> p(static_cast<std::size_t>(k_columns * k_rows)), upper = p;
+    for (const auto& [band, values] : {std::pair(1, &p), {3, &upper}})
+        ASSERT_EQ(file->GetRasterBand(band)->RasterIO(GF_Read, 0, 0, k_columns, k_rows, values->data(), k_columns,
+                                                      k_rows, GDT_Float64, 0, 0),
+                  CE_None);
+    std::size_t unknown = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        EXPECT_LE(p[i], upper[i]);
+        unknown += p[i] == 0 && upper[i] == 1 ? 1 : 0;
+    }
+    EXPECT_GT(unknown, p.size() / 4);
+    EXPECT_EQ(run({"--overwrite"}).exit_code, 0);
+    for (const auto& [strict, code] : {std::pair("--strict", 3), {"--quiet", 0}})
+        EXPECT_EQ(frana({"run", "scene.ini", "--out", "one", "--overwrite", strict, "--set", "time.end=3"}).exit_code,
+                  code);
+}
+
+TEST_F(Ensemble, RunsThatLeaveTheGroundAreTold) {
+    write_study("samples = 4\n", "[set]\ntime.end = 30\nterrain.bounds = 527000 5094000 527100 5094150\n" + k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["left_ground"], 4);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("4 of 4 runs left the computed ground"),
+              std::string::npos);
+    for (const auto& row : members()) EXPECT_GT(std::stod(row.at("left_domain_fraction")), 0.5);
+    // All runs are open: nobody knows how far any of them would have come.
+    for (const char* quantile : {"q05", "q50", "q95"})
+        EXPECT_TRUE(summary["figures"]["runout_m"]["upper_bound"][quantile].is_null()) << quantile;
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/quantile_max_depth_95.tif").c_str()));
+    EXPECT_NE(std::string(file->GetRasterBand(1)->GetDescription()).find("at least; without an upper bound"),
+              std::string::npos);
+}
+
+// Records were believed by their files' names: two that were exchanged exchanged their figures.
+TEST_F(Ensemble, ARecordUnderAnotherNameIsComputedAgain) {
+    write_study("samples = 24\n", k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    fs::rename(path("out"), path("whole"));
+    (void)stop_after(6, SIGTERM);
+    const std::vector<std::string> kept = records();
+    ASSERT_GE(kept.size(), 2U);
+    fs::rename(path(kept[0]), path("aside"));
+    fs::rename(path(kept[1]), path(kept[0]));
+    fs::rename(path("aside"), path(kept[1]));
+    ASSERT_EQ(run({"--resume"}).exit_code, 0);
+    expect_same("whole", "out");
+}
+
+TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {
+    write_study("samples = 400\nuntil = 0.07\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(members().size(), 64U);  // 0.5 / sqrt(64) = 0.0625 at most
+    EXPECT_LE(json_number(read_text(path("out/summary.json")), "largest_standard_error"), 0.0625);
+}
+
+TEST_F(Ensemble, SensitivitiesTellWhichKeyDecides) {
+    write_study("samples = 160\nsampling = saltelli\n",
+                "[vary]\nmaterial.friction-angle = uniform(10, 24)\nnumerics.cfl = uniform(0.4, 0.5)\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const gis::Table table = gis::read_table(path("out/sensitivity.csv"), "table");
+    bool found = false;
+    for (const auto& row : table.rows) {
+        if (row[0] != "covered_area_m2") continue;
+        found = true;
+        EXPECT_EQ(row[11], "Martinez");
+        const double total = std::stod(row[3]);
+        const bool decides = row[1] == "material.friction-angle";
+        EXPECT_EQ(total > 0.5, decides) << row[1] << ": " << total;
+        EXPECT_EQ(total < 0.3, !decides) << row[1] << ": " << total;
+    }
+    EXPECT_TRUE(found);
+    EXPECT_TRUE(fs::exists(path("out/sensitivity_material.friction-angle.tif")));
+}
+
+TEST_F(Ensemble, MapsChartsAndReportAreDrawnAndRenderDrawsTheRest) {
+    write_scene("stop-when-still = off\n[output]\nanimation = off\nframes = off\nmap-size = 800x600\n");
+    write_study("samples = 8\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string name :
+         {"maps/probability_depth_0.1.png", "maps/probability_velocity_5.png", "maps/quantile_max_depth_95.png",
+          "maps/sensitivity_material.turbulence.png", "charts/exceedance.png", "charts/sensitivity.png",
+          "charts/convergence.png", "report.html", "members.gpkg", "study.ini", "scene.ini", "dtm.tif"})
+        EXPECT_TRUE(fs::exists(path("out/" + name))) << name;
+    const Outcome drawn = frana({"render", "out", "--map", "quantile_arrival_time_05", "--map", "hit_count"});
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_TRUE(fs::exists(path("out/maps/quantile_arrival_time_05.png")));
+}
+
+// The answer first, then maps, inputs, sensitivities and charts; in the language of the scene, warnings too.
+TEST_F(Ensemble, TheReportHasTheAnswerFirstInTheLanguageOfTheScene) {
+    write_scene("stop-when-still = off\n[output]\nanimation = off\nframes = off\nmap-size = 640x480\nlanguage = it\n");
+    write_study("samples = 8\nuntil = 0.001\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string page = read_text(path("out/report.html")), summary = read_text(path("out/summary.json"));
+    for (const std::string& problem : html_problems(page)) ADD_FAILURE() << problem;
+    std::size_t before = 0;
+    for (const std::string id : {"answer", "maps", "inputs", "sensitivity", "charts", "median", "warnings"}) {
+        const std::size_t at = page.find("<h2 id=\"" + id + "\"");
+        ASSERT_NE(at, std::string::npos) << id;
+        EXPECT_GT(at, before) << id;
+        before = at;
+    }
+    EXPECT_LT(page.find("<img "), page.find("<h2 id=\"maps\"")) << "the probability is on the first page";
+    EXPECT_NE(page.find("<html lang=\"it\">"), std::string::npos);
+    std::string text = page;  // without the spaces that keep a number beside its unit
+    for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;) text.replace(at, 2, " ");
+    EXPECT_NE(text.find("8 simulazioni su 8 sono state calcolate"), std::string::npos);
+    EXPECT_NE(page.find("study.until = 0.001 non è raggiunto con tutte le simulazioni"), std::string::npos);
+    EXPECT_EQ(page.find("Standard error"), std::string::npos);
+    EXPECT_EQ(json_text(summary, "date").size(), std::string("2026-11-24").size()) << "maps show it";
+    // The areas of the answer are those of the map.
+    const Raster map = gis::read_result_raster(path("out/probability_depth_0.1.tif"));
+    double cells = 0;
+    for (const double probability : map.values) cells += probability >= 0.5;
+    std::string area = std::to_string(static_cast<int>(cells * map.grid.cell_area()));
+    if (area.size() > 3) area.insert(area.size() - 3, ".");
+    EXPECT_GT(cells, 10);
+    EXPECT_NE(text.find(area + " m² con almeno il 50 %"), std::string::npos) << area;
+}
+
+// Pressure is density times the speed squared, so its thresholds are those of the speed; the classes of a custom scheme
+// with depth limits are those of the depth.
+TEST_F(Ensemble, PressureAndIntensityHaveTheProbabilitiesOfWhatTheyAreMadeOf) {
+    write_scene("stop-when-still = off\n" + k_numbers_only +
+                "depth-thresholds = 0.1 0.2 0.5\nvelocity-thresholds = 4\npressure-thresholds = 32\n"
+                "[material]\ndensity = 2000\n[hazard]\nscheme = custom\ndepth-limits = 0.2 0.5\n");
+    write_study("samples = 12\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto expect_alike = [&](const std::string& a, const std::string& b) {
+        for (const std::string& name : {a, b}) EXPECT_TRUE(fs::exists(path("out/" + name + ".qml"))) << name;
+        const Raster first = gis::read_result_raster(path("out/" + a + ".tif")),
+                     second = gis::read_result_raster(path("out/" + b + ".tif"));
+        double between = 0;
+        for (std::size_t i = 0; i < first.values.size(); ++i) {
+            ASSERT_EQ(first.values[i], second.values[i]) << a << ", cell " << i;
+            between += first.values[i] > 0 && first.values[i] < 1 ? 1 : 0;
+        }
+        EXPECT_GT(between, 10) << a;
+    };
+    expect_alike("probability_pressure_32", "probability_velocity_4");  // 2000 * 4^2 / 1000
+    expect_alike("probability_intensity_2", "probability_depth_0.2");
+    expect_alike("probability_intensity_3", "probability_depth_0.5");
+    expect_alike("probability_intensity_1", "probability_depth_0.1");  // the default of hazard.minimum-depth
+}
+
+TEST_F(Ensemble, TheMedianMemberIsNamedAndFilmed) {
+    write_scene("stop-when-still = off\nframe-interval = 2\n[output]\nmaps = off\nmap-size = 640x480\n");
+    write_study("samples = 9\n", k_two_keys);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string summary = read_text(path("out/summary.json"));
+    const auto median = static_cast<std::size_t>(json_number(summary, "median_member.member"));
+    std::vector<double> areas;
+    for (const auto& row : members()) areas.push_back(std::stod(row.at("covered_area_m2")));
+    const double area = areas.at(median);
+    EXPECT_EQ(json_number(summary, "median_member.value"), area);
+    std::sort(areas.begin(), areas.end());
+    EXPECT_EQ(area, areas[4]);
+    EXPECT_GT(fs::file_size(path("out/animation.mp4")), 1000U);
+    EXPECT_FALSE(fs::exists(path("out/frames")));
+    EXPECT_NE(read_text(path("out/report.html")).find("Film of this member"), std::string::npos);
+}
+
+TEST_F(Ensemble, CheckTellsMembersTimeMemoryAndDisk) {
+    write_study("samples = 30\n", k_two_keys);
+    const auto before = files();
+    const Outcome outcome = frana({"check", "study.ini"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string words : {"is ready to run", "material.turbulence log-uniform(300, 3000)",
+                                    "30, sampling sobol, seed 1", "estimated time", "memory", "disk", "-ensemble"})
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+    EXPECT_EQ(files(), before);
+}
+
+}  // namespace
+}  // namespace frana::test

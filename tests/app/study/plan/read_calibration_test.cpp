@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/plan/read_calibration.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace frana::app::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReadCalibration : public ::testing::Test {
+  protected:
+    ReadCalibration()
+        : file_(fs::temp_directory_path() /
+                ("frana_calibration_" + std::to_string(::getpid()) + "_" +
+                 ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".ini")) {}
+    ~ReadCalibration() override {
+        std::error_code ignored;
+        fs::remove(file_, ignored);
+    }
+    [[nodiscard]] CalibrationReading read(const std::string& text) const {
+        std::ofstream(file_, std::ios::binary) << text;
+        return read_calibration(file_.string());
+    }
+    void expect_problem(const CalibrationReading& reading, const std::string& words) const {
+        const auto& list = reading.problems.list();
+        EXPECT_TRUE(std::any_of(list.begin(), list.end(),
+                                [&](const Problem& one) { return describe(one).find(words) != std::string::npos; }))
+            << words << (list.empty() ? "" : "; the first: " + describe(list.front()));
+    }
+
+    fs::path file_;
+};
+
+const std::string k_two_events = R"([study]
+samples = 64
+refine = 32
+coarse = 3
+seed = 5
+[objective]
+jaccard = 2
+runout = 1
+exponent = 8
+[event south]
+scene = a.ini
+runout = 786
+arrival bridge = 35
+speed bridge = 12
+depth church = 0.5
+[event north]
+scene = b.ini
+[set]
+terrain.cell-size = 10
+time.end = 100
+[set north]
+time.end = 200
+[vary]
+material.friction-angle = uniform(10, 30)
+material.turbulence = log-uniform(100, 1000)
+[vary south]
+release.volume = uniform(1000, 3000)
+[correlate]
+material.friction-angle material.turbulence = -0.3
+)";
+
+void expect_two_events(const CalibrationSpec& spec) {
+    EXPECT_EQ(spec.study.samples, 64);
+    EXPECT_EQ(spec.refine, 32);
+    EXPECT_EQ(spec.coarse, 3);
+    EXPECT_EQ(spec.exponent, 8);
+    ASSERT_EQ(spec.objective.size(), 2U);
+    EXPECT_EQ(spec.objective[0].measure, Measure::jaccard);
+    EXPECT_EQ(spec.objective[0].weight, 2);
+    ASSERT_EQ(spec.events.size(), 2U);
+    const EventSpec &south = spec.events[0], &north = spec.events[1];
+    EXPECT_EQ(south.name, "south");
+    EXPECT_EQ(south.runout, 786);
+    ASSERT_EQ(south.arrival.size(), 1U);
+    EXPECT_EQ(south.arrival[0].gauge, "bridge");
+    EXPECT_EQ(south.arrival[0].value, 35);
+    EXPECT_EQ(south.speed[0].value, 12);
+    EXPECT_EQ(south.depth[0].gauge, "church");
+    ASSERT_EQ(south.vary.size(), 1U);
+    EXPECT_EQ(south.members.study.vary.size(), 3U);
+    EXPECT_EQ(south.members.study.vary[2].key, "release.volume");
+    EXPECT_EQ(north.members.study.vary.size(), 2U);
+    EXPECT_EQ(spec.study.vary.size(), 2U);
+    EXPECT_EQ(spec.key_count(), 3U);
+    EXPECT_EQ(spec.first_own_key(0), 2U);
+    EXPECT_EQ(spec.first_own_key(1), 3U);
+    const std::vector<std::string> both{"terrain.cell-size=10", "time.end=100"},
+        of_north{"terrain.cell-size=10", "time.end=200"};
+    EXPECT_EQ(south.members.study.set, both);
+    EXPECT_EQ(north.members.study.set, of_north);
+    EXPECT_EQ(spec.study.correlate.size(), 1U);
+}
+
+TEST_F(ReadCalibration, EventsShareKeysAndHaveTheirOwn) {
+    const CalibrationReading reading = read(k_two_events);
+    ASSERT_TRUE(reading.problems.empty()) << describe(reading.problems.list().front());
+    expect_two_events(reading.calibration);
+}
+
+TEST_F(ReadCalibration, ItsTextReadsBackAsTheSame) {
+    const CalibrationReading first = read(k_two_events);
+    const std::string text = calibration_text(first.calibration);
+    const CalibrationReading again = read(text);
+    ASSERT_TRUE(again.problems.empty()) << describe(again.problems.list().front());
+    expect_two_events(again.calibration);
+    EXPECT_EQ(calibration_text(again.calibration), text);
+}
+
+TEST_F(ReadCalibration, ScenesInAListAreNamedAfterTheirFiles) {
+    const CalibrationReading reading = read(
+        "[study]\nscene = one/scene.ini, two.v2.ini\n[objective]\njaccard = 1\n[vary]\nmaterial.friction-angle = "
+        "uniform(10, 30)\n");
+    ASSERT_TRUE(reading.problems.empty()) << describe(reading.problems.list().front());
+    ASSERT_EQ(reading.calibration.events.size(), 2U);
+    EXPECT_EQ(reading.calibration.events[0].name, "one");
+    EXPECT_EQ(reading.calibration.events[1].name, "two_v2");
+    EXPECT_TRUE(fs::path(reading.calibration.events[1].members.study.scene).is_absolute());
+}
+
+TEST_F(ReadCalibration, EveryProblemIsFoundOnce) {
+    const CalibrationReading reading = read(R"([study]
+scene = a.ini, b.ini
+samples = 1
+refine = some
+coarse = 40
+until = 0.02
+sampling = grid
+[objective]
+jacard = 1
+area = -1
+exponent = 0
+[event a]
+runout = -3
+lenght = 5
+speed = 4
+[event x/y]
+scene = c.ini
+[event nowhere]
+runout = 4
+[vary]
+terrain.cell-size = uniform(1, 2)
+material.friction-angle = uniform(10, 95)
+[vary b]
+material.turbulense = uniform(1, 2)
+material.friction-angle = uniform(1, 2)
+[vary nobody]
+material.turbulence = uniform(100, 200)
+[more]
+key = 1
+)");
+    for (const std::string words : {"study.samples: is out of range",
+                                    "study.refine: is not a whole number",
+                                    "study.coarse: is out of range",
+                                    "study.until: has no effect in a calibration",
+                                    "study.sampling: is not for calibrations",
+                                    "objective.jacard: unknown measure",
+                                    "Did you mean jaccard?",
+                                    "objective.area: is out of range",
+                                    "objective.exponent: is out of range",
+                                    "event a.runout: is not a number greater than 0",
+                                    "event a.lenght: unknown key",
+                                    "event a.speed: unknown key",
+                                    "'x/y' is not a name of an event",
+                                    "there is no event nowhere",
+                                    "vary.terrain.cell-size: cannot vary",
+                                    "vary.material.friction-angle",
+                                    "vary b.material.turbulense: unknown key",
+                                    "vary b.material.friction-angle: is given more than once",
+                                    "there is no event nobody",
+                                    "more.key: unknown key"})
+        expect_problem(reading, words);
+    std::vector<std::string> texts;
+    for (const Problem& one : reading.problems.list()) texts.push_back(describe(one));
+    std::sort(texts.begin(), texts.end());
+    EXPECT_EQ(std::adjacent_find(texts.begin(), texts.end()), texts.end());
+}
+
+TEST_F(ReadCalibration, WhatIsMissingIsNamed) {
+    const CalibrationReading empty = read("[study]\nsamples = 10\n");
+    expect_problem(empty, "study.scene: is missing");
+    expect_problem(empty, "objective: has no measure");
+    const CalibrationReading zero = read(
+        "[study]\nscene = a.ini\nrefine = 0\n[objective]\njaccard = 0\n[vary]\nmaterial.friction-angle = uniform(1, "
+        "2)\n");
+    expect_problem(zero, "objective: has no weight greater than 0");
+    expect_problem(zero, "leaves no member on the scenes' own cells");
+    const CalibrationReading fixed = read("[study]\nscene = a.ini\n[objective]\njaccard = 1\n");
+    expect_problem(fixed, "vary: has no key");
+}
+
+TEST_F(ReadCalibration, AStudyWithAnObjectiveOrAnEventIsACalibration) {
+    EXPECT_TRUE((static_cast<void>(read(k_two_events)), is_calibration(file_.string())));
+    static_cast<void>(read("[study]\nscene = a.ini\n[vary]\nmaterial.friction-angle = uniform(1, 2)\n"));
+    EXPECT_FALSE(is_calibration(file_.string()));
+}
+
+}  // namespace
+}  // namespace frana::app::study

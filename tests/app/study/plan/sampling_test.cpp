@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/plan/sampling.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/study/statistics/sensitivity.h"
+
+namespace frana::app::study {
+namespace {
+
+StudySpec study_of(Sampling sampling, std::int64_t samples,
+                   const std::vector<std::pair<std::string, std::string>>& vary) {
+    StudySpec study;
+    study.sampling = sampling;
+    study.samples = samples;
+    for (const auto& [key, text] : vary)
+        study.vary.push_back({key, std::get<Distribution>(distribution_from_text(text))});
+    return study;
+}
+
+SampleTable drawn(const StudySpec& study) {
+    Problems problems;
+    SampleTable table = draw_samples(study, "study.ini", problems);
+    EXPECT_TRUE(problems.empty()) << describe(problems.list().front());
+    return table;
+}
+
+std::vector<double> column(const SampleTable& table, std::size_t key) {
+    std::vector<double> values;
+    for (const auto& row : table.numbers) values.push_back(row[key]);
+    return values;
+}
+
+double mean(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+double deviation(const std::vector<double>& values) {
+    const double middle = mean(values);
+    double sum = 0;
+    for (const double value : values) sum += (value - middle) * (value - middle);
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// Moments of each distribution in closed form. 1000 points of a Sobol' sequence give means of smooth functions to about
+// a thousandth of the deviation.
+TEST(Sampling, ValuesHaveTheirDistributions) {
+    const StudySpec study = study_of(Sampling::sobol, 1024,
+                                     {{"material.friction-coefficient", "uniform(0.1, 0.3)"},
+                                      {"material.turbulence", "log-uniform(500, 4000)"},
+                                      {"release.volume", "triangular(1e5, 2e5, 4e5)"},
+                                      {"material.density", "normal(2000, 100)"},
+                                      {"material.viscosity", "log-normal(50, 20)"},
+                                      {"release.thickness-direction", "choice(vertical: 3, normal: 1)"}});
+    const SampleTable table = drawn(study);
+    ASSERT_EQ(table.size(), 1024U);
+    const double ratio = std::log(8.0), log_mean = 3500 / ratio,
+                 log_square = (4000.0 * 4000 - 500.0 * 500) / (2 * ratio);
+    const struct {
+        double mean, deviation;
+    } exact[] = {{0.2, 0.2 / std::sqrt(12.0)},
+                 {log_mean, std::sqrt(log_square - log_mean * log_mean)},
+                 {7e5 / 3, std::sqrt((1.0 + 4 + 16 - 2 - 4 - 8) / 18) * 1e5},
+                 {2000, 100},
+                 {50, 20},
+                 {0.25, std::sqrt(0.25 * 0.75)}};
+    for (std::size_t k = 0; k < std::size(exact); ++k) {
+        EXPECT_NEAR(mean(column(table, k)), exact[k].mean, 0.01 * exact[k].deviation) << k;
+        EXPECT_NEAR(deviation(column(table, k)), exact[k].deviation, 0.03 * exact[k].deviation) << k;
+    }
+}
+
+TEST(Sampling, CorrelationsAreThoseOfTheRanks) {
+    for (const Sampling sampling : {Sampling::sobol, Sampling::latin_hypercube, Sampling::random}) {
+        StudySpec study = study_of(sampling, 2000,
+                                   {{"material.friction-coefficient", "uniform(0.1, 0.3)"},
+                                    {"material.turbulence", "log-uniform(500, 4000)"}});
+        study.correlate = {{"material.friction-coefficient", "material.turbulence", -0.4}};
+        const SampleTable table = drawn(study);
+        const RankCorrelations ranks({table.numbers, table.nominal});
+        const double rho = ranks.with(column(table, 1))[0].rank_correlation->value;
+        EXPECT_NEAR(rho, -0.4, 0.06) << static_cast<int>(sampling);  // three standard errors of 2000 random members
+        const std::vector<double> values = column(table, 0);
+        EXPECT_GE(*std::min_element(values.begin(), values.end()), 0.1);
+        EXPECT_LE(*std::max_element(values.begin(), values.end()), 0.3);
+    }
+}
+
+TEST(Sampling, CorrelationsThatContradictEachOtherAreRefused) {
+    StudySpec study = study_of(Sampling::random, 10,
+                               {{"material.friction-coefficient", "uniform(0.1, 0.3)"},
+                                {"material.turbulence", "uniform(500, 4000)"},
+                                {"material.density", "uniform(1000, 2000)"}});
+    study.correlate = {{"material.friction-coefficient", "material.turbulence", 0.9},
+                       {"material.turbulence", "material.density", 0.9},
+                       {"material.friction-coefficient", "material.density", -0.9}};
+    Problems problems;
+    (void)draw_samples(study, "study.ini", problems);
+    ASSERT_EQ(problems.list().size(), 1U);
+    EXPECT_EQ(problems.list()[0].where, "study.ini: correlate");
+}
+
+TEST(Sampling, TheSeedDecidesEverything) {
+    for (const Sampling sampling : {Sampling::sobol, Sampling::latin_hypercube, Sampling::random, Sampling::saltelli}) {
+        StudySpec study = study_of(
+            sampling, 40,
+            {{"material.friction-coefficient", "uniform(0.1, 0.3)"}, {"terrain.error", "gaussian-field(0.5, 50)"}});
+        const SampleTable first = drawn(study), again = drawn(study);
+        EXPECT_EQ(first.values, again.values);
+        study.seed = 2;
+        EXPECT_NE(first.values, drawn(study).values);
+        std::set<std::string> fields;
+        for (const auto& row : first.values) fields.insert(row[1]);
+        EXPECT_GE(fields.size(), sampling == Sampling::saltelli ? 20U : 40U);
+    }
+}
+
+// A Latin hypercube has one value in each of n equal parts of every distribution.
+TEST(Sampling, LatinHypercubeFillsEveryPart) {
+    const SampleTable table = drawn(
+        study_of(Sampling::latin_hypercube, 50,
+                 {{"material.friction-coefficient", "uniform(0, 1)"}, {"material.density", "uniform(1000, 2000)"}}));
+    std::set<int> parts;
+    for (const double value : column(table, 0)) parts.insert(static_cast<int>(value * 50));
+    EXPECT_EQ(parts.size(), 50U);
+}
+
+TEST(Sampling, AGridHasAllCombinationsWithTheirWeights) {
+    const SampleTable table = drawn(study_of(Sampling::grid, 20,
+                                             {{"material.friction-coefficient", "uniform(0, 0.3)"},
+                                              {"release.thickness-direction", "choice(vertical: 3, normal: 1)"},
+                                              {"material.density", "uniform(1000, 2000)"}}));
+    ASSERT_EQ(table.size(), 18U);  // 3 x 2 x 3 of at most 20
+    EXPECT_NEAR(table.numbers[0][0], 0.05, 1e-12);
+    double vertical = 0, all = 0;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        all += table.weights[i];
+        if (table.values[i][1] == "vertical") vertical += table.weights[i];
+    }
+    EXPECT_DOUBLE_EQ(vertical / all, 0.75);
+}
+
+TEST(Sampling, ValuesOutsideTheRangeAreRefusedWithTheRemedy) {
+    Problems problems;
+    (void)draw_samples(study_of(Sampling::random, 200, {{"material.friction-coefficient", "normal(0.1, 0.1)"}}),
+                       "study.ini", problems);
+    ASSERT_EQ(problems.list().size(), 1U);
+    EXPECT_EQ(problems.list()[0].where, "study.ini: vary.material.friction-coefficient");
+    EXPECT_NE(problems.list()[0].remedy.find("normal(0.1, 0.1, low, high)"), std::string::npos);
+    EXPECT_EQ(
+        drawn(study_of(Sampling::random, 200, {{"material.friction-coefficient", "normal(0.1, 0.1, 0, 1)"}})).size(),
+        200U);
+}
+
+TEST(Sampling, ATableGivesTheMembersItself) {
+    Problems problems;
+    const SampleTable table = samples_of_table(
+        {"member", "material.turbulence", "weight", "release.perimeter"},
+        {{"0", "500", "0.5", "a.shp"}, {"1", "700", "0", "b.shp"}, {"2", "900", "1.5", "a.shp"}}, "table", problems);
+    EXPECT_TRUE(problems.empty());
+    ASSERT_EQ(table.size(), 2U);  // one has no weight
+    EXPECT_EQ(table.overrides(1), (std::vector<std::string>{"material.turbulence=900", "release.perimeter=a.shp"}));
+    EXPECT_EQ(table.weights, (std::vector<double>{0.5, 1.5}));
+    EXPECT_TRUE(table.nominal[1]);
+    std::vector<TableColumn::Use> uses;
+    for (const TableColumn& column : table.columns) uses.push_back(column.use);
+    using Use = TableColumn::Use;
+    EXPECT_EQ(uses, (std::vector<Use>{Use::result, Use::key, Use::weight, Use::key}));
+    (void)samples_of_table({"member"}, {{"1"}}, "table", problems);
+    EXPECT_EQ(problems.list().size(), 1U);  // no key
+}
+
+// A column that is dropped without a word leaves all members equal, with a standard error of 0.
+TEST(Sampling, EveryColumnOfATableIsKnownOrRefusedWithTheNearest) {
+    Problems problems;
+    (void)samples_of_table({"material.friction-angle", "material.turbulense", "terrain.cell-size", "output.maps",
+                            "gauge a.b: max_depth_m", "release.volume of bindo", "score bindo"},
+                           {{"8", "5", "5", "on", "1", "2", "3"}}, "t.csv", problems);
+    ASSERT_EQ(problems.list().size(), 3U);
+    EXPECT_EQ(problems.list()[0].where, "t.csv: material.turbulense");
+    EXPECT_NE(problems.list()[0].remedy.find("material.turbulence"), std::string::npos);
+    EXPECT_EQ(problems.list()[1].where, "t.csv: terrain.cell-size");
+    EXPECT_EQ(problems.list()[2].where, "t.csv: output.maps");
+    for (const auto& [column, nearest] : {std::pair("materail.friction-angle", "material.friction-angle"),
+                                          {"friction-angle", "material.friction-angle"},
+                                          {"Material.Friction-Angle", "material.friction-angle"},
+                                          {"weigth", "weight"},
+                                          {"Weight", "weight"}}) {
+        Problems of_one;
+        (void)samples_of_table({"material.turbulence", column}, {{"500", "1"}}, "t.csv", of_one);
+        ASSERT_EQ(of_one.list().size(), 1U) << column;
+        EXPECT_EQ(of_one.list()[0].where, std::string("t.csv: ") + column);
+        EXPECT_NE(of_one.list()[0].remedy.find(nearest), std::string::npos) << of_one.list()[0].remedy;
+    }
+}
+
+// 1e308 twice is infinite, and every probability was 0.
+TEST(Sampling, AWeightWhoseSumsAreNotFiniteIsRefused) {
+    for (const char* weight : {"1e308", "1e-300", "-1", "nan", "x"}) {
+        Problems problems;
+        (void)samples_of_table({"material.turbulence", "weight"}, {{"500", "1"}, {"600", weight}}, "t.csv", problems);
+        ASSERT_EQ(problems.list().size(), 1U) << weight;
+        EXPECT_EQ(problems.list()[0].where, "t.csv: weight");
+        EXPECT_EQ(problems.list()[0].value, weight);
+    }
+}
+
+TEST(Sampling, ARowOfBlanksIsNoMember) {
+    Problems problems;
+    const SampleTable table = samples_of_table({"material.turbulence", "weight"},
+                                               {{"500", "1"}, {" ", ""}, {"700", "2"}, {"", "\t"}}, "t.csv", problems);
+    EXPECT_TRUE(problems.empty());
+    EXPECT_EQ(table.weights, (std::vector<double>{1, 2}));
+    EXPECT_FALSE(table.nominal[0]);
+}
+
+TEST(Sampling, TheCentralMemberHasMediansAndLikeliestChoices) {
+    EXPECT_EQ(central_values(study_of(Sampling::sobol, 10,
+                                      {{"material.friction-coefficient", "uniform(0, 0.5)"},
+                                       {"release.thickness-direction", "choice(vertical: 1, normal: 2)"},
+                                       {"terrain.error", "gaussian-field(1, 10)"}})),
+              (std::vector<std::string>{"material.friction-coefficient=0.25", "release.thickness-direction=normal"}));
+}
+
+}  // namespace
+}  // namespace frana::app::study

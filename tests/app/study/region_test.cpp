@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: Apache-2.0
+// Regions: many slopes, each in a window of its own.
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "gis/raster/raster_in.h"
+#include "gis/vector/vector_in.h"
+#include "study/tiny_study.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A slope with the columns of the test's regions.
+struct TestSlope {
+    std::string name, scenario, years, thickness, friction;  ///< as JSON
+    double west, south, side;
+};
+
+class Region : public Ensemble {
+  protected:
+    Region() {
+        write("scene.ini",
+              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = slopes.geojson\nthickness = 1\n[material]\n"
+              "friction-angle = 18\nturbulence = 500\n[time]\nend = 20\nstop-when-still = off\n" +
+                  k_numbers_only);
+    }
+    void write_slopes(const std::vector<TestSlope>& slopes) const {
+        std::string features;
+        for (const TestSlope& s : slopes) {
+            const auto corner = [&](double x, double y) {
+                return "[" + std::to_string(k_west + x) + ", " + std::to_string(k_south + y) + "]";
+            };
+            features += std::string(features.empty() ? "" : ",\n") + R"({"type": "Feature", "properties": {"NAME": ")" +
+                        s.name + R"(", "SCENARIO": ")" + s.scenario + R"(", "YEARS": )" + s.years + R"(, "THICK": )" +
+                        s.thickness + R"(, "MU": )" + s.friction +
+                        R"(}, "geometry": {"type": "Polygon", "coordinates": [[)" + corner(s.west, s.south) + ", " +
+                        corner(s.west + s.side, s.south) + ", " + corner(s.west + s.side, s.south + s.side) + ", " +
+                        corner(s.west, s.south + s.side) + ", " + corner(s.west, s.south) + "]]}}";
+        }
+        write(
+            "slopes.geojson",
+            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
+                features + "]}");
+    }
+    void write_region(const std::string& more = "") const {
+        write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\nwindow = 90\n" + more +
+                                "[columns]\nrelease.thickness = THICK\nmaterial.friction-coefficient = MU\n");
+    }
+    [[nodiscard]] Outcome batch(const std::vector<std::string>& more = {}, const std::string& out = "out") const {
+        std::vector<std::string> arguments{"batch", "region.ini", "--out", out, "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return frana(arguments);
+    }
+    [[nodiscard]] Raster raster(const std::string& name) const { return gis::read_result_raster(path(name)); }
+    static std::vector<TestSlope> three() {
+        return {{"a", "often", "30", "1", "0.3", 20, 20, 20},
+                {"b", "often", "30", "1.5", "0.25", 25, 45, 25},
+                {"c", "rare", "300", "2", "0.2", 20, 95, 30}};
+    }
+};
+
+/// The value of a raster on another grid with the same lattice; NaN outside.
+double value_at(const Raster& from, const GridSpec& grid, std::int64_t row, std::int64_t column) {
+    const Point centre = grid.cell_centre(row, column);
+    const auto r = static_cast<std::int64_t>(std::floor((from.grid.north - centre.y) / from.grid.cell_size)),
+               c = static_cast<std::int64_t>(std::floor((centre.x - from.grid.west) / from.grid.cell_size));
+    if (r < 0 || c < 0 || r >= from.grid.rows || c >= from.grid.columns) return std::nan("");
+    return from.at(r, c);
+}
+
+// Every slope is the run of the scene with its values on its window; the union is the greatest of them in each cell,
+// and the maps of a scenario those of its slopes.
+TEST_F(Region, UnionIsTheGreatestOfTheRunsOnTheirWindows) {
+    write_slopes(three());
+    write_region();
+    const Outcome outcome = batch({"--threads", "2"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 3U);
+    std::vector<Raster> depth, velocity, pressure;
+    for (const auto& row : rows) {
+        ASSERT_EQ(row.at("status"), "finished") << row.at("reason");
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet"};
+        for (const std::string key :
+             {"release.perimeter-filter", "release.thickness", "material.friction-coefficient", "terrain.bounds"}) {
+            arguments.insert(arguments.end(), {"--set", key + "=" + row.at(key)});
+        }
+        const Outcome alone = frana(arguments);
+        ASSERT_EQ(alone.exit_code, 0) << alone.err;
+        depth.push_back(raster("alone/max_depth.tif"));
+        velocity.push_back(raster("alone/max_velocity.tif"));
+        pressure.push_back(raster("alone/max_pressure.tif"));
+        EXPECT_LT(depth.back().grid.columns, k_columns) << "no window";
+    }
+    const Raster all = raster("out/union_max_depth.tif"), fast = raster("out/union_max_velocity.tif"),
+                 hard = raster("out/union_max_pressure.tif"), hits = raster("out/hit_count.tif"),
+                 worst = raster("out/worst_source.tif"), often = raster("out/scenario_max_depth_often.tif"),
+                 rare = raster("out/scenario_max_depth_rare.tif");
+    int several = 0, reached = 0;
+    const auto greatest = [](double a, double b) { return std::fmax(a, b); };
+    const auto same = [](double a, double b) { return (std::isnan(a) && std::isnan(b)) || a == b; };
+    for (std::int64_t row = 0; row < all.grid.rows; ++row)
+        for (std::int64_t column = 0; column < all.grid.columns; ++column) {
+            const auto value = [&](const Raster& one) { return value_at(one, all.grid, row, column); };
+            double most = std::nan(""), speed = most, push = most, count = 0, number = most;
+            for (std::size_t m = 0; m < 3; ++m) {
+                if (std::isnan(value(depth[m]))) continue;
+                count += 1;
+                if (std::isnan(most) || value(depth[m]) > most) number = static_cast<double>(m);
+                most = greatest(most, value(depth[m]));
+                speed = greatest(speed, value(velocity[m]));
+                push = greatest(push, value(pressure[m]));
+            }
+            several += count > 1;
+            reached += count > 0;
+            ASSERT_TRUE(same(all.at(row, column), most)) << row << ' ' << column;
+            ASSERT_TRUE(same(fast.at(row, column), speed)) << row << ' ' << column;
+            ASSERT_TRUE(same(hard.at(row, column), push)) << row << ' ' << column;
+            ASSERT_TRUE(same(worst.at(row, column), number)) << row << ' ' << column;
+            ASSERT_TRUE(same(often.at(row, column), greatest(value(depth[0]), value(depth[1]))))
+                << row << ' ' << column;
+            ASSERT_TRUE(same(rare.at(row, column), value(depth[2]))) << row << ' ' << column;
+            ASSERT_TRUE(count == 0 || hits.at(row, column) == count) << row << ' ' << column;
+        }
+    EXPECT_GT(several, 10);
+    EXPECT_GT(reached, 100);
+    const gis::PolygonLayer slopes = gis::read_polygons(path("out/members.gpkg") + "|layer=slopes", "", "test");
+    ASSERT_EQ(slopes.features.size(), 3U);
+    EXPECT_EQ(slopes.features[2].texts.at("name"), "c");
+    EXPECT_EQ(slopes.features[2].texts.at("scenario"), "rare");
+    EXPECT_EQ(slopes.features[1].numbers.at("max_depth_m"), std::stod(rows[1].at("max_depth_m")));
+    EXPECT_TRUE(fs::exists(path("out/result.qgz")));
+    EXPECT_TRUE(fs::exists(path("out/region.ini")));
+}
+
+TEST_F(Region, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
+    write_slopes({{"a", "x", "30", "1", "0.3", 20, 20, 20},
+                  {"b", "x", "30", "1.5", "0.25", 25, 45, 25},
+                  {"c", "y", "300", "2", "0.2", 20, 95, 30},
+                  {"d", "y", "300", "2", "0.22", 30, 60, 30},
+                  {"e", "y", "300", "1", "0.24", 30, 30, 30},
+                  {"f", "y", "300", "1.2", "0.26", 40, 80, 20}});
+    write_region();
+    ASSERT_EQ(batch({"--threads", "1"}, "one").exit_code, 0);
+    ASSERT_EQ(batch({"--threads", "3"}, "three").exit_code, 0);
+    expect_same("one", "three");
+    {
+        StartedProgram program(folder_.string(), {"batch", "region.ini", "--out", "killed", "--threads", "1"});
+        EXPECT_TRUE(program.wait_until([&] { return !records().empty(); }));
+        program.send(SIGKILL);
+        (void)program.wait();
+    }
+    const std::size_t kept = records().size();
+    EXPECT_GT(kept, 0U);
+    EXPECT_LT(kept, 6U);
+    const Outcome resumed = batch({"--resume"}, "killed");
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_same("one", "killed");
+}
+
+// A mosaic of two files: only what is cut from both together is the terrain.
+TEST_F(Region, TerrainIsCutFromAMosaic) {
+    write_slopes(three());
+    write_region();
+    ASSERT_EQ(batch({}, "one").exit_code, 0);
+    const Raster whole = raster("dtm.asc");
+    constexpr int k_seam = 9;  // under the slopes
+    const auto part = [&](bool west) {
+        return [&, west](int row, int column) {
+            return (column < k_seam) == west ? whole.at(row, column) : 5000.0;  // what the mosaic must not show
+        };
+    };
+    write_dtm(part(true), true, "west.asc");
+    write_dtm(part(false), true, "east.asc");
+    const auto source = [](const std::string& file, int from, int count) {
+        const std::string rectangle = "Rect xOff=\"" + std::to_string(from) + "\" yOff=\"0\" xSize=\"" +
+                                      std::to_string(count) + "\" ySize=\"" + std::to_string(k_rows) + "\"/>";
+        return "<SimpleSource><SourceFilename relativeToVRT=\"1\">" + file +
+               "</SourceFilename><SourceBand>1</SourceBand><Src" + rectangle + "<Dst" + rectangle + "</SimpleSource>";
+    };
+    char place[200];
+    std::snprintf(place, sizeof place, "%.1f, %.1f, 0, %.1f, 0, %.1f", k_west, k_cell, k_south + k_rows * k_cell,
+                  -k_cell);
+    write("mosaic.vrt", "<VRTDataset rasterXSize=\"" + std::to_string(k_columns) + "\" rasterYSize=\"" +
+                            std::to_string(k_rows) + "\"><SRS>EPSG:32632</SRS><GeoTransform>" + place +
+                            "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\">" +
+                            source("west.asc", 0, k_seam) + source("east.asc", k_seam, k_columns - k_seam) +
+                            "</VRTRasterBand></VRTDataset>");
+    std::string scene = read_text(path("scene.ini"));
+    scene.replace(scene.find("dtm.asc"), 7, "mosaic.vrt");
+    write("scene.ini", scene);
+    const Outcome outcome = batch({}, "mosaic");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Raster one = raster("one/union_max_depth.tif"), mosaic = raster("mosaic/union_max_depth.tif");
+    ASSERT_EQ(one.values.size(), mosaic.values.size());
+    for (std::size_t cell = 0; cell < one.values.size(); ++cell)
+        ASSERT_TRUE(one.values[cell] == mosaic.values[cell] ||
+                    (std::isnan(one.values[cell]) && std::isnan(mosaic.values[cell])))
+            << cell;
+}
+
+// Polygons without geometry and one that crosses itself keep their place in the table; the others are done.
+TEST_F(Region, PolygonsWithoutAnAreaFailAlone) {
+    std::vector<TestSlope> slopes = three();
+    slopes.insert(slopes.begin() + 1, {"none", "rare", "300", "2", "0.2", 30, 70, 20});
+    slopes.insert(slopes.begin() + 2, {"tie", "rare", "300", "2", "0.2", 40, 70, 20});
+    write_slopes(slopes);
+    std::string text = read_text(path("slopes.geojson"));
+    const auto geometry_of = [&](const std::string& name) {
+        const std::size_t from = text.find(R"("geometry": )", text.find("\"" + name + "\"")) + 12;
+        return std::pair{from, text.find("]]}", from) + 3 - from};
+    };
+    const auto [tie, tie_length] = geometry_of("tie");
+    const auto corner = [](double x, double y) {
+        return "[" + std::to_string(k_west + x) + ", " + std::to_string(k_south + y) + "]";
+    };
+    text.replace(tie, tie_length,
+                 R"({"type": "Polygon", "coordinates": [[)" + corner(40, 70) + ", " + corner(60, 90) + ", " +
+                     corner(60, 70) + ", " + corner(40, 90) + ", " + corner(40, 70) + "]]}");
+    const auto [none, none_length] = geometry_of("none");
+    text.replace(none, none_length, "null");
+    write("slopes.geojson", text);
+    write_region();
+    const Outcome check = frana({"check", "region.ini"});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    EXPECT_NE(check.out.find("5, of which 2 fail"), std::string::npos) << check.out;
+    const Outcome outcome = batch();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 5U);
+    for (const std::size_t i : {0U, 3U, 4U}) EXPECT_EQ(rows[i].at("status"), "finished") << i;
+    EXPECT_NE(rows[1].at("reason").find("no geometry"), std::string::npos) << rows[1].at("reason");
+    EXPECT_NE(rows[2].at("reason").find("crosses itself"), std::string::npos) << rows[2].at("reason");
+}
+
+// One without terrain, the largest of all, one with an impossible value, one without a value: the others are done.
+TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
+    std::vector<TestSlope> slopes = three();
+    slopes.push_back({"far", "rare", "300", "2", "0.2", 5000, 95, 40});
+    slopes.push_back({"steep", "rare", "300", "2", "77", 40, 60, 30});
+    slopes.push_back({"blank", "rare", "300", "null", "0.2", 40, 60, 30});
+    write_slopes(slopes);
+    write_region();
+    const Outcome check = frana({"check", "region.ini"});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    for (const std::string words : {"6, of which 3 fail", "3 far", "4 steep", "5 blank", "column THICK", "memory"})
+        EXPECT_NE(check.out.find(words), std::string::npos) << words << "\n" << check.out;
+    const Outcome document = frana({"check", "region.ini", "--json"});
+    for (const std::string words :
+         {R"("slopes": [)", R"("name": "far")", R"("window": null)", R"("scenario": "often")"})
+        EXPECT_NE(document.out.find(words), std::string::npos) << words << "\n" << document.out;
+    const Outcome outcome = batch();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const std::string first = parse_json(read_text(path("out/summary.json")))["warnings"][0];
+    EXPECT_NE(first.find("3 of 6 runs failed"), std::string::npos) << first;
+    const std::string page = read_text(path("out/report.html")), section = page.substr(page.find("<h2 id=\"slopes\""));
+    for (const std::string words : {"<td>far</td>", "<td>rare</td>", "Run-out [m]", "Why it failed", "column THICK"})
+        EXPECT_NE(section.substr(0, section.find("</table>")).find(words), std::string::npos) << words;
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 6U);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(rows[i].at("status"), i < 3 ? "finished" : "failed") << i;
+    EXPECT_NE(rows[4].at("reason").find("material.friction-coefficient"), std::string::npos) << rows[4].at("reason");
+    EXPECT_NE(rows[5].at("reason").find("column THICK"), std::string::npos) << rows[5].at("reason");
+    EXPECT_FALSE(rows[3].at("reason").empty());
+    EXPECT_GT(raster("out/union_max_depth.tif").grid.rows, 0);
+    const gis::PolygonLayer layer = gis::read_polygons(path("out/members.gpkg") + "|layer=slopes", "", "test");
+    EXPECT_EQ(layer.features.size(), 6U);
+    EXPECT_EQ(layer.features[4].texts.at("status"), "failed");
+}
+
+// Twelve creeks were cut after 60 s of 900, exit 0 and no warning. Of a region any slope is in the first line.
+TEST_F(Region, SlopesThatWereCutAreTold) {
+    write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
+    write_slopes(three());
+    write_region("[set]\ntime.end = 3\n");
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["cut"], 3);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("3 of 3 runs were cut"), std::string::npos);
+    for (const auto& row : members()) {
+        EXPECT_EQ(row.at("stop_reason"), "end-time");
+        EXPECT_GE(std::stoi(row.at("warnings")), 1);
+    }
+    const std::string report = read_text(path("out/report.html"));
+    EXPECT_LT(report.find("3 of 3 runs were cut"), report.find("id=\"answer\""));
+    EXPECT_NE(report.find("it still moved at the end", report.find("<h2 id=\"slopes\"")), std::string::npos);
+    EXPECT_NE(report.find("The farthest run-out is at least"), std::string::npos);
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/members.gpkg").c_str(), GDAL_OF_VECTOR));
+    OGRLayer* const slopes = file->GetLayerByName("slopes");
+    ASSERT_NE(slopes, nullptr);
+    for (const auto& slope : *slopes) EXPECT_GT(slope->GetFieldAsDouble("moving_fraction"), 0.5);
+    EXPECT_EQ(batch({"--overwrite", "--strict"}).exit_code, 3);
+}
+
+// Windows of 10 m round slopes whose flows come 100 m far.
+TEST_F(Region, SlopesThatLeaveTheirWindowsAreTold) {
+    write_slopes(three());
+    write("region.ini", std::regex_replace((write_region(), read_text(path("region.ini"))), std::regex("window = 90"),
+                                           "window = 10"));
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["run_troubles"]["left_ground"], 3);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("3 of 3 runs left the computed ground"),
+              std::string::npos);
+    for (const auto& row : members()) EXPECT_GT(std::stod(row.at("left_domain_fraction")), 0.5);
+    EXPECT_EQ(batch({"--overwrite", "--strict"}).exit_code, 3);
+}
+
+// One text makes the whole column one of texts.
+TEST_F(Region, OneTextInAColumnFailsThatSlopeAloneByItsNumberInTheFile) {
+    std::vector<TestSlope> slopes = three();
+    slopes[1].thickness = "\"unknown\"";
+    slopes.push_back({"d", "rare", "300", "-2", "0.2", 40, 60, 20});
+    write_slopes(slopes);
+    write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nwindow = 90\n");
+    write("scene.ini",
+          std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1"), "thickness = attribute:THICK"));
+    const Outcome check = frana({"check", "region.ini", "--json"});
+    const auto foreseen = nlohmann::json::parse(check.out).at("slopes");
+    const Outcome outcome = batch();
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(foreseen.at(i).at("problem").is_null(), i % 2 == 0) << i;
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rows[i].at("status"), i % 2 == 0 ? "finished" : "failed") << i;
+    EXPECT_NE(rows[1].at("reason").find("THICK"), std::string::npos) << rows[1].at("reason");
+    EXPECT_NE(rows[3].at("reason").find("feature 3 of slopes"), std::string::npos) << rows[3].at("reason");
+}
+
+TEST_F(Region, MistakesAreRefusedBeforeAnythingRuns) {
+    write_slopes(three());
+    write("region.ini", "[region]\nscene = scene.ini\nname = NAMES\n[columns]\nrelease.thickness = DEPTH\n");
+    const Outcome columns = batch();
+    EXPECT_EQ(columns.exit_code, 2);
+    for (const std::string words : {"region.name", "Did you mean NAME", "columns.release.thickness", "DEPTH"})
+        EXPECT_NE(columns.err.find(words), std::string::npos) << words << "\n" << columns.err;
+    write_region("return-period = YEARS\n");
+    const Outcome scheme = batch();
+    EXPECT_EQ(scheme.exit_code, 2);
+    EXPECT_NE(scheme.err.find("hazard.scheme"), std::string::npos) << scheme.err;
+    for (const std::string command : {"ensemble", "run"})
+        EXPECT_NE(frana({command, "region.ini"}).err.find("frana batch"), std::string::npos) << command;
+    EXPECT_NE(frana({"batch", "scene.ini"}).err.find("[region]"), std::string::npos);
+    std::vector<TestSlope> slopes = three();
+    slopes[1].years = "100";  // of the same scenario
+    write_slopes(slopes);
+    EXPECT_NE(batch().err.find("several return periods"), std::string::npos);
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+// The degree in each cell is the worst over the scenarios of the matrix with that scenario's intensity.
+TEST_F(Region, DegreeOfHazardOverTheScenarios) {
+    write_slopes(three());
+    write("scene.ini", read_text(path("scene.ini")) + "[hazard]\nscheme = custom\ndepth-limits = 0.3, 0.8\n");
+    write_region("return-period = YEARS\n");
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Raster degree = raster("out/hazard_degree.tif"), often = raster("out/scenario_max_depth_often.tif"),
+                 rare = raster("out/scenario_max_depth_rare.tif");
+    const int at_30[] = {0, 3, 4, 4}, at_300[] = {0, 2, 3, 4};  // none, weak, medium, strong; 2 yellow, 3 blue, 4 red
+    const auto intensity = [](double depth) { return depth > 0.1F ? 1 + (depth > 0.3F) + (depth > 0.8F) : 0; };
+    std::map<int, int> found;
+    for (std::size_t cell = 0; cell < degree.values.size(); ++cell) {
+        const int expected = std::max(at_30[intensity(often.values[cell])], at_300[intensity(rare.values[cell])]);
+        const double value = degree.values[cell];
+        ASSERT_EQ(std::isnan(value) ? 0 : static_cast<int>(value), expected) << cell;
+        ++found[expected];
+    }
+    EXPECT_EQ(found.size(), 4U) << "not all degrees occur";
+    EXPECT_TRUE(fs::exists(path("out/hazard_degree_zones.gpkg")));
+    EXPECT_NE(read_text(path("out/hazard_degree.qml")).find("strong \u2264 300 a"), std::string::npos);
+    EXPECT_TRUE(fs::exists(path("out/scenario_intensity_rare.tif")));
+}
+
+}  // namespace
+}  // namespace frana::test

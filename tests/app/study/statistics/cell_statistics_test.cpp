@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/statistics/cell_statistics.h"
+
+#include <cmath>
+
+#include "app/study/statistics/study_maps.h"
+#include "study/records.h"
+
+namespace frana::app::study::test {
+namespace {
+
+class Cells : public Records {};
+
+TEST_F(Cells, ProbabilityIsTheFractionOfMembersAboveTheThreshold) {
+    add(record(0, {0.2F, 0.6F}));
+    add(record(1, {0.7F}));
+    add(record(0, {0.5F}));
+    add(record(1, {0.4F}));
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.1, 0.5});
+    EXPECT_EQ(maps.probability[0].at(0, 0), 0.5);
+    EXPECT_EQ(maps.probability[1].at(0, 0), 0);  // 0.5 is not more than 0.5
+    EXPECT_EQ(maps.probability[1].at(0, 1), 0.5);
+    EXPECT_EQ(maps.error[1].at(0, 1), 0.25);  // sqrt(0.5 * 0.5 / 4)
+    // Where nobody came the probability is known: 0, and no gap.
+    EXPECT_EQ(maps.probability[0].at(2, 3), 0);
+    EXPECT_EQ(maps.error[0].at(2, 3), 0);
+    EXPECT_TRUE(std::isnan(maps.mean.at(2, 3)));
+    EXPECT_EQ(maps.hits.at(0, 1), 3);
+    EXPECT_NEAR(maps.mean.at(0, 1), (0.6 + 0.7 + 0.4) / 4, 1e-7);  // Float32
+    const QuantityMaps arrival = quantity_maps(members_, Quantity::arrival, grid_, {});
+    EXPECT_FLOAT_EQ(static_cast<float>(arrival.quantile[1].at(0, 0)), 1.2F);  // of the two that came
+}
+
+// Weights of 49 members of 1/49 add up to 1 - 2e-16 or more, by their order: an error of 1e-8 where it is 0.
+TEST_F(Cells, WhereAllMembersCameTheProbabilityIsOneAndItsErrorZero) {
+    for (int i = 0; i < 49; ++i) add(record(0, {1}));
+    for (double& weight : members_.weights) weight = 1.0 / 49;
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    EXPECT_EQ(maps.probability[0].at(0, 0), 1);
+    EXPECT_EQ(maps.error[0].at(0, 0), 0);
+    EXPECT_EQ(error_of_first(members_, 49, Quantity::depth, grid_, {0.5}).mean, 0);
+}
+
+// Two runs finished, one was cut on its way, one failed: 1 of 3 at the first cell may be 3 of 4.
+TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
+    add(record(0, {1, 1}));  // finished
+    add(record(0, {0.1F}));  // finished
+    add(record(4, {1}));     // cut: it counts as far as it came
+    const std::string failed = (folder_ / "failed").string();
+    write_record(failed, record(8, {2}));
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    OpenRuns runs{members_, {false, false, true, true}};
+    runs.runs.records.push_back(failed);
+    runs.runs.weights.assign(4, 0.25);
+    const Raster upper = probability_bounds(maps.probability, runs, Quantity::depth, {0.5}, grid_).front().upper;
+    EXPECT_DOUBLE_EQ(maps.probability[0].at(0, 0), 1.0 / 3);
+    EXPECT_DOUBLE_EQ(upper.at(0, 0), 0.75);
+    EXPECT_DOUBLE_EQ(maps.probability[0].at(1, 0), 1.0 / 3);
+    EXPECT_DOUBLE_EQ(upper.at(1, 0), 0.5);  // the cut one came, and is not counted twice
+    EXPECT_DOUBLE_EQ(upper.at(2, 3), 0.5);  // where nobody came
+    for (std::size_t i = 0; i < upper.values.size(); ++i) EXPECT_GE(upper.values[i], maps.probability[0].values[i]);
+}
+
+// One of five runs is open: half of all is 5/8 of the others, and the 95 % quantile has no bound.
+TEST_F(Cells, AQuantileIsBoundedByTheRunsThatEnded) {
+    for (const float depth : {1, 2, 3, 4}) add(record(0, {depth}));
+    OpenRuns runs{members_, {false, false, false, false, true}};
+    runs.runs.records.push_back((folder_ / "open").string());
+    write_record(runs.runs.records.back(), record(0, {0.5F}));
+    runs.runs.weights.assign(5, 0.2);
+    const auto upper = quantile_bounds(runs, true, Quantity::depth, grid_);
+    ASSERT_TRUE(upper[0] && upper[1]);
+    EXPECT_EQ(upper[0]->at(0, 0), 1);
+    EXPECT_EQ(upper[1]->at(0, 0), 3);
+    EXPECT_FALSE(upper[2]);
+    EXPECT_EQ(quantity_maps(members_, Quantity::depth, grid_, {}).quantile[1].at(0, 0), 2);
+}
+
+// Two coarse runs, and two pairs: of the first the coarser run was cut, of the second the finer one. Each run counts
+// 1/2.
+TEST_F(Cells, OnLevelsACutRunBoundsTheSumFromBothSides) {
+    OpenRuns runs;
+    const auto put = [&](const MemberRecord& one, double weight, bool is_open) {
+        add(one);
+        runs.is_open.push_back(is_open);
+        runs.runs.weights.push_back(weight);
+    };
+    put(record(0, {1}), 0.5, false);
+    put(record(4, {0}), 0.5, false);
+    put(record(0, {1, 0, 1}), 0.5, false);
+    put(record(0, {0.1F}), -0.5, true);
+    put(record(0, {1}), 0.5, true);
+    put(record(0, {0.1F, 1}), -0.5, false);
+    runs.runs.records = members_.records;
+    Raster p(grid_);
+    p.at(0, 0) = 1;
+    p.at(0, 2) = 0.5;
+    const RasterInterval bounds = probability_bounds({p}, runs, Quantity::depth, {0.5}, grid_).front();
+    EXPECT_DOUBLE_EQ(bounds.lower.at(0, 0), 1);  // 1/2 + (1 - 1)/2 + (1 - 0)/2
+    EXPECT_DOUBLE_EQ(bounds.upper.at(0, 0), 1);
+    EXPECT_DOUBLE_EQ(bounds.lower.at(0, 1), 0);
+    EXPECT_DOUBLE_EQ(bounds.upper.at(0, 1), 0);  // 0 + (1 - 1)/2
+    EXPECT_DOUBLE_EQ(bounds.lower.at(0, 2), 0);  // 0 + (1 - 1)/2
+    EXPECT_DOUBLE_EQ(bounds.upper.at(0, 2), 1);  // 0 + (1 - 0)/2 + (1 - 0)/2
+    EXPECT_DOUBLE_EQ(bounds.lower.at(2, 3), 0);
+    EXPECT_DOUBLE_EQ(bounds.upper.at(2, 3), 0.5);
+}
+
+TEST_F(Cells, WeightsCountAsCopiesOfMembers) {
+    add(record(0, {1}));
+    add(record(0, {2}));
+    members_.weights = {0.75, 0.25};
+    const QuantityMaps weighted = quantity_maps(members_, Quantity::depth, grid_, {1.5});
+    add(record(0, {1}));
+    add(record(0, {1}));
+    const QuantityMaps copies = quantity_maps(members_, Quantity::depth, grid_, {1.5});
+    EXPECT_DOUBLE_EQ(weighted.probability[0].at(0, 0), copies.probability[0].at(0, 0));
+    EXPECT_DOUBLE_EQ(weighted.mean.at(0, 0), copies.mean.at(0, 0));
+    for (std::size_t q = 0; q < 3; ++q) EXPECT_EQ(weighted.quantile[q].at(0, 0), copies.quantile[q].at(0, 0)) << q;
+    EXPECT_DOUBLE_EQ((FinishedMembers{{"a", "b"}, {0.75, 0.25}, {}}.effective_size()), 1.6);  // 1 / (9/16 + 1/16)
+}
+
+TEST(WeightedQuantile, IsTheLeastValueWithEnoughWeightBelow) {
+    const std::vector<float> values{5, 1, 3, 2, 4};
+    const std::vector<double> weights(5, 0.2);
+    std::vector<std::size_t> order;
+    EXPECT_EQ(weighted_quantile(values, weights, 0.5, order), 3);
+    EXPECT_EQ(weighted_quantile(values, weights, 0.2, order), 1);
+    EXPECT_EQ(weighted_quantile(values, weights, 0.21, order), 2);
+    EXPECT_EQ(weighted_quantile(values, weights, 1, order), 5);
+    // Signed weights of equal values count together: 0.6 - 0.6 at 1.
+    const std::vector<float> tied{1, 1, 2, 3};
+    EXPECT_EQ(weighted_quantile(tied, {0.6, -0.6, 0.4, 0.6}, 0.3, order), 2);
+    EXPECT_EQ(weighted_quantile(std::vector<double>{1, 1, 2, 3}, {0.6, -0.6, 0.4, 0.6}, 0.5), 3);
+}
+
+// The members of a group depend on each other: the error is that of the groups' means.
+TEST_F(Cells, GroupsThatAgreeCountOnce) {
+    for (int i = 0; i < 8; ++i) {
+        add(record(0, {i % 2 == 0 ? 1.0F : 0.0F}));
+        members_.groups.push_back(static_cast<std::size_t>(i % 4));
+    }
+    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    EXPECT_EQ(maps.probability[0].at(0, 0), 0.5);
+    EXPECT_DOUBLE_EQ(maps.error[0].at(0, 0), 0.5 / std::sqrt(3.0));  // sd of 1, 0, 1, 0 over sqrt(4)
+}
+
+}  // namespace
+}  // namespace frana::app::study::test
