@@ -19,6 +19,9 @@ namespace {
 constexpr double k_sampling = 0.25;
 constexpr int k_halvings = 30;
 
+// Room for rounding in the bounds below.
+constexpr double k_rounding = 1e-9;
+
 // Least factor of an area in one flight.
 constexpr double k_least_stretch = 0.5;
 
@@ -56,6 +59,92 @@ Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
         }
     }
     return bed;
+}
+
+struct Interval {
+    double least, greatest;
+};
+Interval operator+(Interval a, Interval b) noexcept {
+    return {a.least + b.least, a.greatest + b.greatest};
+}
+Interval operator-(Interval a) noexcept {
+    return {-a.greatest, -a.least};
+}
+Interval operator*(Interval a, Interval b) noexcept {
+    const auto [least, greatest] =
+        std::minmax({a.least * b.least, a.least * b.greatest, a.greatest * b.least, a.greatest * b.greatest});
+    return {least, greatest};
+}
+Interval square(Interval a) noexcept {
+    const double x = a.least * a.least, y = a.greatest * a.greatest;
+    return {a.least < 0 && a.greatest > 0 ? 0 : std::min(x, y), std::max(x, y)};
+}
+Interval root(Interval a) noexcept {
+    return {std::sqrt(std::max(0.0, a.least)), std::sqrt(std::max(0.0, a.greatest))};
+}
+
+Interval operator*(double factor, Interval a) noexcept {
+    return Interval{factor, factor} * a;
+}
+Interval hull(Interval a, Interval b) noexcept {
+    return {std::min(a.least, b.least), std::max(a.greatest, b.greatest)};
+}
+struct Box {
+    Interval x, y;  // local metres
+};
+Box box_of(Point a, Point b) noexcept {
+    return {{std::min(a.x, b.x), std::max(a.x, b.x)}, {std::min(a.y, b.y), std::max(a.y, b.y)}};
+}
+
+// Returns bounds of the slope in direction `along` of the splines' bed in a part of a node's cell. The slope is linear
+// along and quadratic across: it lies in the hull of its control values (Bernstein form; Farin 2002, Curves and
+// Surfaces for CAGD, chapter 5).
+// @param z of the node  @param along, across steps to the next node  @param u, v the part, from the node [cells]
+Interval slope_in(const double* z, std::ptrdiff_t along, std::ptrdiff_t across, Interval u, Interval v) noexcept {
+    Interval slope[3];  // of a row, where the part begins and ends
+    for (int b = 0; b < 3; ++b) {
+        const double* const row = z + (b - 1) * across;
+        const double before = row[0] - row[-along], bend = row[along] - row[0] - before;
+        slope[b] = {before + (0.5 + u.least) * bend, before + (0.5 + u.greatest) * bend};
+    }
+    const auto control = [&](double p, double q) {
+        const double south = 0.5 * (0.5 - p) * (0.5 - q), middle = 0.75 - p * q, north = 0.5 * (0.5 + p) * (0.5 + q);
+        const double x = south * slope[0].least + middle * slope[1].least + north * slope[2].least;
+        const double y = south * slope[0].greatest + middle * slope[1].greatest + north * slope[2].greatest;
+        return Interval{std::min(x, y), std::max(x, y)};
+    };
+    return hull(hull(control(v.least, v.least), control(v.least, v.greatest)), control(v.greatest, v.greatest));
+}
+
+// Calls visit(x, y) with bounds of the gradient of the splines' bed [-] in every cell that a box touches, of the part
+// inside the box; returns false where the nodes for it do not all exist.
+template <class Visit>
+bool for_each_slope(const NodeGrid& nodes, const Box& box, const Visit& visit) noexcept {
+    const NodeScale grid = nodes.scale();
+    const Interval x = grid.inverse_dx * box.x, y = grid.inverse_dx * box.y;
+    const Interval west{std::floor(x.least), std::floor(x.greatest)},
+        south{std::floor(y.least), std::floor(y.greatest)};
+    const auto i0 = static_cast<std::int64_t>(west.least) + grid.origin_x,
+               j0 = static_cast<std::int64_t>(south.least) + grid.origin_y;
+    const auto i1 = static_cast<std::int64_t>(west.greatest) + grid.origin_x,
+               j1 = static_cast<std::int64_t>(south.greatest) + grid.origin_y;
+    const std::int64_t stride = nodes.stride();
+    if (i0 < 1 || j0 < 1 || i1 >= stride - 1 || j1 >= nodes.padded_rows() - 1) return false;
+    nodes.cover({i0 - 1, i1 + 2, j0 - 1, j1 + 2});
+    const auto part = [](Interval range, double from) {
+        return Interval{std::max(range.least - from, 0.0) - 0.5, std::min(range.greatest - from, 1.0) - 0.5};
+    };
+    double row = south.least;
+    for (std::int64_t j = j0; j <= j1; ++j, ++row) {
+        const Interval v = part(y, row);
+        double column = west.least;
+        for (std::int64_t i = i0; i <= i1; ++i, ++column) {
+            const double* const z = nodes.bed.data() + j * stride + i;
+            const Interval u = part(x, column);
+            visit(grid.inverse_dx * slope_in(z, 1, stride, u, v), grid.inverse_dx * slope_in(z, stride, 1, v, u));
+        }
+    }
+    return true;
 }
 
 Point at(Point from, Point velocity, double time) noexcept {
@@ -121,17 +210,85 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     return steepest;
 }
 
+// Bounds of a velocity in map view [m/s] that is `along` along the bed, and of its direction.
+struct Velocity {
+    Box map, direction;
+};
+Velocity velocity_on(const Box& slope, Point along) noexcept {
+    const Interval steep = square(slope.x) + square(slope.y), length = root({1 + steep.least, 1 + steep.greatest});
+    const Interval climb = along.x * slope.x + along.y * slope.y;
+    const Interval share =
+        climb * Interval{1 / (length.greatest * (length.greatest + 1)), 1 / (length.least * (length.least + 1))};
+    // |u|^2 = |w|^2 - (u . grad Z)^2, with u . grad Z = (w . grad Z) / root.
+    const double speed2 = along.x * along.x + along.y * along.y;
+    const Interval upwards = square(climb * Interval{1 / length.greatest, 1 / length.least});
+    const Interval speed = root(
+        {std::max(speed2 - upwards.greatest, speed2 / (length.greatest * length.greatest)), speed2 - upwards.least});
+    const auto within = [](double most, Interval a) {
+        return Interval{std::max(-most, a.least), std::min(most, a.greatest)};
+    };
+    const Interval u = within(speed.greatest, Interval{along.x, along.x} + -(share * slope.x));
+    const Interval v = within(speed.greatest, Interval{along.y, along.y} + -(share * slope.y));
+    const Interval by_speed{1 / speed.greatest, 1 / speed.least};
+    return {{u, v}, {within(1, u * by_speed), within(1, v * by_speed)}};
+}
+
+// steepest_fall_ahead for a particle that starts anywhere in a box. By intervals: the place of take-off and the
+// direction, which follows from the slope there (BedFrame::in_map), are known within bounds only.
+double steepest_fall(const NodeGrid& nodes, const Box& box, Point along, double reach) noexcept {
+    constexpr double k_unknown = std::numeric_limits<double>::infinity();
+    const double speed = std::hypot(along.x, along.y), dx = nodes.cell_size();
+    if (!(speed > 0)) return k_unknown;
+    const auto slopes = [&](const Box& place) {
+        std::optional<Box> all;
+        const bool known = for_each_slope(nodes, place, [&](Interval x, Interval y) {
+            all = all ? Box{hull(all->x, x), hull(all->y, y)} : Box{x, y};
+        });
+        return known ? all : std::nullopt;
+    };
+    const auto after = [&](const Interval& time, const Box& v) { return Box{box.x + time * v.x, box.y + time * v.y}; };
+    Box from = box;
+    if (reach > 0) {  // |u| is at most |w|; its direction on the slopes within that bounds the path better
+        const Interval any{-speed, speed}, time{0, reach};
+        const auto slope = slopes(after(time, {any, any}));
+        if (!slope) return k_unknown;
+        from = after(time, velocity_on(*slope, along).map);
+    }
+    const auto slope = slopes(from);
+    if (!slope) return k_unknown;
+    const Box way = velocity_on(*slope, along).direction;
+    const Interval length{-k_rounding * dx, (k_edge_width + k_sampling + k_rounding) * dx};
+    double fall = 0;
+    const auto steepest = [&](Interval x, Interval y) {
+        const double any_direction = root(square(x) + square(y)).greatest;
+        fall = std::max(fall, std::min(any_direction, -(x * way.x + y * way.y).least));
+    };
+    const bool known = for_each_slope(nodes, {from.x + length * way.x, from.y + length * way.y}, steepest);
+    return known ? fall : k_unknown;
+}
+
+// Whether a jump may be found at all: one search in thousands finds one, even on steep ground.
+bool may_jump(const NodeGrid& nodes, const JumpRules& rules, const Box& from, Point along, double reach) noexcept {
+    return !(steepest_fall(nodes, from, along, reach) < rules.edge * (1 - k_rounding));
+}
+
 }  // namespace
+
+double steepest_fall_ahead(const NodeGrid& nodes, Point place, Point along, double reach) noexcept {
+    return steepest_fall(nodes, box_of(place, place), along, reach);
+}
 
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
                               double clearance) {
+    if (along.x == 0 && along.y == 0) return std::nullopt;
     const double search_distance = k_sampling * nodes.cell_size();
     double time = 0, before = 0;
     Point last = place, way{};
+    if (!may_jump(nodes, rules, box_of(place, place), along, reach)) return std::nullopt;
     while (nodes.bounds().contains(place.x, place.y)) {
         Bed bed = bed_at(nodes, place);
         Point velocity = bed.map_velocity(along);
-        if (bed.throws(velocity, rules.gravity)) {
+        if (bed.throws(velocity, rules.gravity) && may_jump(nodes, rules, box_of(last, place), along, 0)) {
             // The place where the fall begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
@@ -237,39 +394,32 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
 namespace {
 
 // Marks the nodes of a tile within k_near cells of which the splines' bed may be as steep as an edge; returns whether
-// there are any. The splines' gradient is a mean of the differences between neighbours in its 3 x 3 nodes.
+// there are any.
 bool mark_near_edges(const NodeRange& range, const NodeGrid& nodes, double edge, std::uint8_t* marks) {
-    // A particle's displacement in a step (less than a cell), the width of an edge, and the splines' support.
-    constexpr std::int64_t k_near = static_cast<std::int64_t>(k_edge_width) + 3, k_side = k_tile + 2 * k_near;
+    // A particle's displacement in a step (less than a cell) and the width of an edge with the last sample.
+    constexpr std::int64_t k_near = static_cast<std::int64_t>(k_edge_width + k_sampling) + 2,
+                           k_side = k_tile + 2 * k_near;
     const std::int64_t west = range.i0 - k_near, south = range.j0 - k_near, stride = nodes.stride();
-    const double* bed = nodes.bed.data();
-    std::array<double, k_side * k_side> across{}, along{};
-    double greatest_across = 0, greatest_along = 0;
-    for (std::int64_t j = std::max<std::int64_t>(south, 0); j < std::min(range.j1 + k_near, nodes.padded_rows() - 1);
+    const double steep = edge * nodes.cell_size() * (1 - k_rounding);
+    constexpr Interval k_cell{-0.5, 0.5};
+    std::array<std::uint8_t, k_side * k_side> edges{};
+    for (std::int64_t j = std::max<std::int64_t>(south, 1); j < std::min(range.j1 + k_near, nodes.padded_rows() - 1);
          ++j) {
-        for (std::int64_t i = std::max<std::int64_t>(west, 0); i < std::min(range.i1 + k_near, stride - 1); ++i) {
-            const auto place = static_cast<std::size_t>((j - south) * k_side + i - west);
-            const double* z = bed + j * stride + i;
-            greatest_across = std::max(greatest_across, across[place] = std::abs(z[1] - z[0]));
-            greatest_along = std::max(greatest_along, along[place] = std::abs(z[stride] - z[0]));
+        for (std::int64_t i = std::max<std::int64_t>(west, 1); i < std::min(range.i1 + k_near, stride - 1); ++i) {
+            const double* const z = nodes.bed.data() + j * stride + i;
+            const Interval x = slope_in(z, 1, stride, k_cell, k_cell), y = slope_in(z, stride, 1, k_cell, k_cell);
+            edges[static_cast<std::size_t>((j - south) * k_side + i - west)] =
+                root(square(x) + square(y)).greatest >= steep ? 1 : 0;
         }
     }
-    const double steep = edge * nodes.cell_size();
-    bool any = false;
-    const bool possible = std::hypot(greatest_across, greatest_along) >= steep;
+    const bool possible = std::find(edges.begin(), edges.end(), 1) != edges.end();
     range.for_each(stride, [&](std::size_t n, std::int64_t i, std::int64_t j) {
-        double x = 0, y = 0;
-        for (std::int64_t b = j - south - k_near; possible && b <= j - south + k_near; ++b) {
-            for (std::int64_t a = i - west - k_near; a <= i - west + k_near; ++a) {
-                const auto place = static_cast<std::size_t>(b * k_side + a);
-                x = std::max(x, across[place]);
-                y = std::max(y, along[place]);
-            }
-        }
-        marks[n] = std::hypot(x, y) >= steep ? 1 : 0;
-        any = any || marks[n] != 0;
+        marks[n] = 0;
+        for (std::int64_t b = j - south - k_near; possible && b <= j - south + k_near; ++b)
+            for (std::int64_t a = i - west - k_near; a <= i - west + k_near; ++a)
+                marks[n] |= edges[static_cast<std::size_t>(b * k_side + a)];
     });
-    return any;
+    return possible;
 }
 
 }  // namespace

@@ -63,6 +63,11 @@ struct JumpRules {
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
                               double clearance);
 
+/// Returns a bound of the fall -grad Z . v / |v| [-] that such a particle can meet in its direction of motion within
+/// k_edge_width of any place where it may take off; infinity where the nodes for it do not all exist. Where it is less
+/// than JumpRules::edge there is no jump, which spares most particles on steep ground the search.
+double steepest_fall_ahead(const NodeGrid& nodes, Point place, Point along, double reach) noexcept;
+
 /// Jumps so far.
 struct JumpStatistics {
     double volume = 0;   ///< sum over all jumps [m3]

@@ -2,6 +2,8 @@
 // Flight over an edge: the parabola, the loss at landing, and flows that do not fly.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "mpm/flight.h"
 #include "support/cases.h"
 
@@ -136,6 +138,45 @@ TEST(Flight, AMovingFilmBetweenWallsIsNoMoreThanItsVolume) {
     flow.set_moving_speed(0.1);
     const auto report = flow.advance(0.1);
     EXPECT_NEAR(report.nodes.moving, flow.volume(), 1e-9 * flow.volume());
+}
+
+// On random ground, every fall that the search can meet is within the bound that decides whether to search.
+TEST(Flight, NoFallAheadIsSteeperThanItsBound) {
+    std::mt19937 random(1);
+    const auto uniform = [&](double from, double to) { return from + (to - from) * 0x1p-32 * random(); };
+    constexpr double cell = 5, width = (k_edge_width + 0.25) * cell;
+    double sum = 0, sum_of_bounds = 0;
+    for (int terrain = 0; terrain < 20; ++terrain) {
+        const double roughness = uniform(0, 6), slope = uniform(-2, 2), wall = uniform(-40, 40);
+        const GridSpec grid = bench::plain_grid(24, 24, cell);
+        const NodeGrid nodes(bench::sample_raster(
+            grid, [&](Point p) { return slope * p.x + (p.x + 0.3 * p.y > 75 ? wall : 0) + uniform(0, roughness); }));
+        const auto ground = [&](Point p) {
+            return interpolate(Stencil<QuadraticSplineShape>(p.x, p.y, nodes.scale()), nodes.bed.data(),
+                               nodes.stride());
+        };
+        for (int start = 0; start < 500; ++start) {
+            Point place{uniform(30, 90), uniform(30, 90)};
+            const Point along{uniform(-30, 30), uniform(-30, 30)};
+            const double reach = uniform(0, 1) * cell / std::hypot(along.x, along.y);
+            const double bound = steepest_fall_ahead(nodes, place, along, reach);
+            double steepest = 0;
+            for (double time = 0; time <= reach; time += reach / 16) {
+                const Interpolated here = ground(place);
+                const Point v = BedFrame::of({here.dx, here.dy}).in_map(along.x, along.y);
+                const double speed = std::hypot(v.x, v.y);
+                for (double ahead = 0; ahead <= width; ahead += width / 64) {
+                    const Interpolated there = ground({place.x + ahead / speed * v.x, place.y + ahead / speed * v.y});
+                    steepest = std::max(steepest, -(v.x * there.dx + v.y * there.dy) / speed);
+                }
+                place = {place.x + reach / 16 * v.x, place.y + reach / 16 * v.y};
+            }
+            EXPECT_GE(bound, steepest * (1 - 1e-12));
+            sum += steepest;
+            sum_of_bounds += bound;
+        }
+    }
+    EXPECT_LT(sum_of_bounds, 3 * sum);  // on ground this rough 2.7; so wide that it spares nothing is infinity
 }
 
 TEST(Flight, OffKeepsParticlesOnTheBedAndCostsNothing) {
