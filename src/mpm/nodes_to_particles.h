@@ -62,7 +62,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     // et al. 2015).
     const double inverse_moment = Shape::width == 3 ? 4 * grid.inverse_dx * grid.inverse_dx : 1;
     ParticleSweep<double, affine, Transfer::increment, Stress, Relaxed, FollowsBed, shifts> update{
-        k, stress, nodes, particles, inverse_moment};
+        k, stress, nodes, particles, inverse_moment, solid_near(nodes, particles, tile.begin, tile.end)};
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
         const Stencil<Shape> s(x[p], y[p], grid);

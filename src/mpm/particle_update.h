@@ -219,6 +219,35 @@ struct Gathered {
     }
 }
 
+/// Returns whether a particle of [begin, end) may meet a solid node if it moves by a cell at most in each direction.
+/// Most tiles are far from any, however many the map has.
+[[gnu::always_inline]] inline bool solid_near(const NodeGrid &nodes, const ParticleSet &particles, std::size_t begin,
+                                              std::size_t end) noexcept {
+    if (!nodes.any_solid() || begin == end) return false;
+    const double *const x = particles[Field::x], *const y = particles[Field::y];
+    double west = x[begin], east = x[begin], south = y[begin], north = y[begin];
+    for (std::size_t p = begin; p < end; ++p) {
+        west = x[p] < west ? x[p] : west;
+        east = x[p] > east ? x[p] : east;
+        south = y[p] < south ? y[p] : south;
+        north = y[p] > north ? y[p] : north;
+    }
+    const NodeScale grid = nodes.scale();
+    const auto node = [&](double at, std::int64_t origin, std::int64_t count) __attribute__((always_inline)) {
+        const std::int64_t n = static_cast<std::int64_t>(__builtin_floor(at * grid.inverse_dx)) + origin;
+        return n < 0 ? 0 : n >= count ? count - 1 : n;
+    };
+    const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
+    const std::int64_t i0 = node(west - grid.dx, grid.origin_x, stride),
+                       i1 = node(east + grid.dx, grid.origin_x, stride);
+    const std::int64_t j0 = node(south - grid.dx, grid.origin_y, rows), j1 = node(north + grid.dx, grid.origin_y, rows);
+    const std::uint8_t *const solid = nodes.solid();
+    std::uint8_t any = 0;
+    for (std::int64_t j = j0; j <= j1; ++j)
+        for (std::int64_t i = i0; i <= i1; ++i) any |= solid[j * stride + i];
+    return any != 0;
+}
+
 /// The part of nodes_to_particles (mpm/nodes_to_particles.h) after the gather, for one particle or for four. Affine,
 /// Increment: of the transfer. Shifts: whether ParticleUpdate::shift may be other than 0.
 template <class Number, bool Affine, bool Increment, class Stress, bool Relaxed, bool FollowsBed, bool Shifts>
@@ -231,6 +260,8 @@ struct ParticleSweep {
     const NodeGrid &nodes;
     ParticleSet &particles;
     const double d;  ///< inverse of the shape functions' second moment [1/m2]; hat functions: 1
+
+    const bool solid_near;  ///< solid_near() of the particles
 
     const NodeScale grid = nodes.scale();
     const Bounds edges = nodes.bounds();
@@ -347,7 +378,9 @@ struct ParticleSweep {
             px = min(max(px, Number(edges.west + margin)), Number(edges.east - margin));
             py = min(max(py, Number(edges.south + margin)), Number(edges.north - margin));
         }
-        if (nodes.any_solid()) {
+        const bool meets_solid =
+            solid_near || (nodes.any_solid() && L::any((abs(px - old_x) > grid.dx) | (abs(py - old_y) > grid.dx)));
+        if (meets_solid) {
             for (std::size_t i = 0; i < n; ++i) {
                 const auto l = static_cast<int>(i);
                 double along_x = L::at(px, l), along_y = L::at(py, l);
@@ -365,7 +398,7 @@ struct ParticleSweep {
             finite & real & (px >= edges.west) & (px < edges.east) & (py >= edges.south) & (py < edges.north);
         L::add(non_finite, L::none(finite) & real);
         L::add(outside, finite & L::none(inside) & real);
-        if (nodes.any_solid()) {
+        if (meets_solid) {
             for (std::size_t i = 0; i < n; ++i) {
                 const auto l = static_cast<int>(i);
                 if (L::at(inside, l) && nodes.is_gap(grid.node_of(L::at(px, l), L::at(py, l)))) ++no_data;
