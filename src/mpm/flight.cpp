@@ -64,35 +64,33 @@ Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
 struct Interval {
     double least, greatest;
 };
-Interval operator+(Interval a, Interval b) noexcept {
+inline Interval operator+(Interval a, Interval b) noexcept {
     return {a.least + b.least, a.greatest + b.greatest};
 }
-Interval operator-(Interval a) noexcept {
+inline Interval operator-(Interval a) noexcept {
     return {-a.greatest, -a.least};
 }
-Interval operator*(Interval a, Interval b) noexcept {
-    const auto [least, greatest] =
-        std::minmax({a.least * b.least, a.least * b.greatest, a.greatest * b.least, a.greatest * b.greatest});
-    return {least, greatest};
+inline Interval operator*(Interval a, Interval b) noexcept {
+    const double p = a.least * b.least, q = a.least * b.greatest, r = a.greatest * b.least, s = a.greatest * b.greatest;
+    return {std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s))};
 }
-Interval square(Interval a) noexcept {
+inline Interval square(Interval a) noexcept {
     const double x = a.least * a.least, y = a.greatest * a.greatest;
     return {a.least < 0 && a.greatest > 0 ? 0 : std::min(x, y), std::max(x, y)};
 }
-Interval root(Interval a) noexcept {
+inline Interval root(Interval a) noexcept {
     return {std::sqrt(std::max(0.0, a.least)), std::sqrt(std::max(0.0, a.greatest))};
 }
-
-Interval operator*(double factor, Interval a) noexcept {
+inline Interval operator*(double factor, Interval a) noexcept {
     return Interval{factor, factor} * a;
 }
-Interval hull(Interval a, Interval b) noexcept {
+inline Interval hull(Interval a, Interval b) noexcept {
     return {std::min(a.least, b.least), std::max(a.greatest, b.greatest)};
 }
 struct Box {
     Interval x, y;  // local metres
 };
-Box box_of(Point a, Point b) noexcept {
+inline Box box_of(Point a, Point b) noexcept {
     return {{std::min(a.x, b.x), std::max(a.x, b.x)}, {std::min(a.y, b.y), std::max(a.y, b.y)}};
 }
 
@@ -100,7 +98,8 @@ Box box_of(Point a, Point b) noexcept {
 // along and quadratic across: it lies in the hull of its control values (Bernstein form; Farin 2002, Curves and
 // Surfaces for CAGD, chapter 5).
 // @param z of the node  @param along, across steps to the next node  @param u, v the part, from the node [cells]
-Interval slope_in(const double* z, std::ptrdiff_t along, std::ptrdiff_t across, Interval u, Interval v) noexcept {
+inline Interval slope_in(const double* z, std::ptrdiff_t along, std::ptrdiff_t across, Interval u,
+                         Interval v) noexcept {
     Interval slope[3];  // of a row, where the part begins and ends
     for (int b = 0; b < 3; ++b) {
         const double* const row = z + (b - 1) * across;
@@ -116,35 +115,57 @@ Interval slope_in(const double* z, std::ptrdiff_t along, std::ptrdiff_t across, 
     return hull(hull(control(v.least, v.least), control(v.least, v.greatest)), control(v.greatest, v.greatest));
 }
 
-// Calls visit(x, y) with bounds of the gradient of the splines' bed [-] in every cell that a box touches, of the part
-// inside the box; returns false where the nodes for it do not all exist.
+// The cells that a box touches, by padded numbers; none where a node round them does not exist.
+struct Cells {
+    std::int64_t i0, i1, j0, j1;
+};
+std::optional<Cells> cells_of(const NodeGrid& nodes, const Box& box) noexcept {
+    const NodeScale grid = nodes.scale();
+    const auto number = [&](double at, std::int64_t origin) {
+        return static_cast<std::int64_t>(std::floor(at * grid.inverse_dx)) + origin;
+    };
+    const Cells c{number(box.x.least, grid.origin_x), number(box.x.greatest, grid.origin_x),
+                  number(box.y.least, grid.origin_y), number(box.y.greatest, grid.origin_y)};
+    if (c.i0 < 1 || c.j0 < 1 || c.i1 >= nodes.stride() - 1 || c.j1 >= nodes.padded_rows() - 1) return std::nullopt;
+    nodes.cover({c.i0 - 1, c.i1 + 2, c.j0 - 1, c.j1 + 2});
+    return c;
+}
+
+// Returns bounds of the gradient of the splines' bed in these cells: it is a mean of the differences between
+// neighbours.
+Box slopes_in(const NodeGrid& nodes, const Cells& cells) noexcept {
+    const std::int64_t stride = nodes.stride();
+    constexpr double k_none = std::numeric_limits<double>::infinity();
+    Interval x{k_none, -k_none}, y = x;
+    for (std::int64_t j = cells.j0 - 1; j <= cells.j1 + 1; ++j) {
+        const double* const z = nodes.bed.data() + j * stride;
+        for (std::int64_t i = cells.i0; i <= cells.i1 + 1; ++i) x = hull(x, {z[i] - z[i - 1], z[i] - z[i - 1]});
+        if (j < cells.j0) continue;
+        for (std::int64_t i = cells.i0 - 1; i <= cells.i1 + 1; ++i)
+            y = hull(y, {z[i] - z[i - stride], z[i] - z[i - stride]});
+    }
+    const double inverse_dx = 1 / nodes.cell_size();
+    return {inverse_dx * x, inverse_dx * y};
+}
+
+// Calls visit(x, y) with bounds of the gradient in every cell that a box touches, of the part inside the box.
 template <class Visit>
-bool for_each_slope(const NodeGrid& nodes, const Box& box, const Visit& visit) noexcept {
+void for_each_slope(const NodeGrid& nodes, const Box& box, const Cells& cells, const Visit& visit) noexcept {
     const NodeScale grid = nodes.scale();
     const Interval x = grid.inverse_dx * box.x, y = grid.inverse_dx * box.y;
-    const Interval west{std::floor(x.least), std::floor(x.greatest)},
-        south{std::floor(y.least), std::floor(y.greatest)};
-    const auto i0 = static_cast<std::int64_t>(west.least) + grid.origin_x,
-               j0 = static_cast<std::int64_t>(south.least) + grid.origin_y;
-    const auto i1 = static_cast<std::int64_t>(west.greatest) + grid.origin_x,
-               j1 = static_cast<std::int64_t>(south.greatest) + grid.origin_y;
-    const std::int64_t stride = nodes.stride();
-    if (i0 < 1 || j0 < 1 || i1 >= stride - 1 || j1 >= nodes.padded_rows() - 1) return false;
-    nodes.cover({i0 - 1, i1 + 2, j0 - 1, j1 + 2});
-    const auto part = [](Interval range, double from) {
+    const auto part = [](Interval range, std::int64_t cell) {
+        const auto from = static_cast<double>(cell);
         return Interval{std::max(range.least - from, 0.0) - 0.5, std::min(range.greatest - from, 1.0) - 0.5};
     };
-    double row = south.least;
-    for (std::int64_t j = j0; j <= j1; ++j, ++row) {
-        const Interval v = part(y, row);
-        double column = west.least;
-        for (std::int64_t i = i0; i <= i1; ++i, ++column) {
-            const double* const z = nodes.bed.data() + j * stride + i;
-            const Interval u = part(x, column);
-            visit(grid.inverse_dx * slope_in(z, 1, stride, u, v), grid.inverse_dx * slope_in(z, stride, 1, v, u));
+    for (std::int64_t j = cells.j0; j <= cells.j1; ++j) {
+        const Interval v = part(y, j - grid.origin_y);
+        for (std::int64_t i = cells.i0; i <= cells.i1; ++i) {
+            const double* const z = nodes.bed.data() + j * nodes.stride() + i;
+            const Interval u = part(x, i - grid.origin_x);
+            visit(grid.inverse_dx * slope_in(z, 1, nodes.stride(), u, v),
+                  grid.inverse_dx * slope_in(z, nodes.stride(), 1, v, u));
         }
     }
-    return true;
 }
 
 Point at(Point from, Point velocity, double time) noexcept {
@@ -214,7 +235,7 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
 struct Velocity {
     Box map, direction;
 };
-Velocity velocity_on(const Box& slope, Point along) noexcept {
+inline Velocity velocity_on(const Box& slope, Point along) noexcept {
     const Interval steep = square(slope.x) + square(slope.y), length = root({1 + steep.least, 1 + steep.greatest});
     const Interval climb = along.x * slope.x + along.y * slope.y;
     const Interval share =
@@ -239,32 +260,31 @@ double steepest_fall(const NodeGrid& nodes, const Box& box, Point along, double 
     constexpr double k_unknown = std::numeric_limits<double>::infinity();
     const double speed = std::hypot(along.x, along.y), dx = nodes.cell_size();
     if (!(speed > 0)) return k_unknown;
-    const auto slopes = [&](const Box& place) {
-        std::optional<Box> all;
-        const bool known = for_each_slope(nodes, place, [&](Interval x, Interval y) {
-            all = all ? Box{hull(all->x, x), hull(all->y, y)} : Box{x, y};
-        });
-        return known ? all : std::nullopt;
-    };
     const auto after = [&](const Interval& time, const Box& v) { return Box{box.x + time * v.x, box.y + time * v.y}; };
     Box from = box;
     if (reach > 0) {  // |u| is at most |w|; its direction on the slopes within that bounds the path better
         const Interval any{-speed, speed}, time{0, reach};
-        const auto slope = slopes(after(time, {any, any}));
-        if (!slope) return k_unknown;
-        from = after(time, velocity_on(*slope, along).map);
+        const auto round = cells_of(nodes, after(time, {any, any}));
+        if (!round) return k_unknown;
+        from = after(time, velocity_on(slopes_in(nodes, *round), along).map);
     }
-    const auto slope = slopes(from);
-    if (!slope) return k_unknown;
+    const auto start = cells_of(nodes, from);
+    if (!start) return k_unknown;
+    std::optional<Box> slope;
+    for_each_slope(nodes, from, *start, [&](Interval x, Interval y) {
+        slope = slope ? Box{hull(slope->x, x), hull(slope->y, y)} : Box{x, y};
+    });
     const Box way = velocity_on(*slope, along).direction;
     const Interval length{-k_rounding * dx, (k_edge_width + k_sampling + k_rounding) * dx};
+    const Box to{from.x + length * way.x, from.y + length * way.y};
+    const auto ahead = cells_of(nodes, to);
+    if (!ahead) return k_unknown;
     double fall = 0;
-    const auto steepest = [&](Interval x, Interval y) {
+    for_each_slope(nodes, to, *ahead, [&](Interval x, Interval y) {
         const double any_direction = root(square(x) + square(y)).greatest;
         fall = std::max(fall, std::min(any_direction, -(x * way.x + y * way.y).least));
-    };
-    const bool known = for_each_slope(nodes, {from.x + length * way.x, from.y + length * way.y}, steepest);
-    return known ? fall : k_unknown;
+    });
+    return fall;
 }
 
 // Whether a jump may be found at all: one search in thousands finds one, even on steep ground.
