@@ -402,7 +402,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
              structured_problems(*scene.structured, [](const std::string& key) { return key; }))
             problems.add(problem);
     scene.entrainment = spec.entrainment;
-    scene.numerics = numerics_of(spec);
+    scene.numerics = spec.numerics;
     scene.time = time_of(spec);
     check_inflow_counts(scene, problems);
     problems.throw_if_any();

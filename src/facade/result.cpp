@@ -75,8 +75,8 @@ std::string summary_of(const RunResult& result, const EngineScene& prepared) {
     Json json{{"program", "frana"},
               {"version", FRANA_VERSION},
               {"model", spec.material.model},
-              {"scheme", word_of(spec.numerics.scheme)},
-              {"slope_correction", slope_correction(spec.numerics)}};
+              {"scheme", word_of(spec.numerics.scheme, k_schemes)},
+              {"slope_correction", word_of(slope_correction(spec.numerics), k_slope_corrections)}};
     add_end(json, result, spec);
     add_particles(json, result);
     json["terms"] = result.terms;

@@ -104,31 +104,22 @@ void use_vector_kernels(const VectorKernels& kernels, const ChosenStress& law, S
 
 }  // namespace
 
-bool follows_bed(const Numerics& numerics) {
-    return numerics.curvature && numerics.slope_correction != SlopeCorrection::none;
-}
-
-bool flies(const Numerics& numerics) {
-    return numerics.flight && follows_bed(numerics) && numerics.scheme == Scheme::standard &&
-           transfer_of(numerics) == Transfer::apic;
-}
-
 Stages choose_stages(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
                      const Numerics& numerics, Kernels kernels) {
     Stages stages;
     stages.fields = k_basic_fields;
-    stages.follows_bed = follows_bed(numerics);
+    stages.follows_bed = curvature(numerics);
     const ChosenStress stress = stress_law(material, numerics.gravity);
     const Transfer transfer = transfer_of(numerics);
     if (numerics.scheme == Scheme::paper) {
         choose_scheme<HatShape, false>(transfer, stress, stages);
     } else {
-        stages.references = numerics.well_balanced;
+        stages.references = well_balanced(numerics);
         stages.leapfrog = true;
         choose_scheme<QuadraticSplineShape, true>(transfer, stress, stages);
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
-        stages.flies = flies(numerics);
+        stages.flies = flight(numerics);
     }
     choose_node_stages(numerics, sums_friction(material, zones, entrainment), stages);
     choose_exchange(entrainment, numerics, stages);
@@ -144,10 +135,9 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.gravity = gravity;
     laws.stress.law = stress_law(material, gravity);
     laws.stress.wave_factor = std::visit([](const auto& law) { return law.wave_factor(); }, laws.stress.law);
-    laws.cfl = numerics.cfl.value_or(default_courant(numerics.scheme == Scheme::standard &&
-                                                     !std::holds_alternative<BinghamStress>(laws.stress.law)));
+    laws.cfl = courant_number(numerics, material);
     laws.minimum_depth = numerics.minimum_depth;
-    laws.flight_slope = numerics.flight_slope;
+    laws.flight_slope = tangent_of(numerics.flight_slope);
     laws.wall = numerics.boundary == Boundary::wall;
     laws.friction = make_friction(material, zones, entrainment, nodes, gravity);
     laws.exchange = make_exchange(entrainment, material.density);

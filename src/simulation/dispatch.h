@@ -22,10 +22,4 @@ voellmy_bingham::Stages choose_stages(const Material& material, const MaterialZo
 voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
                                 const Numerics& numerics, NodeGrid& nodes, double gravity);
 
-/// Returns whether particles and nodes exchange velocities along the bed rather than in map view.
-bool follows_bed(const Numerics& numerics);
-
-/// Returns whether particles can leave the bed and fly.
-bool flies(const Numerics& numerics);
-
 }  // namespace frana

@@ -168,20 +168,21 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
 }
 
 void choose_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
-    switch (numerics.slope_correction) {
+    switch (slope_correction(numerics)) {
+        case SlopeCorrection::automatic:  // resolved
         case SlopeCorrection::none:
-            return choose_slope<GentleSlope>(summed, numerics.curvature, stages);
+            return choose_slope<GentleSlope>(summed, false, stages);
         case SlopeCorrection::surface:
-            return choose_slope<SurfaceSlope>(summed, numerics.curvature, stages);
+            return choose_slope<SurfaceSlope>(summed, curvature(numerics), stages);
         case SlopeCorrection::normal:
-            return choose_slope<NormalSlope>(summed, numerics.curvature, stages);
+            return choose_slope<NormalSlope>(summed, curvature(numerics), stages);
     }
 }
 
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, Stages& stages) {
     if (!entrainment.active()) return;
     stages.exchange_at_nodes =
-        numerics.slope_correction == SlopeCorrection::none ? exchange_stage<false> : exchange_stage<true>;
+        slope_correction(numerics) == SlopeCorrection::none ? exchange_stage<false> : exchange_stage<true>;
 }
 
 BedFriction make_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,

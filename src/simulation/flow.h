@@ -73,7 +73,7 @@ class Flow final : public Model {
     [[nodiscard]] const NodeGrid& nodes() const noexcept override { return state_.nodes; }
     [[nodiscard]] const GridSpec& grid() const noexcept override { return grid_; }
     /// Whether speeds along the bed and in map view differ.
-    [[nodiscard]] bool metric() const noexcept { return numerics_.slope_correction != SlopeCorrection::none; }
+    [[nodiscard]] bool metric() const noexcept { return slope_correction(numerics_) != SlopeCorrection::none; }
     [[nodiscard]] bool shows_end() const noexcept override { return false; }
     [[nodiscard]] std::vector<std::int64_t> shown_tiles() const override { return state_.order.node_tiles(); }
     [[nodiscard]] const TileGrid& tile_grid() const noexcept override { return state_.order.grid(); }

@@ -19,16 +19,6 @@
 
 namespace frana {
 
-/// Effect of steep terrain in the map-plane equations; see share/doc/model.md, "Unknowns".
-enum class SlopeCorrection { none, normal, surface };
-
-/// Treatment of cells without terrain data.
-enum class NodataPolicy {
-    stop,  ///< flow that reaches such a cell ends the run with a message
-    wall,  ///< such cells are walls
-    fill,  ///< the bed was interpolated across them when the terrain was read, and the number of cells reported
-};
-
 /// A property of the solids that varies from place to place: a raster on the working grid, in the unit of SolidValues;
 /// where it is NaN the uniform value applies.
 struct SolidZone {
@@ -65,17 +55,6 @@ inline constexpr ZoneRaster k_zone_rasters[] = {{"friction", &MaterialZones::fri
                                                 {"turbulence", &MaterialZones::turbulence},
                                                 {"cohesion", &MaterialZones::cohesion},
                                                 {"erodible depth", &MaterialZones::erodible_depth, false}};
-
-struct Numerics : NumericsValues {
-    int particles_per_cell = k_particles_per_cell;  ///< a square number: 1, 4, 9, 16
-    bool well_balanced = true;                      ///< still level per node (default scheme only)
-    SlopeCorrection slope_correction = SlopeCorrection::normal;
-    bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
-    bool flight = true;     ///< particles thrown off the bed fly; only with curvature and the default scheme
-    double flight_slope = std::tan(k_flight_slope_degrees * std::numbers::pi /
-                                   180);  ///< tangent: least fall of an edge in the direction of motion [-]
-    NodataPolicy nodata = NodataPolicy::stop;
-};
 
 struct TimeControl : TimeValues {
     double end = 0;  ///< [s]; src/params sets the default of scene files

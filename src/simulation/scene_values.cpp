@@ -49,27 +49,6 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     return m;
 }
 
-Numerics numerics_of(const SceneSpec& spec) {
-    Numerics numerics;
-    const NumericsSpec& words = spec.numerics;
-    numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
-    static_cast<NumericsValues&>(numerics) = words;
-    numerics.cfl = courant_number(spec);
-    numerics.well_balanced = well_balanced(words);
-    const std::string correction = slope_correction(words);
-    numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
-                                : correction == "surface" ? SlopeCorrection::surface
-                                                          : SlopeCorrection::normal;
-    numerics.curvature = curvature(words);
-    numerics.flight = flight(words);
-    numerics.flight_slope = tangent_of(words.flight_slope);
-    const std::string& policy = spec.terrain.nodata_policy;
-    numerics.nodata = policy == "wall"   ? NodataPolicy::wall
-                      : policy == "fill" ? NodataPolicy::fill
-                                         : NodataPolicy::stop;
-    return numerics;
-}
-
 TimeControl time_of(const SceneSpec& spec) {
     TimeControl time;
     static_cast<TimeValues&>(time) = spec.time;

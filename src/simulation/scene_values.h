@@ -15,7 +15,6 @@ namespace frana {
 
 /// Returns [structured], if that is the scene's model; without properties that vary from place to place.
 std::optional<StructuredMaterial> structured_of(const SceneSpec& spec);
-Numerics numerics_of(const SceneSpec& spec);
 TimeControl time_of(const SceneSpec& spec);
 
 /// Sets what the numbers of [release] say of an area: how its thickness is measured, when it fails, how fast it starts.

@@ -17,7 +17,7 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
     laws.gravity = numerics.gravity;
     laws.cfl = numerics.cfl.value_or(default_courant(false));
     laws.dry = m.dry_depth;
-    laws.steep = numerics.slope_correction != SlopeCorrection::none;
+    laws.steep = slope_correction(numerics) != SlopeCorrection::none;
     laws.wall = numerics.boundary == Boundary::wall;
     laws.gaps_are_open = numerics.nodata == NodataPolicy::stop;
     laws.manning = m.manning;

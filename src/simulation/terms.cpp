@@ -48,7 +48,7 @@ void add_numerics(const Numerics& numerics, Terms& terms) {
         return;
     }
     terms.push_back(std::string(worded("quadratic B-splines")) + ", " + transfer);
-    if (numerics.well_balanced) terms.emplace_back(worded("reference level per node"));
+    if (well_balanced(numerics)) terms.emplace_back(worded("reference level per node"));
     terms.emplace_back(worded("area relaxation"));
     terms.emplace_back(worded("compressive artificial viscosity"));
     if (transfer_of(numerics) == Transfer::apic) terms.emplace_back(worded("splitting and merging"));
@@ -81,7 +81,7 @@ Terms structured_terms(const Scene& scene) {
     const StructuredMaterial& m = *scene.structured;
     const bool fluid = !m.solids || m.solid_fraction < 1;
     Terms terms{worded("hydrostatic pressure"), worded("bed slope")};
-    if (scene.numerics.slope_correction != SlopeCorrection::none)
+    if (slope_correction(scene.numerics) != SlopeCorrection::none)
         terms.emplace_back(worded("slope correction: normal"));
     if (m.solids) add_solids(m, fluid, terms);
     if (!fluid) return terms;
@@ -116,10 +116,10 @@ std::vector<std::string> list_terms(const Scene& scene) {
     const Material& material = scene.material;
     const Numerics& numerics = scene.numerics;
     Terms terms{worded("hydrostatic pressure"), worded("bed slope")};
-    if (numerics.slope_correction == SlopeCorrection::normal) terms.emplace_back(worded("slope correction: normal"));
-    if (numerics.slope_correction == SlopeCorrection::surface) terms.emplace_back(worded("slope correction: surface"));
-    if (numerics.curvature) terms.emplace_back(worded("curvature of the bed"));
-    if (flies(numerics)) terms.emplace_back(worded("flight over edges"));
+    if (slope_correction(numerics) == SlopeCorrection::normal) terms.emplace_back(worded("slope correction: normal"));
+    if (slope_correction(numerics) == SlopeCorrection::surface) terms.emplace_back(worded("slope correction: surface"));
+    if (curvature(numerics)) terms.emplace_back(worded("curvature of the bed"));
+    if (flight(numerics)) terms.emplace_back(worded("flight over edges"));
     add_bed(scene, terms);
     if (const std::string stress = in_plane_stress(material); stress != "none") {
         const Law& law = find_law(LawKind::in_plane_stress, stress);

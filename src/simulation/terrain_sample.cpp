@@ -27,7 +27,7 @@ Point gradient(const Raster& terrain, Cell cell) {
 }
 
 double map_fraction(const Numerics& numerics, Point slope, Point direction) {
-    if (numerics.slope_correction == SlopeCorrection::none) return 1;
+    if (slope_correction(numerics) == SlopeCorrection::none) return 1;
     const double climb = slope.x * direction.x + slope.y * direction.y;
     return 1 / std::sqrt(1 + climb * climb);
 }

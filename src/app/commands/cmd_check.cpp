@@ -152,8 +152,9 @@ std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
     for (const UsedFile& file : prepared.files) add(table, file);
     const TerrainInput& ground = prepared.ground;
     const GridSpec& grid = prepared.scene.grid;
-    const std::string filled = ground.filled_cells > 0 ? grouped(ground.filled_cells) + " filled"
-                                                       : "policy " + prepared.spec.terrain.nodata_policy;
+    const std::string filled = ground.filled_cells > 0
+                                   ? grouped(ground.filled_cells) + " filled"
+                                   : "policy " + word_of(prepared.scene.numerics.nodata, k_nodata_policies);
     table.add({"Working grid", ground.crs_label, corners(grid.bounds(), false),
                grouped(grid.columns) + " x " + grouped(grid.rows) + " of\n" + shortest_text(grid.cell_size) + " m",
                grouped(ground.nodata_cells) + "\n" + filled,

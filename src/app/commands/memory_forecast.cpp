@@ -100,7 +100,7 @@ double most_steps(const Prepared& prepared, const RunEstimate& expected) {
     for (const ReleaseArea& area : scene.release) begun = std::max(begun, area.speed);
     speed = std::hypot(speed, begun);
     return scene.time.end / expected.first_step_seconds +
-           scene.time.end * speed / (scene.numerics.cfl.value() * scene.grid.cell_size);
+           scene.time.end * speed / (courant_number(scene.numerics, scene.material) * scene.grid.cell_size);
 }
 
 }  // namespace

@@ -162,8 +162,8 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     if (spec.material.friction_angle || spec.material.friction_coefficient)
         chosen["material.friction-coefficient"] = shortest_text(spec.material.bed_friction_coefficient());
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
-    chosen["numerics.cfl"] = shortest_text(courant_number(spec));
-    chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
+    chosen["numerics.cfl"] = shortest_text(courant_number(spec.numerics, spec.material));
+    chosen["numerics.slope-correction"] = word_of(slope_correction(spec.numerics), k_slope_corrections);
     chosen["numerics.curvature"] = curvature(spec.numerics) ? "on" : "off";
     chosen["numerics.flight"] = flight(spec.numerics) ? "on" : "off";
     chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
@@ -232,7 +232,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.structured = std::move(structured);
     prepared.scene.material = reading.scene.material;
     prepared.scene.entrainment = reading.scene.entrainment;
-    prepared.scene.numerics = numerics_of(reading.scene);
+    prepared.scene.numerics = reading.scene.numerics;
     refuse_unused_zones(reading, prepared.scene, problems);
     problems.throw_if_any();
     prepared.scene.time = time_of(reading.scene);

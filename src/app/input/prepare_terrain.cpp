@@ -308,8 +308,8 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
     input.on_demand = file;
     input.terrain.grid = grid;
     input.terrain.values = CellValues::tiled(grid.rows, grid.columns, k_no_data,
-                                             [file, grid, fills = spec.nodata_policy == "fill", error = error_of(spec)](
-                                                 const CellWindow& window, double* values) {
+                                             [file, grid, fills = reading.scene.numerics.nodata == NodataPolicy::fill,
+                                              error = error_of(spec)](const CellWindow& window, double* values) {
                                                  if (fills)
                                                      read_filled(*file, grid, window, values);
                                                  else
@@ -369,7 +369,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
                     Problem{"has no elevation anywhere on the working grid", reading.where("terrain.dtm"), spec.dtm, "",
                             "Check terrain.bounds and the file's nodata value"});
     }
-    if (spec.nodata_policy == "fill" && input.nodata_cells > 0)
+    if (reading.scene.numerics.nodata == NodataPolicy::fill && input.nodata_cells > 0)
         input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
     check_terrain(reading, input.terrain, grid, log);
     if (const auto error = error_of(spec))
@@ -400,7 +400,7 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
                 {numeral(cells), numeral(grouped(input.filled_cells))}));
         else
             log.note(cells + " cells of the working grid have no elevation; nodata-policy = " +
-                     reading.scene.terrain.nodata_policy);
+                     word_of(reading.scene.numerics.nodata, k_nodata_policies));
     }
 }
 

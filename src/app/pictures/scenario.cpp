@@ -68,8 +68,9 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
 }  // namespace
 
 std::string voellmy_bingham_words(const std::string& scheme, const Words& words) {
-    return scheme.empty() || scheme == word_of(NumericsSpec{}.scheme) ? "Voellmy-Bingham"
-                                                                      : words("Voellmy-Bingham, scheme {1}", {scheme});
+    return scheme.empty() || scheme == word_of(Numerics{}.scheme, k_schemes)
+               ? "Voellmy-Bingham"
+               : words("Voellmy-Bingham, scheme {1}", {scheme});
 }
 
 std::string scenario_words(const ScenarioFacts& facts, const Words& words) {

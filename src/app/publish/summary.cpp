@@ -75,8 +75,8 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
               {"date", facts.date},
               {"scene", facts.spec.file},
               {"model", facts.spec.material.model},
-              {"scheme", word_of(facts.spec.numerics.scheme)},
-              {"slope_correction", slope_correction(facts.spec.numerics)},
+              {"scheme", word_of(facts.spec.numerics.scheme, k_schemes)},
+              {"slope_correction", word_of(slope_correction(facts.spec.numerics), k_slope_corrections)},
               {"crs", facts.crs_label},
               {"threads", facts.threads}};
     add_end(json, result, facts.spec);

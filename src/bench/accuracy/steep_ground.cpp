@@ -98,7 +98,7 @@ class FilmRun {
     // Along the bed: from the velocity stored by the particle, or from its velocity in map view there.
     [[nodiscard]] double square_of_speed(std::size_t p, Point at, Point v) {
         const ParticleSet& particles = run_->flow().particles();
-        if (setup_.numerics.curvature) return square(particles[Field::u][p]) + square(particles[Field::v][p]);
+        if (curvature(setup_.numerics)) return square(particles[Field::u][p]) + square(particles[Field::v][p]);
         constexpr double k_near = 1e-3;
         const double x = (ground_({at.x + k_near, at.y}) - ground_({at.x - k_near, at.y})) / (2 * k_near);
         const double y = (ground_({at.x, at.y + k_near}) - ground_({at.x, at.y - k_near})) / (2 * k_near);

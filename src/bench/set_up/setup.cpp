@@ -35,7 +35,6 @@ Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary) {
     Numerics numerics;
     numerics.scheme = scheme;
     numerics.slope_correction = scheme == Scheme::paper ? SlopeCorrection::none : slope;
-    numerics.curvature = numerics.slope_correction != SlopeCorrection::none;
     numerics.boundary = boundary;
     numerics.gravity = k_gravity;
     return numerics;

@@ -45,8 +45,8 @@ struct Planned {
     std::string refusal;
 };
 
-bool same_numerics(const Numerics& a, const Numerics& b) {
-    return a.cfl == b.cfl && a.particles_per_cell == b.particles_per_cell;
+bool same_numerics(const Numerics& a, const Numerics& b, const Material& material) {
+    return courant_number(a, material) == courant_number(b, material) && a.particles_per_cell == b.particles_per_cell;
 }
 
 // Keys are validated on the scene before anything is run. Values that the scene already has are not run twice.
@@ -57,7 +57,7 @@ std::vector<Planned> plan(const RobustnessOptions& options, const Scene& scene) 
         if (!one.overrides.empty()) {
             try {
                 run.numerics = options.scene(one.overrides).numerics;
-                if (same_numerics(run.numerics, scene.numerics)) continue;
+                if (same_numerics(run.numerics, scene.numerics, scene.material)) continue;
             } catch (const Error& error) {
                 if (error.kind() != ErrorKind::input) throw;
                 run.refusal = error.what();

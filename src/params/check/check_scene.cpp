@@ -115,11 +115,11 @@ void check_rest(const SceneSpec& scene, const std::set<std::string>& given, cons
                       shortest_text(*scene.material.pore_dissipation_time) + " s", "",
                       "Remove it (the pore pressure then stays constant), or compute each failure in a separate run"});
     }
-    if (curvature(scene.numerics) && slope_correction(scene.numerics) == "none") {
+    if (scene.numerics.curvature.value_or(false) && slope_correction(scene.numerics) == SlopeCorrection::none) {
         problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
                       "Set numerics.slope-correction = normal or surface, or remove the key"});
     }
-    if (flight(scene.numerics) && !can_fly(scene.numerics)) {
+    if (scene.numerics.flight.value_or(false) && !can_fly(scene.numerics)) {
         problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight",
                       "on", "off", "Set those, or remove the key"});
     }
@@ -227,7 +227,7 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
     }
 }
 
-void check_numerics(const NumericsSpec& numerics, const std::string& file, Problems& problems) {
+void check_numerics(const Numerics& numerics, const std::string& file, Problems& problems) {
     const bool paper = numerics.scheme == Scheme::paper;
     if (paper && numerics.well_balanced.value_or(false)) {
         problems.add({"reference levels are part of scheme default, not of paper", file + ": numerics.well-balanced",

@@ -196,6 +196,11 @@ ParameterOf<Spec> option(const std::string& name, Member member, const Words<Val
     result.meaning = meaning;
     return result;
 }
+template <class Member, class Value, std::size_t n>
+Parameter option(const std::string& name, Member member, const std::pair<const char*, Value> (&words)[n],
+                 const std::string& meaning) {
+    return option(name, member, Words<Value>(std::begin(words), std::end(words)), meaning);
+}
 
 /// A file whose features are compared with the flow or bound it: the part of a large terrain that frana selects
 /// contains them.

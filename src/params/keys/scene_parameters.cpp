@@ -175,7 +175,7 @@ void add_terrain(std::vector<Parameter>& list) {
     list.push_back(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m", Range{0.01, 1000},
                           "Cell size of the working grid.", "the DTM's own"));
     list.push_back(bounds_parameter());
-    list.push_back(choice("terrain.nodata-policy", FRANA_MEMBER(terrain.nodata_policy), {"stop", "wall", "fill"},
+    list.push_back(option("terrain.nodata-policy", FRANA_MEMBER(numerics.nodata), k_nodata_policies,
                           "Where the flow reaches ground without elevation: end the run, treat it as a wall, or "
                           "interpolate the bed beforehand."));
     list.push_back(choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
@@ -273,15 +273,15 @@ using declare::word_list;
 Parameter particles_per_cell_parameter() {
     Parameter result = declare::parameter(
         "numerics.particles-per-cell", "integer", FRANA_MEMBER(numerics.particles_per_cell),
-        [](std::int64_t& target, const std::string& value) -> std::optional<ValueProblem> {
+        [](int& target, const std::string& value) -> std::optional<ValueProblem> {
             const auto count = integer_from_text(value);
             if (!count) return ValueProblem{"is not a whole number", ""};
             if (*count != 1 && *count != 4 && *count != 9 && *count != 16)
                 return ValueProblem{"is not a square number from 1 to 16", "4 is a good choice, 9 where fronts matter"};
-            target = *count;
+            target = static_cast<int>(*count);
             return std::nullopt;
         },
-        [](std::int64_t value) { return std::to_string(value); });
+        [](int value) { return std::to_string(value); });
     result.limits = "1, 4, 9, 16";
     result.choices = {"1", "4", "9", "16"};
     result.meaning = "Particles per cell of the release at the start.";
@@ -318,8 +318,7 @@ Parameter accuracy_parameter() {
 }
 
 void add_numerics(std::vector<Parameter>& list) {
-    list.push_back(option("numerics.scheme", FRANA_MEMBER(numerics.scheme),
-                          declare::Words<Scheme>(std::begin(k_schemes), std::end(k_schemes)),
+    list.push_back(option("numerics.scheme", FRANA_MEMBER(numerics.scheme), k_schemes,
                           "Numerical scheme: frana's own, or the method as published."));
     declare::Words<Transfer> transfers;
     for (const TransferRow& row : k_transfers) transfers.emplace_back(row.word, row.transfer);
@@ -333,8 +332,7 @@ void add_numerics(std::vector<Parameter>& list) {
     list.push_back(on_off("numerics.well-balanced", FRANA_MEMBER(numerics.well_balanced),
                           "Keep still water at rest by a reference level per node (default scheme).",
                           "on for scheme default, off for paper"));
-    list.push_back(choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
-                          {"auto", "none", "normal", "surface"},
+    list.push_back(option("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction), k_slope_corrections,
                           "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
     list.push_back(
         on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),

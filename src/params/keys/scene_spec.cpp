@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/scene_spec.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
@@ -22,43 +20,36 @@ double round_up(double value) {
 
 }  // namespace
 
-Transfer transfer_of(const NumericsValues& numerics) {
+Transfer transfer_of(const Numerics& numerics) {
     if (numerics.transfer != Transfer::automatic) return numerics.transfer;
     return numerics.scheme == Scheme::paper ? Transfer::pic : Transfer::apic;
 }
 
-std::string word_of(Scheme scheme) {
-    return std::find_if(std::begin(k_schemes), std::end(k_schemes),
-                        [&](const auto& row) { return row.second == scheme; })
-        ->first;
+SlopeCorrection slope_correction(const Numerics& numerics) {
+    if (numerics.slope_correction != SlopeCorrection::automatic) return numerics.slope_correction;
+    return numerics.scheme == Scheme::paper ? SlopeCorrection::none : SlopeCorrection::normal;
 }
 
-std::string slope_correction(const NumericsSpec& numerics) {
-    if (numerics.slope_correction != "auto") return numerics.slope_correction;
-    return numerics.scheme == Scheme::paper ? "none" : "normal";
-}
-
-bool curvature(const NumericsSpec& numerics) {
-    return numerics.curvature.value_or(slope_correction(numerics) != "none");
-}
-
-bool can_fly(const NumericsSpec& numerics) {
-    return curvature(numerics) && numerics.scheme != Scheme::paper && transfer_of(numerics) == Transfer::apic;
-}
-
-bool flight(const NumericsSpec& numerics) {
-    return numerics.flight.value_or(can_fly(numerics));
-}
-
-bool well_balanced(const NumericsSpec& numerics) {
+bool well_balanced(const Numerics& numerics) {
     return numerics.well_balanced.value_or(numerics.scheme != Scheme::paper);
 }
 
-double courant_number(const SceneSpec& scene) {
-    const Material& material = scene.material;
+bool curvature(const Numerics& numerics) {
+    return slope_correction(numerics) != SlopeCorrection::none && numerics.curvature.value_or(true);
+}
+
+bool can_fly(const Numerics& numerics) {
+    return curvature(numerics) && numerics.scheme != Scheme::paper && transfer_of(numerics) == Transfer::apic;
+}
+
+bool flight(const Numerics& numerics) {
+    return can_fly(numerics) && numerics.flight.value_or(true);
+}
+
+double courant_number(const Numerics& numerics, const Material& material) {
     const bool is_bingham = in_plane_stress(material) == BinghamStress::word && material.has_bingham_stress();
-    return scene.numerics.cfl.value_or(
-        default_courant(scene.numerics.scheme != Scheme::paper && material.model != "structured" && !is_bingham));
+    return numerics.cfl.value_or(
+        default_courant(numerics.scheme != Scheme::paper && material.model != "structured" && !is_bingham));
 }
 
 double frame_interval(const SceneSpec& scene) {

@@ -33,7 +33,6 @@ struct TerrainSpec {
     std::optional<std::string> dtm_crs;
     std::optional<double> cell_size;
     std::optional<Bounds> bounds;
-    std::string nodata_policy = "stop";
     std::optional<double> nodata_value;
     std::string vertical_unit = "auto";
     std::string resampling = "automatic";
@@ -89,17 +88,6 @@ struct StructuredSpec : StructuredValues {
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0;
     std::optional<double> block_size, sound_speed;
-};
-
-/// [numerics]
-struct NumericsSpec : NumericsValues {
-    std::int64_t particles_per_cell = k_particles_per_cell;
-    std::optional<bool> well_balanced;
-    std::string slope_correction = "auto";
-    std::optional<bool> curvature;
-    std::optional<bool> flight;
-    double flight_slope = k_flight_slope_degrees;
-    std::optional<double> accuracy;  ///< as a fraction
 };
 
 /// [time]
@@ -185,7 +173,7 @@ struct SceneSpec {
     StructuredSpec structured;
     ZonesSpec zones;
     Entrainment entrainment;
-    NumericsSpec numerics;
+    Numerics numerics;
     TimeSpec time;
     OutputSpec output;
     HazardSpec hazard;
@@ -198,20 +186,6 @@ struct SceneSpec {
     }
 };
 
-/// Returns the resolved transfer.
-Transfer transfer_of(const NumericsValues& numerics);
-/// Returns the word of a scheme in scene files.
-std::string word_of(Scheme scheme);
-/// `auto` resolved: `normal` for the default scheme, `none` for the paper's.
-std::string slope_correction(const NumericsSpec& numerics);
-/// Resolved: on if there is a slope correction.
-bool curvature(const NumericsSpec& numerics);
-/// Whether the scheme meets the requirements of flight: curvature, the default scheme, affine velocities.
-bool can_fly(const NumericsSpec& numerics);
-bool flight(const NumericsSpec& numerics);
-/// Resolved: on for the default scheme, off for the paper's.
-bool well_balanced(const NumericsSpec& numerics);
-double courant_number(const SceneSpec& scene);
 /// Returns the interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 if nothing
 /// needs frames.
 double frame_interval(const SceneSpec& scene);

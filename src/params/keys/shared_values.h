@@ -85,17 +85,63 @@ inline constexpr TransferRow k_transfers[] = {{"auto", Transfer::automatic, ""},
                                               {"flip", Transfer::flip, "FLIP"},
                                               {"apic", Transfer::apic, "APIC"}};
 
-struct NumericsValues {
+/// Effect of steep terrain in the map-plane equations; see share/doc/model.md, "Unknowns".
+enum class SlopeCorrection { automatic, none, normal, surface };
+inline constexpr std::pair<const char*, SlopeCorrection> k_slope_corrections[] = {
+    {"auto", SlopeCorrection::automatic},
+    {"none", SlopeCorrection::none},
+    {"normal", SlopeCorrection::normal},
+    {"surface", SlopeCorrection::surface}};
+
+/// Treatment of cells without terrain data.
+enum class NodataPolicy {
+    stop,  ///< flow that reaches such a cell ends the run with a message
+    wall,  ///< such cells are walls
+    fill,  ///< the bed was interpolated across them when the terrain was read, and the number of cells reported
+};
+inline constexpr std::pair<const char*, NodataPolicy> k_nodata_policies[] = {
+    {"stop", NodataPolicy::stop}, {"wall", NodataPolicy::wall}, {"fill", NodataPolicy::fill}};
+
+/// Returns the word of a value in scene files.
+template <class Value, std::size_t n>
+std::string word_of(Value value, const std::pair<const char*, Value> (&words)[n]) {
+    for (const auto& [word, one] : words)
+        if (one == value) return word;
+    return {};
+}
+
+/// [numerics] and terrain.nodata-policy. What is not given follows from the scheme: the functions below resolve it.
+struct Numerics {
     Scheme scheme = Scheme::standard;
-    Transfer transfer = Transfer::automatic;  ///< the scheme's own (paper: pic, default: apic)
-    std::optional<double> cfl;                ///< Courant number; none: default_courant
-    double gravity = k_standard_gravity;      ///< [m/s2]
+    Transfer transfer = Transfer::automatic;
+    std::optional<double> cfl;            ///< Courant number
+    double gravity = k_standard_gravity;  ///< [m/s2]
     double minimum_depth =
         k_minimum_depth;  ///< depth from which a cell counts as reached in maxima and arrival time [m]
     Boundary boundary = Boundary::open;
+    int particles_per_cell = 4;         ///< a square number: 1, 4, 9, 16
+    std::optional<bool> well_balanced;  ///< still level per node (default scheme only)
+    SlopeCorrection slope_correction = SlopeCorrection::automatic;
+    std::optional<bool> curvature;   ///< motion along a curved bed (Curved)
+    std::optional<bool> flight;      ///< particles thrown off the bed fly
+    double flight_slope = 70;        ///< least fall of an edge in the direction of motion [degrees]
+    std::optional<double> accuracy;  ///< as a fraction
+    NodataPolicy nodata = NodataPolicy::stop;
 };
-inline constexpr int k_particles_per_cell = 4;
-inline constexpr double k_flight_slope_degrees = 70;
+
+/// The scheme's own, if not chosen: pic for the paper's, apic for the default.
+Transfer transfer_of(const Numerics& numerics);
+/// The scheme's own, if not chosen: normal for the default, none for the paper's.
+SlopeCorrection slope_correction(const Numerics& numerics);
+/// On for the default scheme, off for the paper's.
+bool well_balanced(const Numerics& numerics);
+/// On if there is a slope correction, never without.
+bool curvature(const Numerics& numerics);
+/// Whether the requirements of flight are met: curvature, the default scheme, affine velocities.
+bool can_fly(const Numerics& numerics);
+/// On where possible, never elsewhere.
+bool flight(const Numerics& numerics);
+double courant_number(const Numerics& numerics, const Material& material);
 
 struct TimeValues {
     bool stop_when_still = true;      ///< end early once nothing moves

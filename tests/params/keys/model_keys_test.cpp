@@ -100,7 +100,7 @@ TEST(CourantNumber, IsSmallerWhereStepsAreOfFirstOrder) {
     const auto number = [](const auto& change) {
         SceneSpec scene;
         change(scene);
-        return courant_number(scene);
+        return courant_number(scene.numerics, scene.material);
     };
     EXPECT_EQ(number([](SceneSpec&) {}), 0.8);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.scheme = Scheme::paper; }), 0.5);

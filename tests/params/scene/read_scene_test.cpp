@@ -84,11 +84,11 @@ TEST_F(ReadScene, UnknownPresetNamesThePresets) {
 }
 
 TEST_F(ReadScene, SlopeCorrectionFollowsTheScheme) {
-    EXPECT_EQ(slope_correction(read(k_least).scene.numerics), "normal");
-    EXPECT_EQ(slope_correction(read(k_least + "[numerics]\nscheme = paper\n").scene.numerics), "none");
+    EXPECT_EQ(slope_correction(read(k_least).scene.numerics), SlopeCorrection::normal);
+    EXPECT_EQ(slope_correction(read(k_least + "[numerics]\nscheme = paper\n").scene.numerics), SlopeCorrection::none);
     EXPECT_EQ(
         slope_correction(read(k_least + "[numerics]\nscheme = paper\nslope-correction = surface\n").scene.numerics),
-        "surface");
+        SlopeCorrection::surface);
     EXPECT_NE(messages(k_least + "[numerics]\nscheme = paper\nwell-balanced = on\n").find("are part of scheme default"),
               std::string::npos);
 }
