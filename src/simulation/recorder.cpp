@@ -7,18 +7,33 @@
 #include "mpm/node_grid.h"
 
 namespace frana {
+namespace {
+
+/// A maximum over time of a state, as a raster. Besides, its row in params/keys/result_rasters.cpp.
+struct Peak {
+    const char* name;
+    double (*of)(const NodeState& state, double gravity);
+    double (*least)(double max_depth);  ///< in a cell that was reached, also without motion
+};
+constexpr Peak k_peaks[] = {
+    {"max_flux", [](const NodeState& state, double) { return state.depth * state.speed; }, [](double) { return 0.0; }},
+    {"max_head",
+     [](const NodeState& state, double gravity) { return state.depth + state.speed * state.speed / (2 * gravity); },
+     [](double max_depth) { return max_depth; }}};
+
+}  // namespace
 
 Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numerics& numerics)
     : intensity_(recording.intensity),
       interval_(recording.interval),
       minimum_depth_(numerics.minimum_depth),
-      gravity_(numerics.gravity) {
+      gravity_(numerics.gravity),
+      peaks_(std::size(k_peaks)) {
     const double cell_size = grid.cell_size;
     const std::int64_t stride = grid.columns + 2 * k_ghost;
     if (intensity_) {
         const auto nodes = static_cast<std::size_t>(stride * (grid.rows + 2 * k_ghost));
-        flux_ = ZeroArray<double>(nodes);
-        head_ = ZeroArray<double>(nodes);
+        for (ZeroArray<double>& peak : peaks_) peak = ZeroArray<double>(nodes);
     }
     // By indices relative to the origin.
     const auto node_at = [&](std::int64_t i, std::int64_t j) {
@@ -91,8 +106,8 @@ void Recorder::add_gauges(const Model& model, double time) {
 void Recorder::fold_intensity(const Model& model) {
     model.for_each_active_state([&](std::size_t node, const NodeState& state) {
         if (state.depth < minimum_depth_) return;
-        flux_[node] = std::max(flux_[node], state.depth * state.speed);
-        head_[node] = std::max(head_[node], state.depth + state.speed * state.speed / (2 * gravity_));
+        for (std::size_t k = 0; k < std::size(k_peaks); ++k)
+            peaks_[k][node] = std::max(peaks_[k][node], k_peaks[k].of(state, gravity_));
     });
 }
 
@@ -127,16 +142,15 @@ void Recorder::move_to(const Model& model, RunResult& result) {
     result.gauges = std::move(gauge_rows_);
     result.sections = std::move(section_rows_);
     if (!intensity_) return;
-    Raster fluxes = model.to_raster(flux_), heads = model.to_raster(head_);
-    // A cell reached without motion has a flux of zero, not "no data"; a head is at least the depth.
-    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
-        if (std::isnan(depth)) return;
-        double &flux = fluxes.values[cell], &head = heads.values[cell];
-        if (std::isnan(flux)) flux = 0;
-        if (!(head >= depth)) head = depth;
-    });
-    result.add("max_flux", std::move(fluxes));
-    result.add("max_head", std::move(heads));
+    for (std::size_t k = 0; k < std::size(k_peaks); ++k) {
+        Raster peak = model.to_raster(peaks_[k]);
+        result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+            if (std::isnan(depth)) return;
+            const double least = k_peaks[k].least(depth);
+            if (!(peak.values[cell] >= least)) peak.values[cell] = least;
+        });
+        result.add(k_peaks[k].name, std::move(peak));
+    }
 }
 
 }  // namespace frana

@@ -28,8 +28,9 @@ class Recorder {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [intensity, interval, minimum_depth, gravity, next_row, places, lines, gauge_rows,
-                                section_rows, flux, head] = *this;
-        archive(next_row, gauge_rows, section_rows, flux, head);
+                                section_rows, peaks] = *this;
+        archive(next_row, gauge_rows, section_rows);
+        for (ZeroArray<double>& peak : peaks) archive(peak);
         for (Line& line : lines) archive(line.volume);
         if constexpr (Archive::k_reads) {
             for (const GaugeRow& row : gauge_rows) archive.require(row.gauge < places.size());
@@ -61,7 +62,7 @@ class Recorder {
     std::vector<Line> lines_;
     std::vector<GaugeRow> gauge_rows_;
     std::vector<SectionRow> section_rows_;
-    ZeroArray<double> flux_, head_;
+    std::vector<ZeroArray<double>> peaks_;  ///< one for each of k_peaks
 };
 
 }  // namespace frana

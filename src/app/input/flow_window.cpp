@@ -74,7 +74,7 @@ std::optional<Origin> release_origin(const SceneReading& reading, const std::str
         if (!release.thickness || release.thickness->kind != ThicknessSpec::Kind::raster) return std::nullopt;
         return if_readable([&] {
             const gis::RasterInfo file =
-                gis::inspect_raster(release.thickness->raster, reading.where("release.thickness"));
+                gis::inspect_raster(release.thickness->names.front(), reading.where("release.thickness"));
             origin.extent = box_of(file, crs);
             return origin;
         });

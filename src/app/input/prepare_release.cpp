@@ -149,14 +149,14 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
         area.outline = layer.features[i].parts;
         area.thickness = spec.metres;
         if (spec.kind == ThicknessSpec::Kind::attribute) {
-            const SourceSpec source{SourceSpec::Kind::attribute, 0, spec.attribute};
+            const SourceSpec source{SourceSpec::Kind::attribute, 0, spec.names.front()};
             const auto thickness = value_of(reading, "release.thickness", source, layer, i, problems);
             if (!thickness) continue;
             area.thickness = *thickness;
             if (!(area.thickness > 0) || !std::isfinite(area.thickness)) {
                 problems.add({feature_name(layer, i) + " has a thickness that is not positive", where,
                               shortest_text(area.thickness) + " m", "greater than 0",
-                              "Correct the attribute " + spec.attribute});
+                              "Correct the attribute " + spec.names.front()});
                 continue;
             }
         }
@@ -282,21 +282,19 @@ Raster positive_part(const Raster& thickness, const TerrainInput& ground, const 
     return positive;
 }
 
-/// Returns the thickness raster on the working grid: the file itself, the sum of two, or the positive part of before
-/// minus after or of the ground minus the slip surface.
+/// Returns the thickness of files on the working grid.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
                                        const TerrainInput* ground, ReleaseInput& release, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems) {
     const std::string where = reading.where("release.thickness");
-    // A thickness has its own unit; the others contain elevations.
-    const bool elevations = spec.kind != ThicknessSpec::Kind::raster && spec.kind != ThicknessSpec::Kind::phases;
-    const std::string unit = elevations ? reading.scene.terrain.vertical_unit : "auto";
-    const std::optional<double> nodata = elevations ? reading.scene.terrain.nodata_value : std::nullopt;
-    std::vector<std::string> names{spec.raster};
-    if (!spec.post.empty()) names.push_back(spec.post);
+    const ThicknessKind& kind = *thickness_kind(spec.kind);
+    const bool phases = spec.kind == ThicknessSpec::Kind::phases;
+    // A thickness has its own unit.
+    const std::string unit = kind.elevations ? reading.scene.terrain.vertical_unit : "auto";
+    const std::optional<double> nodata = kind.elevations ? reading.scene.terrain.nodata_value : std::nullopt;
     std::vector<Raster> rasters;
     std::vector<std::shared_ptr<const gis::RasterOnDemand>> unread;
-    for (const std::string& file : names) {
+    for (const std::string& file : spec.names) {
         attempt(problems, [&] {
             gis::RasterInfo info = gis::inspect_raster(file, where);
             if (reading.scene.release.thickness_crs) {
@@ -326,38 +324,38 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             release.rasters.push_back(info);
             files.push_back(used_raster(worded("Release thickness"), info, read));
             if (ground->on_demand) do_not_count_nodata(files.back());
-            if (ground->on_demand && spec.kind == ThicknessSpec::Kind::phases)
+            if (ground->on_demand && phases)
                 read.raster = phase_on_demand(ground->terrain.grid, unread.back(), info, where);
             rasters.push_back(std::move(read.raster));
         });
     }
-    if (rasters.size() != names.size()) return std::nullopt;
-    if (ground->on_demand && spec.kind == ThicknessSpec::Kind::phases)
-        return sum_of_phases(rasters[0], rasters[1], release);
-    if (ground->on_demand && spec.kind == ThicknessSpec::Kind::difference)
-        release.before = raster_values_on_demand(ground->terrain.grid, unread[0], [](double z) { return z; });
-    if (ground->on_demand) return thickness_on_demand(spec.kind, ground->terrain.grid, unread, ground->on_demand);
-    if (spec.kind == ThicknessSpec::Kind::raster) return std::move(rasters.front());
-    if (spec.kind == ThicknessSpec::Kind::phases) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
+    if (rasters.size() != spec.names.size()) return std::nullopt;
+    if (phases) {
+        for (std::size_t i = 0; i < rasters.size() && !ground->on_demand; ++i) {
             const double least =
                 *std::min_element(rasters[i].values.begin(), rasters[i].values.end(),
                                   [](double a, double b) { return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b); });
             if (!(least < 0)) continue;
-            problems.add({k_negative_depth, where, names[i] + ": " + shortest_text(least) + " m", "0 or more",
+            problems.add({k_negative_depth, where, spec.names[i] + ": " + shortest_text(least) + " m", "0 or more",
                           "Correct the raster"});
             return std::nullopt;
         }
         return sum_of_phases(rasters[0], rasters[1], release);
     }
-    const Raster& above = spec.kind == ThicknessSpec::Kind::difference ? rasters[0] : ground->terrain;
-    const Raster& below = spec.kind == ThicknessSpec::Kind::difference ? rasters[1] : rasters[0];
-    Raster thickness(above.grid);
-    for (std::size_t i = 0; i < thickness.values.size(); ++i) {
-        const double lowered = above.values[i] - below.values[i];
-        thickness.values[i] = std::isnan(lowered) ? k_no_data : std::max(lowered, 0.0);
+    Raster thickness(ground->terrain.grid);
+    if (ground->on_demand) {
+        thickness = thickness_on_demand(kind, thickness.grid, unread, ground->on_demand);
+    } else {
+        std::vector<double> here(rasters.size());
+        for (std::size_t i = 0; i < thickness.values.size(); ++i) {
+            for (std::size_t k = 0; k < here.size(); ++k) here[k] = std::as_const(rasters[k]).values[i];
+            thickness.values[i] = kind.metres(ground->terrain.values[i], here);
+        }
     }
-    if (spec.kind == ThicknessSpec::Kind::difference) release.before = std::move(rasters[0]);
+    if (spec.kind == ThicknessSpec::Kind::difference)
+        release.before = ground->on_demand
+                             ? raster_values_on_demand(thickness.grid, unread[0], [](double z) { return z; })
+                             : std::move(rasters[0]);
     return thickness;
 }
 

@@ -14,25 +14,22 @@
 
 namespace frana::app {
 
-Raster thickness_on_demand(ThicknessSpec::Kind kind, const GridSpec& grid,
+Raster thickness_on_demand(const ThicknessKind& kind, const GridSpec& grid,
                            const std::vector<std::shared_ptr<const gis::RasterOnDemand>>& files,
                            const std::shared_ptr<const gis::RasterOnDemand>& ground) {
-    CellValues::Source source;
-    if (kind == ThicknessSpec::Kind::raster) {
-        source = [file = files[0]](const CellWindow& window, double* values) { file->read(window, values); };
-    } else {
-        const auto above = kind == ThicknessSpec::Kind::difference ? files[0] : ground;
-        const auto below = kind == ThicknessSpec::Kind::difference ? files[1] : files[0];
-        source = [above, below](const CellWindow& window, double* values) {
-            std::vector<double> lower(static_cast<std::size_t>(window.rows * window.columns));
-            above->read(window, values);
-            below->read(window, lower.data());
-            for (std::size_t i = 0; i < lower.size(); ++i) {
-                const double lowered = values[i] - lower[i];
-                values[i] = std::isnan(lowered) ? k_no_data : std::max(lowered, 0.0);
-            }
-        };
-    }
+    auto read = files;
+    if (kind.below_dtm) read.push_back(ground);
+    CellValues::Source source = [read, n = files.size(), metres = kind.metres](const CellWindow& window,
+                                                                               double* values) {
+        const auto cells = static_cast<std::size_t>(window.rows * window.columns);
+        std::vector<std::vector<double>> parts(read.size(), std::vector<double>(cells));
+        for (std::size_t k = 0; k < read.size(); ++k) read[k]->read(window, parts[k].data());
+        std::vector<double> here(read.size());
+        for (std::size_t i = 0; i < cells; ++i) {
+            for (std::size_t k = 0; k < read.size(); ++k) here[k] = parts[k][i];
+            values[i] = metres(here.back(), std::span(here).first(n));
+        }
+    };
     Raster thickness;
     thickness.grid = grid;
     thickness.values = CellValues::tiled(grid.rows, grid.columns, k_no_data, std::move(source));
@@ -171,7 +168,7 @@ Raster read_own(const std::string& path, const GridSpec& grid) {
         return gis::read_raster_on(path, grid, grid.crs_wkt, gis::Resampling::nearest).raster;
     const auto file = std::make_shared<const gis::RasterOnDemand>(path, grid, grid.crs_wkt, gis::Resampling::nearest,
                                                                   "auto", std::nullopt, path);
-    return thickness_on_demand(ThicknessSpec::Kind::raster, grid, {file}, nullptr);
+    return thickness_on_demand(*thickness_kind(ThicknessSpec::Kind::raster), grid, {file}, nullptr);
 }
 
 }  // namespace

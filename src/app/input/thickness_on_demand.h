@@ -7,7 +7,7 @@
 #include "app/input/prepare_release.h"
 #include "core/raster.h"
 #include "gis/raster/raster_in.h"
-#include "params/grammar/thickness.h"
+#include "params/keys/thickness.h"
 
 namespace frana::app {
 
@@ -22,10 +22,9 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, Used
 /// mass, not of the thickness of all ground. `in_file`: release.file_volume; none: nothing to compare.
 void compare_volumes(const std::optional<FileVolume>& in_file, double released, RunLog& log);
 
-/// Thickness on a large working grid, of which nothing is read until a cell is asked for: that of the file, or the
-/// positive part of before minus after or of the ground minus the slip surface. `files` are those of the key, in its
-/// order; `ground` may be null where they are enough.
-Raster thickness_on_demand(ThicknessSpec::Kind kind, const GridSpec& grid,
+/// Thickness on a large working grid, of which nothing is read until a cell is asked for. `files` are those of the key,
+/// in its order; `ground` is read for a thickness below the DTM.
+Raster thickness_on_demand(const ThicknessKind& kind, const GridSpec& grid,
                            const std::vector<std::shared_ptr<const gis::RasterOnDemand>>& files,
                            const std::shared_ptr<const gis::RasterOnDemand>& ground);
 

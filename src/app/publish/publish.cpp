@@ -30,6 +30,7 @@
 #include "core/geometry.h"
 #include "core/text.h"
 #include "params/keys/output_parameters.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 #include "simulation/result.h"
 #include "simulation/run_summary.h"
@@ -94,8 +95,8 @@ std::optional<CellWindow> reached_window(const Prepared& prepared, const RunResu
     if (!finished || !shows_reached_only(prepared)) return std::nullopt;
     const GridSpec& grid = result.raster("max_depth").grid;
     Box box(grid);
-    for (const char* name : {"max_depth", "release", "eroded_depth", "deposited_depth", "jump_height"})
-        if (const Raster* const raster = result.find_raster(name)) box.include(*raster);
+    for (const NamedRaster& raster : result.rasters)
+        if (find_result_raster(raster.name)->is_drawn()) box.include(raster.values);
     if (prepared.scar) {
         for (const PolygonFeature& feature : prepared.scar->features) box.include(grid, bounds(feature.parts));
     }

@@ -143,8 +143,8 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
     const bool flows_in = !missing("inflow.line");
     const bool releases = !missing("release.thickness") || !missing("release.perimeter");
     if (missing("release.thickness") && (releases || !flows_in)) {
-        problems.add({"is missing", file + ": release.thickness", "", "",
-                      "Give metres, attribute:NAME, raster:FILE, difference:PRE,POST or slip-surface, or an inflow"});
+        problems.add(
+            {"is missing", file + ": release.thickness", "", "", "Give " + thickness_forms() + ", or an inflow"});
     }
     const auto& thickness = scene.release.thickness;
     if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
@@ -201,15 +201,14 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
 
 /// Checks the keys that together define the thickness.
 void check_thickness(const ReleaseSpec& release, const std::string& file, Problems& problems) {
-    using Kind = ThicknessSpec::Kind;
     if (!release.thickness) return;
     const ThicknessSpec& thickness = *release.thickness;
-    const bool slip = thickness.kind == Kind::slip_surface;
-    if (slip && !release.dtm_contains_release) {
-        problems.add({"contradicts release.thickness = slip-surface, which lies under the DTM",
+    const ThicknessKind* const kind = thickness_kind(thickness.kind);
+    if (kind != nullptr && kind->below_dtm && !release.dtm_contains_release) {
+        problems.add({std::string("contradicts release.thickness = ") + kind->word + ", which lies under the DTM",
                       file + ": release.dtm-contains-release", "off", "on", "Set it to on"});
     }
-    if ((slip || thickness.kind == Kind::difference) && release.thickness_direction == "normal") {
+    if (kind != nullptr && kind->elevations && release.thickness_direction == "normal") {
         problems.add({"contradicts release.thickness: a difference of elevations is vertical",
                       file + ": release.thickness-direction", "normal", "vertical", "Remove the key"});
     }

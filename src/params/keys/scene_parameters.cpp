@@ -96,39 +96,6 @@ Parameter bounds_parameter() {
     return result;
 }
 
-Parameter thickness_parameter() {
-    Parameter result = declare::parameter(
-        "release.thickness", "text", FRANA_MEMBER(release.thickness),
-        [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<ValueProblem> {
-            const auto spec = thickness_from_text(value);
-            if (!spec) return ValueProblem{"is not understood", ""};
-            if (spec->kind == ThicknessSpec::Kind::number && !(spec->metres > 0))
-                return ValueProblem{"is not a thickness", "It must be greater than 0 m"};
-            target = spec;
-            return std::nullopt;
-        },
-        [](const ThicknessSpec& thickness) { return text_of(thickness); });
-    result.unit = "m";
-    result.limits =
-        "a number greater than 0, attribute:NAME, raster:FILE, difference:PRE,POST, slip-surface:FILE, "
-        "slip-surface, phases:SOLIDS,FLUID";
-    result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
-    result.choices = {"slip-surface"};
-    result.forms = {"attribute:", "raster:", "difference:", "slip-surface:", "phases:"};
-    result.meaning =
-        "Thickness of the release: one number, a column of the perimeter, a raster, a DTM before minus one after, the "
-        "DTM minus a raster of the slip surface's elevation, or minus one fitted to each polygon; structured model: "
-        "the sum of two rasters, depths of solids and of fluid.";
-    result.absent = "required, unless there is an inflow";
-    result.map_files = [](SceneSpec& scene, const FileMap& map) {
-        if (!scene.release.thickness) return;
-        ThicknessSpec& thickness = *scene.release.thickness;
-        if (!thickness.raster.empty()) thickness.raster = map(thickness.raster);
-        if (!thickness.post.empty()) thickness.post = map(thickness.post);
-    };
-    return result;
-}
-
 /// "0.5, 50, 7": standard deviation, range, seed.
 Parameter error_parameter() {
     constexpr Range k_deviation{0, 100}, k_range{0, 1e5, true};

@@ -10,9 +10,9 @@
 #include "core/grid_spec.h"
 #include "core/solid_values.h"
 #include "params/grammar/ini_file.h"
-#include "params/grammar/thickness.h"
 #include "params/keys/classes.h"
 #include "params/keys/shared_values.h"
+#include "params/keys/thickness.h"
 
 namespace frana {
 

@@ -101,7 +101,7 @@ TEST_F(ReadScene, ThicknessInEveryForm) {
     EXPECT_EQ(thickness("attribute:D_MEAN").attribute, "D_MEAN");
     EXPECT_EQ(thickness("raster:sub/d.tif").raster, (folder_ / "sub/d.tif").string());
     EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").raster, (folder_ / "pre.tif").string());
-    EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").post, "/data/post.tif");
+    EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").names.back(), "/data/post.tif");
     // A raster specifies place as well as thickness; a number does not.
     EXPECT_EQ(messages(head + "thickness = raster:d.tif\n"), "");
     EXPECT_NE(messages(head + "thickness = 3\n").find("release.perimeter: is missing"), std::string::npos);

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/thickness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/raster.h"
+#include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/declare.h"
+#include "params/keys/scene_spec.h"
+
+namespace frana {
+namespace {
+
+using Kind = ThicknessSpec::Kind;
+
+using Values = std::span<const double>;
+
+double lowered(double above, double below) {
+    const double metres = above - below;
+    return std::isnan(metres) ? k_no_data : std::max(metres, 0.0);
+}
+
+const ThicknessKind k_kinds[] = {
+    {.kind = Kind::attribute, .word = "attribute", .operands = "NAME", .from_files = false},
+    {.kind = Kind::raster, .word = "raster", .operands = "FILE", .metres = [](double, Values file) { return file[0]; }},
+    {.kind = Kind::difference,
+     .word = "difference",
+     .operands = "PRE,POST",
+     .elevations = true,
+     .metres = [](double, Values files) { return lowered(files[0], files[1]); }},
+    {.kind = Kind::slip_surface,
+     .word = "slip-surface",
+     .operands = "FILE",
+     .elevations = true,
+     .below_dtm = true,
+     .without_operands = true,
+     .metres = [](double dtm, Values file) { return lowered(dtm, file[0]); }},
+    {.kind = Kind::phases, .word = "phases", .operands = "SOLIDS,FLUID"}};
+
+std::optional<ThicknessSpec> thickness_from_text(const std::string& text) {
+    if (const auto number = number_from_text(text)) return ThicknessSpec{Kind::number, *number};
+    const auto colon = text.find(':');
+    const std::string word = text.substr(0, colon);
+    const auto* const kind = std::find_if(std::begin(k_kinds), std::end(k_kinds),
+                                          [&](const ThicknessKind& one) { return one.word == word; });
+    if (kind == std::end(k_kinds)) return std::nullopt;
+    ThicknessSpec spec{kind->kind};
+    if (colon == std::string::npos) return kind->without_operands ? std::optional(spec) : std::nullopt;
+    std::string rest = text.substr(colon + 1);
+    const std::string operands = kind->operands;
+    for (auto left = std::count(operands.begin(), operands.end(), ','); left > 0; --left) {
+        const auto comma = rest.find(',');
+        if (comma == std::string::npos) return std::nullopt;
+        spec.names.push_back(trimmed(rest.substr(0, comma)));
+        rest.erase(0, comma + 1);
+    }
+    spec.names.push_back(trimmed(rest));
+    const bool complete =
+        std::none_of(spec.names.begin(), spec.names.end(), [](const auto& one) { return one.empty(); });
+    return complete ? std::optional(spec) : std::nullopt;
+}
+
+}  // namespace
+
+bool ThicknessSpec::by_raster() const {
+    const ThicknessKind* const row = thickness_kind(kind);
+    return row != nullptr && row->from_files && !names.empty();
+}
+
+const ThicknessKind* thickness_kind(ThicknessSpec::Kind kind) {
+    const auto* const found = std::find_if(std::begin(k_kinds), std::end(k_kinds),
+                                           [&](const ThicknessKind& one) { return one.kind == kind; });
+    return found == std::end(k_kinds) ? nullptr : found;
+}
+
+std::string thickness_forms() {
+    std::string forms = "a number greater than 0";
+    for (const ThicknessKind& kind : k_kinds) {
+        forms += std::string(", ") + kind.word + ":" + kind.operands;
+        if (kind.without_operands) forms += std::string(", ") + kind.word;
+    }
+    return forms;
+}
+
+std::string text_of(const ThicknessSpec& thickness) {
+    const ThicknessKind* const kind = thickness_kind(thickness.kind);
+    if (kind == nullptr) return shortest_text(thickness.metres);
+    return kind->word + (thickness.names.empty() ? "" : ":" + joined(thickness.names, ","));
+}
+
+Parameter thickness_parameter() {
+    Parameter result = declare::parameter(
+        "release.thickness", "text", FRANA_MEMBER(release.thickness),
+        [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<ValueProblem> {
+            const auto spec = thickness_from_text(value);
+            if (!spec) return ValueProblem{"is not understood", ""};
+            if (spec->kind == Kind::number && !(spec->metres > 0))
+                return ValueProblem{"is not a thickness", "It must be greater than 0 m"};
+            target = spec;
+            return std::nullopt;
+        },
+        [](const ThicknessSpec& thickness) { return text_of(thickness); });
+    result.unit = "m";
+    result.limits = thickness_forms();
+    result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
+    for (const ThicknessKind& kind : k_kinds) {
+        result.forms.push_back(std::string(kind.word) + ":");
+        if (kind.without_operands) result.choices.emplace_back(kind.word);
+    }
+    result.meaning =
+        "Thickness of the release: one number, a column of the perimeter, a raster, a DTM before minus one after, the "
+        "DTM minus a raster of the slip surface's elevation, or minus one fitted to each polygon; structured model: "
+        "the sum of two rasters, depths of solids and of fluid.";
+    result.absent = "required, unless there is an inflow";
+    result.map_files = [](SceneSpec& scene, const FileMap& map) {
+        auto& thickness = scene.release.thickness;
+        if (!thickness || !thickness->by_raster()) return;
+        for (std::string& file : thickness->names) file = map(file);
+    };
+    return result;
+}
+
+}  // namespace frana
