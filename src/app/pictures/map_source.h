@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/pictures/map_layer.h"
-#include "app/store/accuracy_record.h"
+#include "app/pictures/result_numbers.h"
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "core/words/sentence.h"

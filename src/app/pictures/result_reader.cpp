@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "analysis/ground_statistics.h"
+#include "app/pictures/result_numbers.h"
 #include "app/pictures/scenario.h"
-#include "app/store/accuracy_record.h"
 #include "app/store/json_file.h"
 #include "app/store/partial_folder.h"
 #include "app/store/result_files.h"
-#include "app/store/series_ends.h"
+#include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"

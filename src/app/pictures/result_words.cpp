@@ -4,10 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/pictures/result_numbers.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/json_file.h"
 #include "app/store/result_files.h"
-#include "app/store/run_end.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "gis/access/table_in.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/store/run_end.h"
+#include "app/pictures/result_numbers.h"
 #include "core/words/words.h"
 
 namespace frana::app {

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "app/compare/comparison.h"
+#include "app/pictures/result_numbers.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_pictures.h"
-#include "app/store/accuracy_record.h"
 #include "app/store/checkpoints.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"

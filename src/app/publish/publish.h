@@ -4,7 +4,6 @@
 #include "app/input/prepare.h"
 #include "app/publish/publish_pictures.h"
 #include "app/publish/summary.h"
-#include "app/store/accuracy_record.h"
 #include "app/store/frame_store.h"
 #include "app/store/result_directory.h"
 #include "simulation/result.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/compare/comparison.h"
-#include "app/store/accuracy_record.h"
+#include "app/pictures/result_numbers.h"
 #include "app/text/run_log.h"
 #include "params/keys/scene_spec.h"
 

@@ -13,7 +13,6 @@
 #include "app/publish/report_comparison.h"
 #include "app/publish/report_maps.h"
 #include "app/publish/report_tables.h"
-#include "app/store/accuracy_record.h"
 #include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"

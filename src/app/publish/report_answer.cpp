@@ -11,11 +11,11 @@
 
 #include "analysis/ground_statistics.h"
 #include "app/input/share_directory.h"
+#include "app/pictures/result_numbers.h"
 #include "app/publish/html_page.h"
 #include "app/publish/report.h"
 #include "app/publish/report_comparison.h"
 #include "app/publish/report_numbers.h"
-#include "app/store/run_end.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/text.h"

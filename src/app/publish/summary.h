@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/pictures/result_numbers.h"
+#include "app/publish/accuracy_record.h"
 #include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
-#include "app/store/accuracy_record.h"
 #include "core/json.h"
 #include "core/words/sentence.h"
 #include "params/keys/scene_spec.h"

@@ -4,9 +4,9 @@
 
 #include <memory>
 
+#include "app/publish/accuracy_record.h"
 #include "app/publish/publish.h"
 #include "app/publish/report_tables.h"
-#include "app/store/accuracy_record.h"
 #include "app/text/number_text.h"
 #include "simulation/run_values.h"
 #include "simulation/terms.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/store/run_end.h"
+#include "app/pictures/result_numbers.h"
 #include "app/study/member_record.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/statistics/cell_statistics.h"

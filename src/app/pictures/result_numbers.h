@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+// The numbers of a result as its files have them, and how a run ended.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "analysis/runout.h"
+#include "core/geometry.h"
 #include "core/json.h"
 #include "core/words/sentence.h"
 #include "core/words/words.h"
@@ -67,5 +71,34 @@ Sentence creeping_sentence(const RunEnd& end);
 /// Returns "The run ended after 468 s: run-out, area and deposit have stopped changing; greatest speed then 1.2 m/s.",
 /// in the language of the words.
 std::string end_sentence(const RunEnd& end, const Words& words);
+
+/// Values of a run's series for maps.
+struct SeriesEnds {
+    double simulated_seconds = 0;
+    double volume = 0;       ///< that entered [m3]
+    double volume_left = 0;  ///< left through the edges of the domain [m3]
+    double last_speed = 0;   ///< greatest speed at the end [m/s]
+};
+
+/// Reads the first and the last row of a timeseries.csv. Throws Error(input), naming the file and the line, if it has
+/// no rows, lacks a column, or is truncated.
+SeriesEnds read_series_ends(const std::string& path);
+
+/// Values of the trace in summary.json, extent.gpkg, report.html and on every map. A run computes them once; later
+/// commands read them from summary.json.
+struct MainStatistics {
+    double threshold = 0;          ///< output.trace-threshold: depth that counts as covered [m]
+    double covered_area_m2 = 0;    ///< of the trace: greatest depth above the threshold
+    std::vector<Runout> run_outs;  ///< of the separate flows, the longest first; at least one
+    std::optional<RunEnd> end{};   ///< none: an older program did not tell
+
+    [[nodiscard]] const Runout& run_out() const { return run_outs.front(); }
+};
+
+/// Returns the places from which the flows of a result come: by them flows that only flowed in are recognised.
+std::vector<Point> flow_tops(const std::optional<MainStatistics>& statistics);
+
+/// Returns none if the result has no summary.json yet, or not these values. Throws Error(input) if the file is damaged.
+std::optional<MainStatistics> read_main_statistics(const std::string& result_folder);
 
 }  // namespace frana::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/store/run_end.h"
+#include "app/pictures/result_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -7,46 +7,10 @@
 #include <vector>
 
 #include "analysis/convergence.h"
-#include "analysis/runout.h"
-#include "app/store/run_end.h"
 #include "core/json.h"
-#include "params/keys/scene_spec.h"
 #include "simulation/run_values.h"
 
 namespace frana::app {
-
-/// Returns a fingerprint of everything that determines a run's numbers: terrain, release, material, numerics, time.
-std::string numbers_fingerprint(const SceneSpec& scene);
-
-/// Default place of the result of `frana converge`: beside the scene's own result.
-std::string convergence_directory(const std::string& result_directory);
-
-/// File in a study's folder that contains its values.
-inline constexpr const char* k_convergence_file = "convergence.json";
-/// File in a study's folder that contains its sentences.
-inline constexpr const char* k_error_estimate_file = "error_estimate.txt";
-
-/// Stores the sentences about a scene's error for later runs of it. Throws Error(environment).
-void write_error_estimate(const std::string& folder, const SceneSpec& scene, const std::string& sentences);
-/// Returns the sentences, if `frana converge` has written them for exactly this scene beside its result.
-std::optional<std::string> read_error_estimate(const std::string& result_directory, const SceneSpec& scene);
-
-/// Values of the trace in summary.json, extent.gpkg, report.html and on every map. A run computes them once; later
-/// commands read them from summary.json.
-struct MainStatistics {
-    double threshold = 0;          ///< output.trace-threshold: depth that counts as covered [m]
-    double covered_area_m2 = 0;    ///< of the trace: greatest depth above the threshold
-    std::vector<Runout> run_outs;  ///< of the separate flows, the longest first; at least one
-    std::optional<RunEnd> end{};   ///< none: an older program did not tell
-
-    [[nodiscard]] const Runout& run_out() const { return run_outs.front(); }
-};
-
-/// Returns the places from which the flows of a result come: by them flows that only flowed in are recognised.
-std::vector<Point> flow_tops(const std::optional<MainStatistics>& statistics);
-
-/// Returns none if the result has no summary.json yet, or not these values. Throws Error(input) if the file is damaged.
-std::optional<MainStatistics> read_main_statistics(const std::string& result_folder);
 
 /// One resolution computed for numerics.accuracy, and its cost.
 struct AccuracyLevel {

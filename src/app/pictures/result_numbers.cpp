@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/result_numbers.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/store/json_file.h"
+#include "app/store/result_files.h"
+#include "app/text/number_text.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "simulation/run_summary.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_many = 0.05;  // fraction of the runs from which a study's first line tells
+
+Sentence count(std::size_t number) {
+    return numeral(std::to_string(number));
+}
+
+Sentence percent(double fraction) {
+    return numeral(number_text(100 * fraction, 2));
+}
+
+constexpr std::size_t k_shown = 80;  // characters shown of an invalid line
+
+class Row {
+  public:
+    Row(const std::vector<std::string>& names, const std::string& line, const std::string& path)
+        : names_(names), path_(path), words_(words_of(trimmed(line))) {
+        for (const std::string& word : words_) {
+            if (words_.size() == names_.size() && number_from_text(word)) continue;
+            throw Error(ErrorKind::input,
+                        Problem{"a row is not a list of numbers, one for each column", path_,
+                                elided(valid_utf8(line), k_shown), joined(names_, ","), "The file is damaged"});
+        }
+    }
+    [[nodiscard]] std::optional<double> find(const std::string& name) const {
+        const auto found = std::find(names_.begin(), names_.end(), name);
+        if (found == names_.end()) return std::nullopt;
+        return number_from_text(words_.at(static_cast<std::size_t>(found - names_.begin())));
+    }
+    [[nodiscard]] double value(const std::string& name) const {
+        if (const auto number = find(name)) return *number;
+        throw Error(ErrorKind::input,
+                    Problem{"has no column " + name, path_, elided(valid_utf8(joined(names_, ",")), k_shown), "",
+                            "The file is damaged or not from a run"});
+    }
+
+  private:
+    const std::vector<std::string>& names_;
+    const std::string& path_;
+    std::vector<std::string> words_;
+};
+
+}  // namespace
+
+bool Troubles::are_first() const noexcept {
+    if (on_levels || each_counts) return unfinished() > 0;
+    return static_cast<double>(unfinished()) > k_many * static_cast<double>(runs);
+}
+
+Sentence headline(const Troubles& t) {
+    std::vector<Sentence> parts;
+    if (t.cut > 0)
+        parts.push_back(worded("{1} of {2} runs were cut while they still moved (up to {3} % of the volume)",
+                               {count(t.cut), count(t.runs), percent(t.most_moving)}));
+    if (t.left > 0)
+        parts.push_back(worded("{1} of {2} runs left the computed ground (up to {3} % of the volume)",
+                               {count(t.left), count(t.runs), percent(t.most_left)}));
+    if (t.held > 0)
+        parts.push_back(worded("{1} of {2} runs were held by cells without elevation", {count(t.held), count(t.runs)}));
+    if (t.failed > 0) parts.push_back(worded("{1} of {2} runs failed", {count(t.failed), count(t.runs)}));
+    // A sum of differences: what coarser runs of a pair did not reach raises it.
+    if (t.on_levels)
+        return worded("Extent, run-out and probabilities may be too small or too large: {1}", {listed(parts)});
+    return worded("Extent, run-out and probabilities are lower bounds: {1}", {listed(parts)});
+}
+
+Json json_of(const Troubles& t) {
+    return {{"all", t.runs},
+            {"cut", t.cut},
+            {"left_ground", t.left},
+            {"held_by_no_data", t.held},
+            {"failed", t.failed},
+            {"warned", t.warned},
+            {"flew", t.flew},
+            {"lower_bounds", t.open},
+            {"each_counts", t.each_counts},
+            {"on_levels", t.on_levels},
+            {"greatest_moving_fraction", t.most_moving},
+            {"greatest_left_domain_fraction", t.most_left}};
+}
+
+std::optional<Troubles> troubles_in(const Json& summary) {
+    const auto whole = [&](const char* key) {
+        return static_cast<std::size_t>(
+            value_in<std::int64_t>(summary, std::string("/run_troubles/") + key).value_or(0));
+    };
+    if (!value_in<std::int64_t>(summary, "/run_troubles/all")) return std::nullopt;
+    Troubles t;
+    t.runs = whole("all");
+    t.cut = whole("cut");
+    t.left = whole("left_ground");
+    t.failed = whole("failed");
+    t.warned = whole("warned");
+    t.open = whole("lower_bounds");
+    t.held = whole("held_by_no_data");
+    t.flew = whole("flew");
+    t.most_moving = value_in<double>(summary, "/run_troubles/greatest_moving_fraction").value_or(0);
+    t.most_left = value_in<double>(summary, "/run_troubles/greatest_left_domain_fraction").value_or(0);
+    t.each_counts = value_in<bool>(summary, "/run_troubles/each_counts").value_or(false);
+    t.on_levels = value_in<bool>(summary, "/run_troubles/on_levels").value_or(false);
+    return t;
+}
+
+RunEnd run_end(const RunResult& result) {
+    const double fastest = result.series.empty() ? 0 : result.series.back().max_speed;
+    return run_end(describe(result.stop_reason), result.simulated_seconds, fastest, result.moving_fraction_limit,
+                   result.settling && result.settling->front_is_final);
+}
+
+RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final) {
+    const MotionAtEnd motion =
+        motion_at_end(reason == describe(StopReason::end_time), fastest, moving_fraction, front_is_final);
+    return {reason, seconds, fastest, motion.front, motion.deposit};
+}
+
+Sentence creeping_sentence(const RunEnd& end) {
+    return worded("Run-out and area have stopped changing; the deposit still creeps at up to {1} m/s.",
+                  {numeral(number_text(end.fastest, 2))});
+}
+
+std::string end_sentence(const RunEnd& end, const Words& words) {
+    return words(
+        "The run ended after {1} s: {2}; greatest speed then {3} m/s.",
+        {words.number(number_text(end.seconds, 3)), words(end.reason), words.number(number_text(end.fastest, 2))});
+}
+
+SeriesEnds read_series_ends(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string header, first, last, line;
+    std::getline(file, header);
+    bool whole = true;
+    while (std::getline(file, line)) {
+        whole = !file.eof();  // a last line without its end is incomplete
+        if (first.empty()) first = line;
+        last = line;
+    }
+    if (!whole || first.empty())
+        throw Error(ErrorKind::input, Problem{whole ? "has no rows" : "is cut off in the middle of a row", path, "", "",
+                                              "The file is damaged"});
+    const std::vector<std::string> names = words_of(trimmed(header));
+    const Row begin(names, first, path), end(names, last, path);
+    SeriesEnds ends;
+    ends.simulated_seconds = end.value("time_s");
+    ends.volume_left = end.value("volume_left_m3");
+    ends.last_speed = end.value("max_speed_ms");
+    const auto entered = end.find("volume_entered_m3");  // older results have none
+    ends.volume = entered ? *entered : begin.value("volume_m3") + begin.value("volume_left_m3");
+    return ends;
+}
+
+std::optional<MainStatistics> read_main_statistics(const std::string& result_folder) {
+    const std::string path = (std::filesystem::path(result_folder) / k_summary_file).string();
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    const std::optional<Json> summary = read_json_file(path);
+    if (!summary)
+        throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Restore it, or compute the scene again"});
+    MainStatistics statistics;
+    const auto read = [&](const std::string& name, double& value) {
+        const std::optional<double> number = value_in<double>(*summary, name);
+        value = number.value_or(0);
+        return number.has_value();
+    };
+    const auto read_runout = [&](const std::string& place) {
+        Runout& one = statistics.run_outs.emplace_back();
+        return read(place + "/horizontal_m", one.horizontal_m) && read(place + "/drop_m", one.drop_m) &&
+               read(place + "/reach_angle_deg", one.reach_angle_deg);
+    };
+    if (!read("/trace_threshold_m", statistics.threshold) || !read("/covered_area_m2", statistics.covered_area_m2) ||
+        !read_runout("/runout"))
+        return std::nullopt;
+    // The first of the flows is the one in "runout". Results of older programs do not list them.
+    for (std::size_t i = 0; summary->contains(Json::json_pointer("/flows/" + std::to_string(i))); ++i) {
+        const std::string flow = "/flows/" + std::to_string(i);
+        if (i > 0 && !read_runout(flow)) return std::nullopt;
+        Runout& one = statistics.run_outs.back();
+        read(flow + "/covered_area_m2", one.covered_area_m2);
+        for (const auto& [name, point] : {std::pair{"/top", &one.top}, std::pair{"/tip", &one.tip}}) {
+            read(flow + name + "_x", point->x);
+            read(flow + name + "_y", point->y);
+        }
+    }
+    const auto reason = value_in<std::string>(*summary, "/stop_reason_text");
+    const std::string series = (std::filesystem::path(result_folder) / k_series_file).string();
+    if (reason && std::filesystem::exists(series)) {
+        const SeriesEnds ends = read_series_ends(series);
+        statistics.end = run_end(*reason, ends.simulated_seconds, ends.last_speed,
+                                 value_in<double>(*summary, "/moving_fraction").value_or(0),
+                                 value_in<bool>(*summary, "/settling/front_is_final").value_or(false));
+        statistics.end->is_held = value_in<bool>(*summary, "/held_by_no_data").value_or(false);
+    }
+    return statistics;
+}
+
+std::vector<Point> flow_tops(const std::optional<MainStatistics>& statistics) {
+    std::vector<Point> tops;
+    if (!statistics) return tops;
+    for (const Runout& one : statistics->run_outs)
+        if (one.covered_area_m2 > 0) tops.push_back(one.top);
+    return tops;
+}
+
+}  // namespace frana::app
