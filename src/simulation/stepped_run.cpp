@@ -95,8 +95,8 @@ double volume_of(const Raster& depth) {
 
 void make_normal(std::vector<NamedRaster>& rasters, const Raster& bed) {
     for (NamedRaster& raster : rasters)
-        if (find_result_raster(raster.name)->is_flow_depth || raster.name == "max_flux")  // depth times speed
-            raster.values = normal_depth(raster.values, bed);
+        if (const ResultRaster& row = *find_result_raster(raster.name); row.is_flow_depth || row.unit == "m2/s")
+            raster.values = normal_depth(raster.values, bed);  // or depth times speed
 }
 
 Stopwatch started() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
+
 #include "source_tree.h"
 
 namespace frana::test {
@@ -41,8 +44,8 @@ constexpr Room k_rooms[] = {
     {"src/particles", 1550},    {"src/mpm", 3900},          {"src/models", 4700},
     {"src/simulation", 6150},   {"src/analysis", 2900},     {"src/facade", 1400},
     {"src/python", 500},        {"src/bench", 5300},        {"src/app/process", 350},
-    {"src/app/text", 700},      {"src/app/input", 4250},    {"src/app/store", 4650},
-    {"src/app/pictures", 3050}, {"src/app/compare", 1000},  {"src/app/publish", 4400},
+    {"src/app/text", 700},      {"src/app/input", 4250},    {"src/app/store", 4000},
+    {"src/app/pictures", 3150}, {"src/app/compare", 1000},  {"src/app/publish", 4600},
     {"src/app/study", 10300},   {"src/app/commands", 6300}, {"gis", 7600},
     {"render", 7600},
 };
@@ -69,25 +72,58 @@ TEST(SourceFiles, HalfOfTheFilesAreNotShort) {
     EXPECT_GE(lengths[lengths.size() / 2], k_median) << lengths.size() << " files";
 }
 
+/// Files of the product whose code has one of these texts.
+std::vector<std::string> files_with(const std::vector<std::string>& texts) {
+    std::vector<std::string> naming;
+    for (const std::string& file : source_files({"src", "gis", "render"}, {".h", ".cpp"})) {
+        const auto lines = lines_of(file);
+        if (std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+                const std::string code = line.substr(0, line.find("//"));
+                return std::any_of(texts.begin(), texts.end(),
+                                   [&](const std::string& text) { return code.find(text) != std::string::npos; });
+            }))
+            naming.push_back(file);
+    }
+    return naming;
+}
+
 // A law carries its row: its header names it, and everything else follows. A second file may name it for a reason of
 // its own. Words that also name a quantity by place ("cohesion", "turbulence") are left out.
 TEST(SourceFiles, ALawIsNamedInItsHeader) {
-    const auto files = source_files({"src", "gis", "render"}, {".h", ".cpp"});
     for (const std::string word :
          {"chezy", "pouliquen-forterre", "mechanical", "coulomb", "ramms-yield", "bingham", "herschel-bulkley",
           "obrien-julien", "manning", "earth-pressure", "shear-stress", "growth"}) {
-        std::vector<std::string> naming;
-        for (const std::string& file : files) {
-            const auto lines = lines_of(file);
-            if (std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-                    const std::string code = line.substr(0, line.find("//"));
-                    return code.find('"' + word + '"') != std::string::npos ||
-                           code.find(" = " + word + '"') != std::string::npos;
-                }))
-                naming.push_back(file);
-        }
+        const auto naming = files_with({'"' + word + '"', " = " + word + '"'});
         EXPECT_GE(naming.size(), 1U) << word;
         EXPECT_LE(naming.size(), 2U) << word << ": " << testing::PrintToString(naming);
+    }
+}
+
+// A raster of the result costs its row and the code that computes it.
+TEST(SourceFiles, ARasterIsNamedInItsRowAndWhereItIsComputed) {
+    // With which the program computes, compares or draws something else, and words that have other meanings.
+    const std::set<std::string> used{
+        "arrival_time", "bed",         "cohesion_ratio",  "comparison",   "depth",       "dtm",
+        "final_depth",  "hazard",      "hazard_degree",   "hit_count",    "jump_height", "max_depth",
+        "max_flux",     "max_head",    "max_pressure",    "max_velocity", "release",     "sensitivity",
+        "strain",       "uncertainty", "union_max_depth", "velocity",     "worst_source"};
+    std::string table;
+    for (const std::string& line : lines_of("src/params/keys/result_rasters.cpp")) table += line;
+    const std::regex row(R"re((?:\.flow|\.add|phase|probability|for_values|of_all|of_scenario)\( *"([a-z_]+)")re");
+    std::size_t rows = 0;
+    for (std::sregex_iterator at(table.begin(), table.end(), row), end; at != end; ++at, ++rows) {
+        const std::string name = (*at)[1];
+        const auto naming = files_with({'"' + name + '"'});
+        EXPECT_EQ(naming.size() > 2, used.count(name) > 0) << name << ": " << testing::PrintToString(naming);
+    }
+    EXPECT_GT(rows, 40U);
+}
+
+// A way to give the release's thickness is a row of src/params/keys/thickness.cpp, and the code that only it needs.
+TEST(SourceFiles, AKindOfThicknessIsNamedInItsRow) {
+    for (const std::string kind : {"attribute", "raster", "difference", "slip_surface", "phases"}) {
+        const auto naming = files_with({"ThicknessSpec::Kind::" + kind});
+        EXPECT_LE(naming.size(), 2U) << kind << ": " << testing::PrintToString(naming);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/input/zones_on_demand.h"
 #include "app/text/number_text.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
@@ -168,7 +169,7 @@ Raster read_own(const std::string& path, const GridSpec& grid) {
         return gis::read_raster_on(path, grid, grid.crs_wkt, gis::Resampling::nearest).raster;
     const auto file = std::make_shared<const gis::RasterOnDemand>(path, grid, grid.crs_wkt, gis::Resampling::nearest,
                                                                   "auto", std::nullopt, path);
-    return thickness_on_demand(*thickness_kind(ThicknessSpec::Kind::raster), grid, {file}, nullptr);
+    return raster_values_on_demand(grid, file, [](double metres) { return metres; });
 }
 
 }  // namespace

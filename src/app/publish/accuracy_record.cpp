@@ -8,6 +8,7 @@
 
 #include "app/text/number_text.h"
 #include "core/error.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

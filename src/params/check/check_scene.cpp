@@ -214,7 +214,7 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
     }
     if (thickness.fitted() && !release.slip_depth && !release.volume) {
         problems.add({"a slip surface fitted to the perimeter needs its depth", file + ": release.thickness",
-                      "slip-surface", "", "Give release.volume or release.slip-depth"});
+                      text_of(thickness), "", "Give release.volume or release.slip-depth"});
     }
     if (thickness.fitted() && release.slip_depth && release.volume) {
         problems.add({"contradicts release.volume: each of them determines the depth of the slip surface",

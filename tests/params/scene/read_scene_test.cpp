@@ -98,9 +98,9 @@ TEST_F(ReadScene, ThicknessInEveryForm) {
     const auto thickness = [&](const std::string& text) {
         return *read(head + "perimeter = b\nthickness = " + text + "\n").scene.release.thickness;
     };
-    EXPECT_EQ(thickness("attribute:D_MEAN").attribute, "D_MEAN");
-    EXPECT_EQ(thickness("raster:sub/d.tif").raster, (folder_ / "sub/d.tif").string());
-    EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").raster, (folder_ / "pre.tif").string());
+    EXPECT_EQ(thickness("attribute:D_MEAN").names.front(), "D_MEAN");
+    EXPECT_EQ(thickness("raster:sub/d.tif").names.front(), (folder_ / "sub/d.tif").string());
+    EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").names.front(), (folder_ / "pre.tif").string());
     EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").names.back(), "/data/post.tif");
     // A raster specifies place as well as thickness; a number does not.
     EXPECT_EQ(messages(head + "thickness = raster:d.tif\n"), "");
