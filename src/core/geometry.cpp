@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -67,6 +68,14 @@ Bounds bounds(const MultiPolygon& polygons) {
         }
     }
     return box;
+}
+
+std::string extent_text(const Bounds& bounds, bool degrees) {
+    char text[200];
+    const int decimals = degrees ? 7 : 2;
+    std::snprintf(text, sizeof text, "west %.*f, south %.*f, east %.*f, north %.*f", decimals, bounds.west, decimals,
+                  bounds.south, decimals, bounds.east, decimals, bounds.north);
+    return text;
 }
 
 InsideTest::InsideTest(const MultiPolygon& polygons) {

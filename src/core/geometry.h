@@ -42,8 +42,31 @@ bool contains(const Ring& ring, Point point);
 bool contains(const Polygon& polygon, Point point);
 bool contains(const MultiPolygon& polygons, Point point);
 
+/// Returns whether all of a box is inside another; edges may touch. A point is a box without sides.
+inline bool is_within(const Bounds& box, const Bounds& other) noexcept {
+    return box.west >= other.west && box.east <= other.east && box.south >= other.south && box.north <= other.north;
+}
+/// Returns whether two boxes have no area in common.
+inline bool are_apart(const Bounds& a, const Bounds& b) noexcept {
+    return a.east <= b.west || a.west >= b.east || a.north <= b.south || a.south >= b.north;
+}
+
+/// Returns polygons with every point moved.
+template <class Move>
+MultiPolygon moved(MultiPolygon polygons, const Move& move) {
+    for (Polygon& polygon : polygons) {
+        for (Point& p : polygon.outer) p = move(p);
+        for (Ring& hole : polygon.holes)
+            for (Point& p : hole) p = move(p);
+    }
+    return polygons;
+}
+
 /// Returns the smallest rectangle around all outer rings; all zero if there is none.
 Bounds bounds(const MultiPolygon& polygons);
+
+/// Returns "west 527000.00, south 5093000.00, east 528500.00, north 5094350.00", to the centimetre (1e-7 for degrees).
+std::string extent_text(const Bounds& bounds, bool degrees = false);
 
 /// `contains` for many points: the edges are sorted into bands by y, so that a point is compared only with the edges of
 /// its band. The result equals that of `contains` for every point.

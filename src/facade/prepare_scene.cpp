@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <numbers>
 #include <span>
 #include <string>
@@ -21,7 +20,6 @@
 #include "facade/particle_count.h"
 #include "facade/scene.h"
 #include "facade/scene_data.h"
-#include "params/keys/laws.h"
 #include "params/keys/scene_spec.h"
 #include "params/keys/zone_keys.h"
 #include "params/scene/scene_reader.h"
@@ -36,11 +34,6 @@ namespace {
 
 std::string name_of(const Release& release, std::size_t index) {
     return "release " + (release.name.empty() ? std::to_string(index + 1) : release.name);
-}
-
-std::string extent_of(const Bounds& box) {
-    return "west " + shortest_text(box.west) + " south " + shortest_text(box.south) + " east " +
-           shortest_text(box.east) + " north " + shortest_text(box.north);
 }
 
 frana::Ring ring_of(const Ring& points) {
@@ -70,8 +63,8 @@ bool check_outline(const MultiPolygon& outline, const GridSpec& grid, const std:
         return false;
     }
     const Bounds box = bounds(outline), map = grid.bounds();
-    if (box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north) return true;
-    problems.add({"reaches beyond the terrain", where, extent_of(box), extent_of(map),
+    if (is_within(box, map)) return true;
+    problems.add({"reaches beyond the terrain", where, extent_text(box), extent_text(map),
                   "Check the coordinates of both, or give a larger terrain"});
     return false;
 }
@@ -137,14 +130,7 @@ std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec&
         check_particle_count(area(own.outline) * spec.numerics.particles_per_cell / grid.cell_area(), where, problems);
         if (own.thickness_raster && !own.volume && !spec.release.volume && !own.normal_to_bed) {
             // Interpolated at its edge, a raster would lose volume.
-            MultiPolygon local = own.outline;
-            const auto move = [&](frana::Ring& ring) {
-                for (frana::Point& p : ring) p = grid.local_from_map(p);
-            };
-            for (frana::Polygon& polygon : local) {
-                move(polygon.outer);
-                for (frana::Ring& hole : polygon.holes) move(hole);
-            }
+            const MultiPolygon local = moved(own.outline, [&](frana::Point p) { return grid.local_from_map(p); });
             if (const double volume = volume_in_cells(*own.thickness_raster, grid.cell_size, local); volume > 0)
                 own.volume = volume;
         }
@@ -156,7 +142,6 @@ std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec&
 /// The values of [zones], checked, in the units of the engine.
 MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid, Problems& problems) {
     MaterialZones zones;
-    const std::vector<const Law*> laws = laws_of(spec);
     for (const ZoneKey& key : zone_keys()) {
         const auto found = data.by_place.find(key.name);
         if (found == data.by_place.end()) continue;
@@ -171,32 +156,26 @@ MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, con
                           "NaN where the value of the material applies"});
             break;
         }
-        const auto tangent = [](double degrees) { return std::tan(degrees * std::numbers::pi / 180); };
-        for (const Law* law : laws) {
-            const double friction = key.degrees() ? tangent(greatest) : greatest;
-            if (key.what != "friction" || !(friction > law->greatest_friction)) continue;
-            problems.add({"the friction is too large for the law " + law->word, key.name, shortest_text(friction),
-                          "0 to " + shortest_text(law->greatest_friction), "The law is not defined above that"});
-        }
-        const auto* const zone = std::find_if(std::begin(k_zone_rasters), std::end(k_zone_rasters),
-                                              [&](const ZoneRaster& raster) { return raster.what == key.what; });
-        std::optional<frana::Raster>& target = zones.*zone->raster;
+        if (key.what == "friction") check_zone_friction(spec, key.stored(greatest), key.name, problems);
+        std::optional<frana::Raster>& target = zones.*raster_of(key);
         if (target)
             problems.add({"contradicts another key of [zones]: both give the " + key.what, key.name, "", "",
                           "Keep one of the two"});
-        const Change to_tangents = [tangent](const CellWindow& window, double* of) {
-            for (std::int64_t cell = 0; cell < window.rows * window.columns; ++cell) of[cell] = tangent(of[cell]);
+        const Change to_tangents = [](const CellWindow& window, double* of) {
+            for (std::int64_t cell = 0; cell < window.rows * window.columns; ++cell) of[cell] = tangent_of(of[cell]);
         };
         target = raster_in_place(grid, values, key.degrees() ? to_tangents : Change());
     }
     return zones;
 }
 
-bool check_line(const std::vector<Point>& line, const std::string& where, Problems& problems) {
-    const bool finite =
-        std::all_of(line.begin(), line.end(), [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
-    if (finite && line.size() >= 2) return true;
-    problems.add({"has no line", where, std::to_string(line.size()) + " points", "2 or more, finite",
+/// The points of a line; a problem and false if they make none.
+bool take_line(const std::vector<Point>& points, const std::string& where, Polyline& line, Problems& problems) {
+    for (const Point& p : points) line.push_back({p.x, p.y});
+    const bool finite = std::all_of(points.begin(), points.end(),
+                                    [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+    if (finite && points.size() >= 2) return true;
+    problems.add({"has no line", where, std::to_string(points.size()) + " points", "2 or more, finite",
                   "Give the points of a line"});
     return false;
 }
@@ -209,14 +188,13 @@ std::vector<frana::Inflow> inflows_of(const Scene::Data& data, const SceneSpec& 
         const Inflow& inflow = data.inflows[i];
         const std::string where = "inflow " + std::to_string(i + 1);
         frana::Inflow own;
-        for (const Point& p : inflow.line) own.line.push_back({p.x, p.y});
         if (inflow.direction) {
             if (!(*inflow.direction >= 0 && *inflow.direction <= k_turn))
                 problems.add({"is out of range", where + ": direction", shortest_text(*inflow.direction) + " degrees",
                               "0 to " + shortest_text(k_turn), "Count clockwise from north"});
             own.azimuth = *inflow.direction * std::numbers::pi / 180;
         }
-        if (!check_line(inflow.line, where, problems)) continue;
+        if (!take_line(inflow.line, where, own.line, problems)) continue;
         const double length = length_of(own.line);
         for (const HydrographPoint& point : inflow.hydrograph) {
             const double critical = critical_speed(spec.numerics.gravity, point.discharge, length);
@@ -234,18 +212,6 @@ void check_inflow_counts(const frana::Scene& scene, Problems& problems) {
                              "inflow " + std::to_string(i + 1), problems);
 }
 
-/// Refuses a place that no cell contains; NaN too.
-void check_inside(const std::vector<Point>& places, const std::string& where, const GridSpec& grid,
-                  Problems& problems) {
-    const Bounds map = grid.bounds();
-    for (const Point& p : places) {
-        if (p.x >= map.west && p.x <= map.east && p.y >= map.south && p.y <= map.north) continue;
-        problems.add({"lies outside the terrain", where, shortest_text(p.x) + ", " + shortest_text(p.y), extent_of(map),
-                      "Check the coordinates of both, or give a larger terrain"});
-        return;
-    }
-}
-
 /// Their names, of which each has its own; one without is numbered.
 template <class Recorded>
 std::vector<std::string> names_of(const std::vector<Recorded>& list, const std::string& where, Problems& problems) {
@@ -256,28 +222,20 @@ std::vector<std::string> names_of(const std::vector<Recorded>& list, const std::
 }
 
 /// The gauges and cross-sections, checked as frana run checks those of files.
-Recording recording_of(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid, Problems& problems) {
-    Recording recording;
+void add_recorded(const Scene::Data& data, const GridSpec& grid, Recording& recording, Problems& problems) {
     const auto gauges = names_of(data.gauges, "gauges", problems);
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         const Point& place = data.gauges[i].place;
-        check_inside({place}, "gauge " + gauges[i], grid, problems);
         recording.gauges.push_back({gauges[i], {place.x, place.y}});
+        check_inside({recording.gauges.back().place}, grid, "gauge " + gauges[i], "gauges", problems);
     }
     const auto sections = names_of(data.sections, "cross-sections", problems);
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const CrossSection& section = data.sections[i];
-        const std::string where = "cross-section " + sections[i];
-        if (section.line.size() < 2)
-            problems.add({"has no line", where, std::to_string(section.line.size()) + " points", "2 or more",
-                          "Give the points of a line"});
-        check_inside(section.line, where, grid, problems);
+        const std::string name = "cross-section " + sections[i];
         frana::CrossSection& own = recording.sections.emplace_back(frana::CrossSection{sections[i], {}});
-        for (const Point& p : section.line) own.line.push_back({p.x, p.y});
+        if (take_line(data.sections[i].line, name, own.line, problems))
+            check_inside(own.line, grid, name, "cross-sections", problems);
     }
-    recording.interval = spec.output.sample_interval.value_or(0);
-    recording.normal_depth = spec.output.depth == k_normal_depth;
-    return recording;
 }
 
 namespace fs = std::filesystem;
@@ -388,12 +346,10 @@ EngineScene prepare_scene(const Scene::Data& data) {
     check_elevations(data.elevations, prepared.warnings, problems);
     scene.terrain = terrain_of(data, spec, scene.grid);
     scene.walls = walls_of(data.walls, scene.grid, problems);
-    scene.terrain_contains_release = spec.release.dtm_contains_release;
+    set_values(spec, scene);
     scene.release = release_areas(data, spec, scene.grid, problems);
-    scene.release_volume = release_volume_of(spec.release);
     scene.inflows = inflows_of(data, spec, problems);
-    scene.recording = recording_of(data, spec, scene.grid, problems);
-    scene.material = spec.material;
+    add_recorded(data, scene.grid, scene.recording, problems);
     scene.zones = material_zones(data, spec, scene.grid, problems);
     scene.structured = structured_of(spec);
     if (scene.structured) scene.structured->more_fluid = !scene.inflows.empty();
@@ -401,9 +357,6 @@ EngineScene prepare_scene(const Scene::Data& data) {
         for (const frana::Problem& problem :
              structured_problems(*scene.structured, [](const std::string& key) { return key; }))
             problems.add(problem);
-    scene.entrainment = spec.entrainment;
-    scene.numerics = spec.numerics;
-    scene.time = time_of(spec);
     check_inflow_counts(scene, problems);
     problems.throw_if_any();
     place_origin(scene);

@@ -15,21 +15,14 @@ namespace {
 
 using Place = std::function<Point(Point)>;
 
-void move_points(std::vector<Point>& points, const Place& place) {
-    for (Point& p : points) p = place(p);
-}
-
 // Moves every point and direction of a scene. Azimuths are clockwise, the turn [rad] is not.
 void move_marks(Scene& scene, const Place& place, double turn) {
     for (ReleaseArea& area : scene.release) {
-        for (Polygon& polygon : area.outline) {
-            move_points(polygon.outer, place);
-            for (Ring& hole : polygon.holes) move_points(hole, place);
-        }
+        area.outline = moved(std::move(area.outline), place);
         if (area.azimuth) *area.azimuth -= turn;
     }
     for (Inflow& inflow : scene.inflows) {
-        move_points(inflow.line, place);
+        for (Point& p : inflow.line) p = place(p);
         if (inflow.azimuth) *inflow.azimuth -= turn;
     }
     scene.recording = {};

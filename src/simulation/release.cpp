@@ -15,14 +15,7 @@ namespace frana {
 namespace {
 
 MultiPolygon to_local(const MultiPolygon& map, const GridSpec& grid) {
-    MultiPolygon local = map;
-    for (Polygon& polygon : local) {
-        for (Point& p : polygon.outer) p = grid.local_from_map(p);
-        for (Ring& hole : polygon.holes) {
-            for (Point& p : hole) p = grid.local_from_map(p);
-        }
-    }
-    return local;
+    return moved(map, [&](Point p) { return grid.local_from_map(p); });
 }
 
 // Interpolates bilinearly between the cell centres that have data; NaN where none of the four has. The raster is on the

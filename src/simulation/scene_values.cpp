@@ -49,14 +49,23 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     return m;
 }
 
-TimeControl time_of(const SceneSpec& spec) {
-    TimeControl time;
-    static_cast<TimeValues&>(time) = spec.time;
-    time.end = spec.time.end;
-    time.stop_change = spec.time.stop_change;
-    time.trace_threshold = std::max(spec.output.trace_threshold, spec.numerics.minimum_depth);
-    time.frame_interval = frame_interval(spec);
-    return time;
+void set_values(const SceneSpec& spec, Scene& scene) {
+    scene.terrain_contains_release = spec.release.dtm_contains_release;
+    scene.release_volume = release_volume_of(spec.release);
+    scene.material = spec.material;
+    scene.entrainment = spec.entrainment;
+    scene.numerics = spec.numerics;
+    static_cast<TimeValues&>(scene.time) = spec.time;
+    scene.time.end = spec.time.end;
+    scene.time.stop_change = spec.time.stop_change;
+    scene.time.trace_threshold = std::max(spec.output.trace_threshold, spec.numerics.minimum_depth);
+    scene.time.frame_interval = frame_interval(spec);
+    scene.recording.interval = spec.output.sample_interval.value_or(0);
+    scene.recording.normal_depth = spec.output.depth == k_normal_depth;
+    // Depth times speed and the energy head are recorded for the schemes that use them.
+    const HazardSpec& hazard = spec.hazard;
+    scene.recording.intensity =
+        hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();
 }
 
 void set_uniform_details(const ReleaseSpec& spec, ReleaseArea& area) {
@@ -114,6 +123,32 @@ void check_names(std::vector<std::string> names, const std::string& where, Probl
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
     if (twice != names.end()) problems.add({"two have the same name", where, *twice, "", "Give each a unique name"});
+}
+
+void check_inside(const Polyline& places, const GridSpec& grid, const std::string& name, const std::string& where,
+                  Problems& problems) {
+    const auto outside = std::find_if(places.begin(), places.end(), [box = grid.bounds()](const Point& p) {
+        return !is_within({p.x, p.y, p.x, p.y}, box);
+    });
+    if (outside == places.end()) return;
+    problems.add({"lies outside the working grid", where,
+                  name + " at " + shortest_text(outside->x) + ", " + shortest_text(outside->y),
+                  extent_text(grid.bounds()), "Move it, or take a larger DTM or terrain.bounds"});
+}
+
+void check_zone_friction(const SceneSpec& spec, double greatest, const std::string& where, Problems& problems) {
+    for (const Law* law : laws_of(spec)) {
+        if (!(greatest > law->greatest_friction)) continue;
+        problems.add({"the zones' friction is too large for the law " + law->word, where,
+                      shortest_text(std::round(greatest * 1e4) / 1e4),
+                      "0 to " + shortest_text(law->greatest_friction), "The law is not defined above that"});
+    }
+}
+
+std::optional<Raster> MaterialZones::*raster_of(const ZoneKey& key) {
+    return std::find_if(std::begin(k_zone_rasters), std::end(k_zone_rasters),
+                        [&](const ZoneRaster& raster) { return raster.what == key.what; })
+        ->raster;
 }
 
 void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const std::string& where, Problems& problems) {

@@ -15,7 +15,8 @@ namespace frana {
 
 /// Returns [structured], if that is the scene's model; without properties that vary from place to place.
 std::optional<StructuredMaterial> structured_of(const SceneSpec& spec);
-TimeControl time_of(const SceneSpec& spec);
+/// Sets what the keys give and no file: material, numerics, times, what is recorded.
+void set_values(const SceneSpec& spec, Scene& scene);
 
 /// Sets what the numbers of [release] say of an area: how its thickness is measured, when it fails, how fast it starts.
 /// The volume of all areas is the scene's (release_volume_of).
@@ -32,6 +33,13 @@ bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std:
 void check_thickness(double thickness, const std::string& where, Problems& problems);
 /// Names identify rows: each is there once.
 void check_names(std::vector<std::string> names, const std::string& where, Problems& problems);
+/// All places are on the grid.
+void check_inside(const Polyline& places, const GridSpec& grid, const std::string& name, const std::string& where,
+                  Problems& problems);
+/// The scene's laws are defined up to this friction coefficient, the zones' greatest.
+void check_zone_friction(const SceneSpec& spec, double greatest, const std::string& where, Problems& problems);
+/// Returns the raster of a key's quantity.
+std::optional<Raster> MaterialZones::*raster_of(const ZoneKey& key);
 /// The scene's laws use the values by place of this key.
 void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const std::string& where, Problems& problems);
 

@@ -202,11 +202,13 @@ TEST(InflowAndRecordsRefused, InWords) {
     marks.add_gauge({{1, 5000040}});
     marks.add_section({{{600020, 5000040}}, "b"});
     marks.add_section({{{600020, 5000040}, {NAN, 0}}});
+    marks.add_section({{{600020, 5000040}, {1, 5000040}}});
     std::vector<std::string> whats;
     for (const facade::Problem& problem : problems_of(marks)) whats.push_back(problem.where + ": " + problem.what);
     EXPECT_EQ(whats,
-              (std::vector<std::string>{"gauges: two have the same name", "gauge 3: lies outside the terrain",
-                                        "cross-section b: has no line", "cross-section 2: lies outside the terrain"}));
+              (std::vector<std::string>{"gauges: two have the same name", "gauges: lies outside the working grid",
+                                        "cross-section b: has no line", "cross-section 2: has no line",
+                                        "cross-sections: lies outside the working grid"}));
 }
 
 }  // namespace

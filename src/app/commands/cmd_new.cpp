@@ -129,7 +129,7 @@ SceneDraft draft_of(const std::string& dtm, const std::string& perimeter) {
     const gis::PolygonLayer layer = gis::read_polygons(perimeter, info.crs_wkt, "PERIMETER");
     const Bounds &map = info.bounds, &box = layer.bounds;
     const bool degrees = !info.crs_wkt.empty() && gis::longitude_turn(info.crs_wkt) > 0;
-    if (box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north)
+    if (are_apart(map, box))
         throw Error(ErrorKind::input, Problem{"lies outside the DTM", "PERIMETER", extent_text(box, degrees),
                                               "the DTM's " + extent_text(map, degrees) + ", in " + info.crs_label,
                                               "Check the coordinate reference systems of both files"});

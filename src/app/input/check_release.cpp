@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "app/input/layer_values.h"
 #include "app/input/survey_input.h"
 #include "app/text/number_text.h"
 #include "core/text.h"
@@ -84,21 +85,6 @@ CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>
 Sentence cells_of(const CellList& list) {
     return worded(list.count == 1 ? worded("{1} cell: {2}") : worded("{1} cells: {2}"),
                   {numeral(grouped(list.count)), listed(list.first)});
-}
-
-/// Returns false if the outlines reach beyond the working grid.
-bool check_extent(const SceneReading& reading, const TerrainInput& ground, const MultiPolygon& outlines,
-                  Problems& problems) {
-    const Bounds box = bounds(outlines), map = ground.terrain.grid.bounds();
-    if (box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north) return true;
-    const bool apart = box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
-    problems.add({apart ? "lies outside the DTM" : "reaches beyond the DTM",
-                  reading.where(reading.scene.release.perimeter ? "release.perimeter" : "release.thickness"),
-                  extent_text(box), "the working grid's " + extent_text(map) + ", in " + ground.crs_label,
-                  reading.scene.terrain.bounds
-                      ? "Enlarge terrain.bounds, or check the coordinate reference systems of both files"
-                      : "Check the coordinate reference systems of both files, or take a larger DTM"});
-    return false;
 }
 
 void check_ground(const SceneReading& reading, const TerrainInput& ground, const Raster& cover, Problems& problems) {
@@ -291,7 +277,8 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
                           "Check the thickness raster and its position"});
         return;
     }
-    if (!check_extent(reading, ground, outlines, problems)) return;
+    const char* const key = reading.scene.release.perimeter ? "release.perimeter" : "release.thickness";
+    if (!is_on_ground(reading, key, bounds(outlines), ground, false, problems)) return;
     const Raster cover = gis::coverage(outlines, ground.terrain.grid);
     check_ground(reading, ground, cover, problems);
     for (const ReleaseArea* area : different_rasters(reading, release))

@@ -109,14 +109,12 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
 bool is_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box, const TerrainInput& ground,
                   bool may_reach_beyond, Problems& problems) {
     const Bounds map = ground.terrain.grid.bounds();
-    const bool apart = box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
-    const bool within =
-        box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north;
-    if (within || (may_reach_beyond && !apart)) return true;
+    const bool apart = are_apart(map, box);
+    if (is_within(box, map) || (may_reach_beyond && !apart)) return true;
     problems.add({apart ? "lies outside the DTM" : "reaches beyond the DTM", reading.where(key), extent_text(box),
                   "the working grid's " + extent_text(map) + ", in " + ground.crs_label,
                   apart ? "Check the coordinate reference systems of both files"
-                        : "Clip the layer, or take a larger DTM or terrain.bounds"});
+                        : "Take a larger DTM or terrain.bounds, or clip the layer"});
     return false;
 }
 

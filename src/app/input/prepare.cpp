@@ -130,23 +130,14 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
     if (!reading.scene.observed.perimeter) return std::nullopt;
     const std::string where = reading.where("observed.perimeter");
     return attempt(problems, [&] {
-        const bool local = reading.scene.terrain.crs == "local";
-        const std::string crs = ground != nullptr ? ground->terrain.grid.crs_wkt
-                                : local           ? std::string()
-                                                  : gis::crs_from_user("EPSG:4326", "");
         gis::PolygonLayer layer =
-            gis::read_polygons(*reading.scene.observed.perimeter, crs, where,
+            gis::read_polygons(*reading.scene.observed.perimeter, target_crs(reading, ground), where,
                                layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
         files.push_back(used_polygons(worded("Observed outline"), *reading.scene.observed.perimeter, layer));
         log.warn_of(worded("observed outline"), layer.warnings);
         if (ground != nullptr) {
             report_transform(worded("observed outline"), layer.transform, ground->terrain.grid.cell_size, log);
-            const Bounds map = ground->terrain.grid.bounds(), box = layer.bounds;
-            if (box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north) {
-                problems.add({"lies outside the DTM", where, extent_text(box),
-                              "the working grid's " + extent_text(map) + ", in " + ground->crs_label,
-                              "Check the coordinate reference systems of both files"});
-            }
+            is_on_ground(reading, "observed.perimeter", layer.bounds, *ground, true, problems);
         }
         return std::optional(std::move(layer));
     });
@@ -222,20 +213,15 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     resolve_language(prepared.spec);
     prepared.scene.grid = ground->terrain.grid;
     prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
-    prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;
+    set_values(reading.scene, prepared.scene);
     prepared.scene.release = std::exchange(release.areas, {});
-    prepared.scene.release_volume = release_volume_of(reading.scene.release);
     prepared.scene.walls = std::move(walls);
     if (structured && !inflows.empty()) structured->more_fluid = true;
     prepared.scene.inflows = std::move(inflows);
     prepared.scene.zones = std::move(zones);
     prepared.scene.structured = std::move(structured);
-    prepared.scene.material = reading.scene.material;
-    prepared.scene.entrainment = reading.scene.entrainment;
-    prepared.scene.numerics = reading.scene.numerics;
     refuse_unused_zones(reading, prepared.scene, problems);
     problems.throw_if_any();
-    prepared.scene.time = time_of(reading.scene);
     place_origin(prepared.scene);
     refuse_too_much(reading, prepared.scene, release.area_m2);
     refuse_what_cannot_start(prepared.scene);
@@ -257,7 +243,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.ground = std::move(*ground);
     prepared.release = std::move(release);
     prepared.scar = std::move(scar);
-    prepared.scene.recording = std::exchange(extra.recording, {});
+    prepared.scene.recording.gauges = std::exchange(extra.gauges, {});
+    prepared.scene.recording.sections = std::exchange(extra.sections, {});
     prepared.extra = std::move(extra);
     return prepared;
 }

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include "analysis/trace.h"
@@ -34,12 +32,7 @@ struct Quantity {
 
 std::vector<Quantity> quantities(const ZonesSpec& spec) {
     std::vector<Quantity> list;
-    for (const ZoneKey& key : zone_keys()) {
-        const auto* const zone = std::find_if(std::begin(k_zone_rasters), std::end(k_zone_rasters),
-                                              [&](const ZoneRaster& raster) { return raster.what == key.what; });
-        if (zone == std::end(k_zone_rasters)) throw std::out_of_range("no raster for " + key.name);
-        list.push_back({&key, spec.*key.source, zone->raster});
-    }
+    for (const ZoneKey& key : zone_keys()) list.push_back({&key, spec.*key.source, raster_of(key)});
     return list;
 }
 
@@ -77,24 +70,11 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
     }
 }
 
-double converted(double value, bool degrees) {
-    return degrees ? std::tan(value * std::numbers::pi / 180) : value;
-}
-
 Sentence fraction_of(std::int64_t cells, const GridSpec& grid) {
     return worded(
         "{1} m2, {2} % of the working grid",
         {numeral(grouped(static_cast<double>(cells) * grid.cell_area())),
          numeral(number_text(100.0 * static_cast<double>(cells) / static_cast<double>(grid.cell_count()), 3))});
-}
-
-void refuse_large_friction(const SceneReading& reading, double greatest, Problems& problems) {
-    for (const Law* law : laws_of(reading.scene)) {
-        if (!(greatest > law->greatest_friction)) continue;
-        problems.add({"the zones' friction is too large for the law " + law->word,
-                      reading.where("terrain.friction-zones"), number_text(greatest),
-                      "0 to " + number_text(law->greatest_friction), "The law is not defined above that"});
-    }
 }
 
 /// Counts cells in no zone that are enclosed by zones.
@@ -153,7 +133,7 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
             if (!value) continue;
             std::optional<Raster>& raster = zones.*quantity.target;
             if (!raster) raster.emplace(grid, k_no_data);
-            values.emplace_back(&*raster, converted(*value, quantity.key->degrees()));
+            values.emplace_back(&*raster, quantity.key->stored(*value));
         }
         gis::visit_cells(layer.features[f].parts, grid, gis::Cover::centres,
                          [&](std::int64_t row, std::int64_t column) {
@@ -174,8 +154,8 @@ void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer,
         for (std::size_t f = 0; f < layer.features.size(); ++f) {
             values.push_back(value_of(reading, quantity.key->name, *quantity.source, layer, f, problems));
             if (!values.back()) continue;
-            values.back() = converted(*values.back(), quantity.key->degrees());
-            if (quantity.key->what == "friction") refuse_large_friction(reading, *values.back(), problems);
+            values.back() = quantity.key->stored(*values.back());
+            if (quantity.key->what == "friction") check_zone_friction(reading.scene, *values.back(), reading.where("terrain.friction-zones"), problems);
         }
         zones.*quantity.target = polygon_values_on_demand(grid, layer.features, values);
         look_under(released, *(zones.*quantity.target));
@@ -210,12 +190,12 @@ Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput
     for (const Law* law : laws_of(reading.scene)) least_limit = std::min(least_limit, law->greatest_friction);
     // Called as long as the run lasts.
     const auto convert = [reading, of = *quantity.key, least_limit](double read) {
-        const double value = converted(read, of.degrees());
+        const double value = of.stored(read);
         const bool may_be_wrong = !of.range.has(read) || (of.what == "friction" && value > least_limit);
         if (!may_be_wrong) return value;
         Problems problems;
         (void)within_limits(reading, of.name, read, "a value of the raster", problems);
-        if (of.what == "friction") refuse_large_friction(reading, value, problems);
+        if (of.what == "friction") check_zone_friction(reading.scene, value, reading.where("terrain.friction-zones"), problems);
         problems.throw_if_any();
         return value;
     };
@@ -278,7 +258,7 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
                 read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
                                  worded("the material's own value applies there"), files, log, problems);
             if (!raster) return;
-            for (double& value : raster->values) value = converted(value, quantity.key->degrees());
+            for (double& value : raster->values) value = quantity.key->stored(value);
             zones.*quantity.target = std::move(raster);
         });
     }
@@ -294,7 +274,7 @@ void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Proble
         reported = key.what;
     }
     if (const auto& friction = scene.zones.friction_coefficient; friction && !friction->values.is_tiled())
-        refuse_large_friction(reading, maximum(*friction), problems);
+        check_zone_friction(reading.scene, maximum(*friction), reading.where("terrain.friction-zones"), problems);
 }
 
 }  // namespace frana::app

@@ -14,25 +14,6 @@
 namespace frana::app {
 namespace {
 
-bool inside(const GridSpec& grid, Point place) {
-    const Bounds box = grid.bounds();
-    return place.x >= box.west && place.x <= box.east && place.y >= box.south && place.y <= box.north;
-}
-
-std::string place_text(const std::string& name, Point place) {
-    return name + " at " + shortest_text(place.x) + ", " + shortest_text(place.y);
-}
-
-void require_inside(const std::string& name, const Polyline& places, const GridSpec& grid, const std::string& where,
-                    Problems& problems) {
-    for (const Point& place : places) {
-        if (inside(grid, place)) continue;
-        problems.add({"lies outside the working grid", where, place_text(name, place), extent_text(grid.bounds()),
-                      "Move it, or take a larger DTM or terrain.bounds"});
-        return;
-    }
-}
-
 /// Reads one key's marks, if it is set; adds problems to `problems`.
 std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const std::string& key,
                                    const SceneReading& reading, const GridSpec& grid, Problems& problems) {
@@ -47,7 +28,7 @@ std::vector<gis::NamedLine> lines_of(const std::optional<gis::Marks>& marks, con
     if (marks->lines.empty() || !marks->points.empty() || marks->polygons > 0)
         problems.add({"is not a layer of lines", where, file, "lines of two points or more", "Draw lines"});
     for (const gis::NamedLine& line : marks->lines)
-        require_inside("line " + line.name, line.line, grid, where, problems);
+        check_inside(line.line, grid, "line " + line.name, where, problems);
     return marks->lines;
 }
 
@@ -58,7 +39,7 @@ std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::
     if (marks->points.empty() || !marks->lines.empty() || marks->polygons > 0)
         problems.add({"is not a layer of points", where, file, "points", "Draw points"});
     for (const gis::NamedPoint& point : marks->points) {
-        require_inside("gauge " + point.name, {point.place}, grid, where, problems);
+        check_inside({point.place}, grid, "gauge " + point.name, where, problems);
         gauges.push_back({point.name, point.place});
     }
     return gauges;
@@ -145,27 +126,21 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
 
     const auto gauges = marks_of(output.gauges, gauges_key, reading, grid, problems);
     keep(worded("Gauges"), output.gauges, gauges);
-    extra.recording.gauges = gauges_of(gauges, output.gauges.value_or(""), reading.where(gauges_key), grid, problems);
-    require_different_names(extra.recording.gauges, reading.where(gauges_key), problems);
+    extra.gauges = gauges_of(gauges, output.gauges.value_or(""), reading.where(gauges_key), grid, problems);
+    require_different_names(extra.gauges, reading.where(gauges_key), problems);
 
     const auto sections = marks_of(output.sections, sections_key, reading, grid, problems);
     keep(worded("Cross-sections"), output.sections, sections);
     for (gis::NamedLine& line :
          lines_of(sections, output.sections.value_or(""), reading.where(sections_key), grid, problems))
-        extra.recording.sections.push_back({line.name, std::move(line.line)});
-    require_different_names(extra.recording.sections, reading.where(sections_key), problems);
+        extra.sections.push_back({line.name, std::move(line.line)});
+    require_different_names(extra.sections, reading.where(sections_key), problems);
 
     const auto profiles = marks_of(output.profiles, profiles_key, reading, grid, problems);
     keep(worded("Profiles"), output.profiles, profiles);
     extra.profiles = lines_of(profiles, output.profiles.value_or(""), reading.where(profiles_key), grid, problems);
     require_different_names(extra.profiles, reading.where(profiles_key), problems);
 
-    extra.recording.interval = output.sample_interval.value_or(0);
-    // Depth times speed and the energy head are recorded for the schemes that use them.
-    const HazardSpec& hazard = reading.scene.hazard;
-    extra.recording.normal_depth = output.depth == k_normal_depth;
-    extra.recording.intensity =
-        hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();
     if (const auto& picture = output.map_background) {
         attempt(problems, [&] {
             files.push_back(

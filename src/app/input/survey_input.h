@@ -50,7 +50,8 @@ MultiPolygon parts_of(const std::vector<PolygonFeature>& features);
 /// Recordings, comparisons and exposed features of a run besides its release, from the keys output.gauges,
 /// cross-sections, profiles, exposure and scar.front, deposit.
 struct ExtraInput {
-    Recording recording;
+    std::vector<Gauge> gauges;
+    std::vector<CrossSection> sections;
     std::vector<gis::NamedLine> profiles;
     Survey survey;  ///< without the scar, which is read with the release
     std::optional<gis::ExposedLayer> exposure;

@@ -107,15 +107,7 @@ class OwnCells {
                 std::abs((east.x - west.x) * (north.y - south.y) - (east.y - west.y) * (north.x - south.x));
     }
     [[nodiscard]] MultiPolygon places(const MultiPolygon& outline) const {
-        MultiPolygon moved = outline;
-        const auto move = [&](Ring& ring) {
-            for (Point& p : ring) p = place(to_own_(p));
-        };
-        for (Polygon& polygon : moved) {
-            move(polygon.outer);
-            for (Ring& hole : polygon.holes) move(hole);
-        }
-        return moved;
+        return moved(outline, [&](Point p) { return place(to_own_(p)); });
     }
     [[nodiscard]] double side() const { return grid_.cell_size / unit_; }
     /// Area in the working CRS of an area of one here [m2].

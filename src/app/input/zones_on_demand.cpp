@@ -21,10 +21,6 @@ struct Zone {
     double value;
 };
 
-bool overlap(const Bounds& a, const Bounds& b) {
-    return a.west < b.east && b.west < a.east && a.south < b.north && b.south < a.north;
-}
-
 Raster unread(const GridSpec& grid, CellValues::Source source) {
     Raster raster;
     raster.grid = grid;
@@ -43,7 +39,7 @@ Raster polygon_values_on_demand(const GridSpec& grid, const std::vector<PolygonF
         const GridSpec part = part_of(grid, window);
         std::fill_n(cells, window.rows * window.columns, k_no_data);
         for (const Zone& zone : *zones) {
-            if (!overlap(part.bounds(), zone.box)) continue;
+            if (are_apart(part.bounds(), zone.box)) continue;
             gis::visit_cells(zone.parts, part, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
                 cells[row * window.columns + column] = zone.value;
             });

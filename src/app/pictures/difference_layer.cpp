@@ -45,9 +45,7 @@ ForeignMap read_foreign_map(const std::string& file, const std::optional<std::st
     MapSource& source = map.source;
     if (dtm) {
         source.terrain = terrain_for(map.layer.values, *dtm);
-        const Bounds ground = source.terrain.grid.bounds(), box = grid.bounds();
-        if (ground.east <= box.west || ground.west >= box.east || ground.north <= box.south ||
-            ground.south >= box.north) {
+        if (are_apart(source.terrain.grid.bounds(), grid.bounds())) {
             throw Error(ErrorKind::input, Problem{"does not overlap the raster", "--dtm", *dtm, "",
                                                   "Check the coordinate reference systems of both files"});
         }

@@ -51,14 +51,6 @@ std::string duration_text(double seconds) {
     return number_text(seconds / 3600, 2) + " h";
 }
 
-std::string extent_text(const Bounds& bounds, bool degrees) {
-    char text[200];
-    const int decimals = degrees ? 7 : 2;
-    std::snprintf(text, sizeof text, "west %.*f, south %.*f, east %.*f, north %.*f", decimals, bounds.west, decimals,
-                  bounds.south, decimals, bounds.east, decimals, bounds.north);
-    return text;
-}
-
 std::string unit_sign(const std::string& unit) {
     if (unit == "degrees") return "°";
     std::string sign;

@@ -23,7 +23,5 @@ std::string grouped(std::int64_t value);
 std::string bytes_text(double bytes);
 /// Returns "95 s", "2.5 min", "3 h".
 std::string duration_text(double seconds);
-/// Returns "west 527000 south 5093000 east 528500 north 5094350", to the centimetre (1e-7 for degrees).
-std::string extent_text(const Bounds& bounds, bool degrees = false);
 
 }  // namespace frana::app

@@ -23,6 +23,7 @@ struct ZoneKey {
 
     /// An angle, stored as its tangent.
     [[nodiscard]] bool degrees() const { return unit == "degrees"; }
+    [[nodiscard]] double stored(double value) const { return degrees() ? tangent_of(value) : value; }
 };
 const std::vector<ZoneKey>& zone_keys();
 

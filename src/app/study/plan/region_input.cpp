@@ -124,7 +124,7 @@ void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log) {
     const DtmFile dtm = inspect_dtm(reading, log);
     const GridSpec all = gis::working_grid(dtm.file, dtm.working_crs, std::nullopt, reading.scene.terrain.cell_size);
     const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer, false).bounds;
-    if (box.east <= all.west || box.west >= all.east() || box.north <= all.south() || box.south >= all.north)
+    if (are_apart(all.bounds(), box))
         throw Error(ErrorKind::input,
                     Problem{"the polygon lies outside the DTM", reading.where("release.perimeter"), extent_text(box),
                             extent_text(all.bounds()), "Check the coordinate reference systems of both files"});
