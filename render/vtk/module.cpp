@@ -180,20 +180,9 @@ class VtkScene : public TerrainScene {
         renderer_->ResetCameraClippingRange();
         vtkCamera* eye = renderer_->GetActiveCamera();
         const int* size = window_.vtk().GetSize();
-        std::vector<std::uint8_t> image;
-        std::vector<std::uint16_t> sum;
-        for (const auto& sample : k_samples) {
-            eye->SetWindowCenter(2 * sample[0] / size[0], 2 * sample[1] / size[1]);
-            window_.render();
-            image = window_.read_rgb();
-            sum.resize(image.size());
-            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + image[i]);
-        }
-        constexpr unsigned k_count = k_samples.size();
-        for (std::size_t i = 0; i < sum.size(); ++i) {
-            image[i] = static_cast<std::uint8_t>((sum[i] + k_count / 2) / k_count);
-        }
-        return image;
+        return window_.mean_picture(3, k_samples.size(), [&](std::size_t sample) {
+            eye->SetWindowCenter(2 * k_samples[sample][0] / size[0], 2 * k_samples[sample][1] / size[1]);
+        });
     }
 
   private:
@@ -250,10 +239,17 @@ constexpr std::array<std::array<double, 2>, 8> k_pixel_samples{{{-0.4375, -0.187
                                                                 {0.3125, 0.1875},
                                                                 {0.4375, -0.0625}}};
 
+/// A window keeps eight bytes and more for each of its pixels: those of large pages are not kept.
+constexpr std::int64_t k_most_kept_pixels = 4'000'000;
+
 /// See VtkFunctions. Edges are smooth.
 std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const PixelWindow& part) {
     VtkErrors errors;
-    OsmesaWindow window(part.width, part.height);
+    // The window of the last picture, whose shaders need not be compiled again.
+    static thread_local std::unique_ptr<OsmesaWindow> kept;
+    auto own = kept ? std::move(kept) : std::make_unique<OsmesaWindow>(part.width, part.height);
+    OsmesaWindow& window = *own;
+    window.resize(part.width, part.height);
     const auto n_corners = static_cast<vtkIdType>(triangles.colours.size());
     vtkNew<vtkFloatArray> positions;
     positions->SetNumberOfComponents(3);
@@ -298,23 +294,15 @@ std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const Pixel
     camera->SetParallelScale(part.height / 2.0);
     camera->SetClippingRange(0.5, 1.05);
 
-    std::vector<std::uint16_t> sum(4 * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     const double middle_x = part.left + part.width / 2.0, middle_y = part.bottom + part.height / 2.0;
-    std::vector<std::uint8_t> picture;
-    for (const auto& sample : k_pixel_samples) {
-        const double x = middle_x + sample[0], y = middle_y + sample[1];
+    auto picture = window.mean_picture(4, k_pixel_samples.size(), [&](std::size_t sample) {
+        const double x = middle_x + k_pixel_samples[sample][0], y = middle_y + k_pixel_samples[sample][1];
         camera->SetFocalPoint(x, y, 0);
         camera->SetPosition(x, y, 1);
-        window.render();
-        picture = window.read_rgba();
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + picture[i]);
-    }
-    const unsigned n_samples = k_pixel_samples.size();
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        picture[i] = static_cast<std::uint8_t>((sum[i] + n_samples / 2) / n_samples);
-    }
+    });
     window.vtk().RemoveRenderer(renderer);
     errors.throw_if_any("a picture's lines could not be drawn");
+    if (static_cast<std::int64_t>(part.width) * part.height <= k_most_kept_pixels) kept = std::move(own);
     return picture;
 }
 

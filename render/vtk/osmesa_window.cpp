@@ -71,17 +71,6 @@ void check_that_opengl_is_osmesa() {
     }
 }
 
-/// OpenGL counts rows from below.
-std::vector<std::uint8_t> from_the_top(vtkUnsignedCharArray& bytes, std::size_t line, int rows) {
-    std::vector<std::uint8_t> pixels(line * static_cast<std::size_t>(rows));
-    for (int row = 0; row < rows; ++row) {
-        const std::size_t from = line * static_cast<std::size_t>(rows - 1 - row);
-        std::memcpy(pixels.data() + line * static_cast<std::size_t>(row),
-                    bytes.GetPointer(static_cast<vtkIdType>(from)), line);
-    }
-    return pixels;
-}
-
 }  // namespace
 
 class OsmesaWindow::Context {
@@ -187,24 +176,32 @@ void OsmesaWindow::render() {
     }
 }
 
-std::vector<std::uint8_t> OsmesaWindow::read_rgb() {
-    VtkErrors errors;
-    context_->make_current();
-    const int* size = context_->window().GetSize();
-    vtkNew<vtkUnsignedCharArray> bytes;
-    context_->window().GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes, 0);
-    errors.throw_if_any("the picture could not be read back");
-    return from_the_top(*bytes, 3 * static_cast<std::size_t>(size[0]), size[1]);
-}
-
-std::vector<std::uint8_t> OsmesaWindow::read_rgba() {
-    VtkErrors errors;
-    context_->make_current();
-    const int* size = context_->window().GetSize();
-    vtkNew<vtkUnsignedCharArray> bytes;
-    context_->window().GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes, 0);
-    errors.throw_if_any("the picture could not be read back");
-    return from_the_top(*bytes, 4 * static_cast<std::size_t>(size[0]), size[1]);
+std::vector<std::uint8_t> OsmesaWindow::mean_picture(int bands, std::size_t samples,
+                                                     const std::function<void(std::size_t)>& aim) {
+    const int width = context_->window().GetSize()[0], height = context_->window().GetSize()[1];
+    const std::size_t line = static_cast<std::size_t>(bands) * static_cast<std::size_t>(width),
+                      size = line * static_cast<std::size_t>(height);
+    vtkNew<vtkUnsignedCharArray> bytes;  // for all samples: pages of memory cost more than their sums
+    std::vector<std::uint16_t> sum(size);
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+        aim(sample);
+        render();
+        VtkErrors errors;
+        if (bands == 3)
+            context_->window().GetPixelData(0, 0, width - 1, height - 1, 0, bytes, 0);
+        else
+            context_->window().GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, bytes, 0);
+        errors.throw_if_any("the picture could not be read back");
+        const unsigned char* const picture = bytes->GetPointer(0);
+        for (std::size_t i = 0; i < size; ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + picture[i]);
+    }
+    std::vector<std::uint8_t> mean(size);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
+        const std::uint16_t* const from = sum.data() + line * (static_cast<std::size_t>(height) - 1 - row);
+        for (std::size_t i = 0; i < line; ++i)
+            mean[line * row + i] = static_cast<std::uint8_t>((from[i] + samples / 2) / samples);
+    }
+    return mean;
 }
 
 }  // namespace frana::render

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,10 +27,11 @@ class OsmesaWindow {
     /// Draws the scene. Throws ModuleFailure with VTK's message if VTK or OpenGL reports an error.
     void render();
 
-    /// Returns the last drawing, row by row from the top: three bytes a pixel, or four with the opacity, by which the
-    /// colours are multiplied (as OpenGL blends over transparent black).
-    [[nodiscard]] std::vector<std::uint8_t> read_rgb();
-    [[nodiscard]] std::vector<std::uint8_t> read_rgba();
+    /// Draws the scene once for each of some samples, before each of which `aim` is called with its number. Returns the
+    /// mean, row by row from the top: three bytes a pixel, or four with the opacity, by which the colours are
+    /// multiplied (as OpenGL blends over transparent black).
+    [[nodiscard]] std::vector<std::uint8_t> mean_picture(int bands, std::size_t samples,
+                                                         const std::function<void(std::size_t)>& aim);
 
   private:
     class Context;

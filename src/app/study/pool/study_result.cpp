@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/input/check_release.h"
+#include "app/publish/publish.h"
 #include "app/store/interrupted_run.h"
 #include "app/study/pool/member_threads.h"
 #include "core/text.h"
