@@ -291,16 +291,17 @@ PolygonLayer read_polygons_now(const std::string& path, const std::string& targe
 
 }  // namespace
 
-bool has_layer(const std::string& file, const std::string& layer, const std::string& where) {
+std::set<std::string> filled_layers(const std::string& file, const std::string& where) {
     const GdalSession session;
     const VectorSource source = vector_source(file, where);
     const GDALDatasetUniquePtr dataset = open_vector(source, true);
-    OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
-    const bool keeps_rest = found != nullptr && found->GetFeatureCount() > 0;
+    std::set<std::string> names;
+    for (OGRLayer* const layer : dataset->GetLayers())
+        if (layer->GetFeatureCount() > 0) names.insert(layer->GetName());
     // OGR reports no error if it cannot read the list of layers.
     if (session.failed() || dataset->GetLayerCount() == 0)
         throw vector_error(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
-    return keeps_rest;
+    return names;
 }
 
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,

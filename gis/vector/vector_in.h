@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct LayerChoice {
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
                            const LayerChoice& choice = {});
 
-/// Returns whether a vector file of a result has a layer of this name with at least one feature. Throws Error(input) if
-/// the file cannot be read completely.
-bool has_layer(const std::string& file, const std::string& layer, const std::string& where);
+/// Returns the names of the layers of a result's vector file that have a feature. Throws Error(input) if the file
+/// cannot be read completely.
+std::set<std::string> filled_layers(const std::string& file, const std::string& where);
 
 }  // namespace frana::gis

@@ -234,7 +234,7 @@ int read_blocks(const std::string& path, const std::function<void(std::string_vi
         ::close(descriptor);
         return EINVAL;
     }
-    std::vector<char> block(1U << 20U);
+    std::vector<char> block(static_cast<std::size_t>(std::clamp<off_t>(found.st_size, 1, 1 << 20)));
     int reason = 0;
     for (;;) {
         const ssize_t count = ::read(descriptor, block.data(), block.size());

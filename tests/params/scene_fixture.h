@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "params/scene/read_scene.h"
+#include "support/problems.h"
 
 namespace frana {
 
@@ -36,12 +37,8 @@ class SceneFixture : public ::testing::Test {
     SceneReading read(const std::string& text, const std::vector<std::string>& overrides = {}) const {
         return read_scene(write(text), overrides, FRANA_SOURCE_SHARE "/materials");
     }
-    /// Returns all messages of a scene, one per line.
-    std::string messages(const std::string& text, const std::vector<std::string>& overrides = {}) const {
-        const SceneReading reading = read(text, overrides);
-        std::string all;
-        for (const Problem& problem : reading.problems.list()) all += describe(problem) + '\n';
-        return all;
+    std::vector<Problem> problems(const std::string& text, const std::vector<std::string>& overrides = {}) const {
+        return read(text, overrides).problems.list();
     }
 
     std::filesystem::path folder_;

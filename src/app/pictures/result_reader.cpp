@@ -41,8 +41,9 @@ namespace {
 /// The features of all layers of the file.
 std::vector<gis::ExposedFeature> features_of(const std::string& gpkg, const std::string& crs_wkt) {
     std::vector<gis::ExposedFeature> all;
+    const std::set<std::string> filled = gis::filled_layers(gpkg, "RESULT_DIR");
     for (const VectorLayer& row : vector_layers()) {
-        if (row.file != k_exposure_file || !gis::has_layer(gpkg, row.name, "RESULT_DIR")) continue;
+        if (row.file != k_exposure_file || filled.count(row.name) == 0) continue;
         gis::ExposedLayer layer = gis::read_exposed(gpkg + "|layer=" + row.name, crs_wkt, "RESULT_DIR", "", "");
         for (gis::ExposedFeature& one : layer.features) all.push_back(std::move(one));
     }
@@ -240,7 +241,8 @@ Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) co
 
 std::optional<std::string> ResultReader::scene_value(const std::string& key) const {
     if (!has(k_scene_file)) return std::nullopt;
-    for (const IniEntry& entry : read_ini(path(k_scene_file)))
+    if (!scene_) scene_ = read_ini(path(k_scene_file));
+    for (const IniEntry& entry : *scene_)
         if (present_name(entry.name) == key) {
             static const std::vector<Parameter>& k_keys = scene_parameters();
             const Parameter* const parameter = find_parameter(k_keys, key);
@@ -259,11 +261,21 @@ double ResultReader::scene_number(const std::string& key, double otherwise) cons
     return text ? number_from_text(*text).value_or(otherwise) : otherwise;
 }
 
+bool ResultReader::has_layer(const std::string& file, const std::string& layer) const {
+    if (!has(file)) return false;
+    auto& [time, filled] = layers_[file];
+    if (const auto now = fs::last_write_time(path(file)); now != time) {
+        filled = gis::filled_layers(path(file), "RESULT_DIR");
+        time = now;
+    }
+    return filled.count(layer) > 0;
+}
+
 MultiPolygon ResultReader::outline(const std::string& layer, const std::string& crs_wkt) const {
     MultiPolygon all;
     const std::string file = path(k_outlines_file);
     // A result without a scar has no such layer.
-    if (!has(k_outlines_file) || !gis::has_layer(file, layer, "RESULT_DIR")) return all;
+    if (!has_layer(k_outlines_file, layer)) return all;
     for (const PolygonFeature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
         all.insert(all.end(), feature.parts.begin(), feature.parts.end());
     return all;
@@ -413,21 +425,18 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
             }
         if (!outline.lines.empty()) all.push_back(std::move(outline));
     };
-    // Files written by the run itself have not moved.
-    const auto written = [&](const std::string& file, const std::string& layer) {
-        return has(file) && gis::has_layer(path(file), layer, "RESULT_DIR");
-    };
     attempt([&] { all = exposure_marks(path(k_exposure_file), crs_wkt, words_); });
     areas("terrain.friction-zones", worded("Friction zones"), k_zones, true);
     areas("terrain.obstacles", worded("Obstacles"), k_obstacles, false);
     if (const auto walls = scene_value("terrain.walls"))
         attempt([&] { lines(*walls, worded("Walls"), k_obstacles, false); });
     areas("terrain.walls", worded("Walls"), k_obstacles, false);  // of any kind
-    if (written(k_profile_lines, "lines"))
+    // Files written by the run itself have not moved.
+    if (has_layer(k_profile_lines, "lines"))
         lines(path(k_profile_lines) + "|layer=lines", worded("Profiles"), k_lines, true);
-    if (written(k_gauge_places, "sections"))
+    if (has_layer(k_gauge_places, "sections"))
         lines(path(k_gauge_places) + "|layer=sections", worded("Cross-sections"), k_lines, false);
-    if (written(k_gauge_places, "gauges")) {
+    if (has_layer(k_gauge_places, "gauges")) {
         render::Outline outline{words_("Gauges"), {}, k_gauges, 2, false};
         for (const gis::NamedPoint& one :
              gis::read_marks(path(k_gauge_places) + "|layer=gauges", crs_wkt, "gauges").points)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "app/store/frame_store.h"
 #include "app/store/result_files.h"
 #include "core/grid_spec.h"
+#include "params/grammar/ini_file.h"
 #include "render/map/map2d.h"
 
 namespace frana::app {
@@ -45,6 +48,8 @@ class ResultReader {
     [[nodiscard]] const std::string& directory() const noexcept { return directory_; }
     [[nodiscard]] std::string path(const std::string& name) const;
     [[nodiscard]] bool has(const std::string& name) const;
+    /// Whether it has a vector file with a layer of this name that has a feature. Throws Error(input) if it is damaged.
+    [[nodiscard]] bool has_layer(const std::string& file, const std::string& layer) const;
     /// Returns NAME.tif. Throws Error(input) if it is missing.
     [[nodiscard]] Raster raster(const std::string& name) const;
     /// The same. Throws Error(input) also if its cells differ from the grid's.
@@ -112,9 +117,15 @@ class ResultReader {
 
     std::string directory_;
     Words words_;
-    mutable std::optional<GridSpec> grid_;              ///< read once
-    mutable std::vector<StoredFrame> frames_;           ///< likewise
-    mutable std::map<std::string, MapLayer> greatest_;  ///< likewise
+    struct Layers {
+        std::filesystem::file_time_type time;
+        std::set<std::string> filled;
+    };
+    mutable std::map<std::string, Layers> layers_;        ///< by file, read once: opening a GeoPackage takes long
+    mutable std::optional<std::vector<IniEntry>> scene_;  ///< likewise
+    mutable std::optional<GridSpec> grid_;                ///< likewise
+    mutable std::vector<StoredFrame> frames_;             ///< likewise
+    mutable std::map<std::string, MapLayer> greatest_;    ///< likewise
 };
 
 }  // namespace frana::app

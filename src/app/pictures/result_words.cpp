@@ -166,7 +166,7 @@ std::vector<std::vector<std::string>> ResultReader::figures_at(const std::vector
 
 std::vector<std::string> ResultReader::release_names(const std::string& crs_wkt) const {
     const std::string file = path(k_outlines_file);
-    if (!has(k_outlines_file) || !gis::has_layer(file, "release", "RESULT_DIR")) return {};
+    if (!has_layer(k_outlines_file, "release")) return {};
     std::vector<std::string> names;
     bool named = false;  // else these are the areas' numbers
     for (const PolygonFeature& one : gis::read_polygons(file + "|layer=release", crs_wkt, "RESULT_DIR").features) {

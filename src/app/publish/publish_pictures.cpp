@@ -157,6 +157,8 @@ std::int64_t drawing_library_bytes(const SceneSpec& scene) {
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const OutputSpec& output = request.spec.output;
     Drawings drawings(request.only_missing, log);
+    const bool is_compared = request.comparison && request.comparison->statistics;
+    if (output.maps.front() == "off" && !output.animation && !is_compared) return drawings.outcome();
     const ResultReader written(request.folder);
     const MapSource source = map_source(written, request);
     LayerDrawer drawer(source);
@@ -167,7 +169,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
         drawer.draw_for_page_too(folder);
     }
     draw_maps(output.maps, written, drawer, drawings);
-    if (request.comparison && request.comparison->statistics) {
+    if (is_compared) {
         drawings.attempt("comparison", comparison_pictures(source.style, written.directory()), [&] {
             draw_comparison(*request.comparison, drawer, written.directory());
             return true;

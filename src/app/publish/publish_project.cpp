@@ -74,7 +74,7 @@ class ProjectWriter {
     [[nodiscard]] gis::ProjectGroup outlines() const {
         gis::ProjectGroup group{named(words_("Outlines")), {}};
         for (const VectorLayer& row : vector_layers()) {
-            if (!result_.has(row.file) || !gis::has_layer(result_.path(row.file), row.name, "RESULT_DIR")) continue;
+            if (!result_.has_layer(row.file, row.name)) continue;
             const bool visible =
                 row.file == k_outlines_file || row.file == k_gauge_places || row.file == k_exposure_file;
             group.layers.push_back(

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace frana {
+
+inline ::testing::AssertionResult no_problem(const std::vector<Problem>& problems) {
+    auto result = problems.empty() ? ::testing::AssertionSuccess() : ::testing::AssertionFailure();
+    for (const Problem& problem : problems) result << describe(problem) << '\n';
+    return result;
+}
+
+/// Whether one of some problems is at a place (the end of `where`: a key, a file), has a value and a limit. Sentences
+/// are for people and may change. An empty text is any.
+inline ::testing::AssertionResult has_problem(const std::vector<Problem>& problems, const std::string& where,
+                                              const std::string& value = "", const std::string& limit = "") {
+    if (std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+            return problem.where.ends_with(where) && (value.empty() || problem.value == value) &&
+                   (limit.empty() || problem.limit == limit);
+        }))
+        return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "none at \"" << where << "\" of \"" << value << "\" allowed \"" << limit
+                                         << "\" among\n"
+                                         << no_problem(problems).message();
+}
+
+}  // namespace frana
