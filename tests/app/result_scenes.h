@@ -19,7 +19,7 @@ inline const std::string k_section =
        {"type": "Feature", "properties": {"name": "bridge"}, "geometry": {"type": "LineString", "coordinates": [[527080, 5094000], [527080, 5094150]]}}]})";
 
 inline const std::string k_every_output =
-    "[output]\nframes = on\nmap-size = 800x600\nmap-formats = png, pdf, svg, tif\nmaps = max_depth, "
+    "[output]\nframes = on\nmap-size = 640x480\nmap-formats = png, pdf, svg, tif\nmaps = max_depth, "
     "max_velocity_3d\n"
     "formats = geotiff, netcdf, zarr, ascii, particles-gpkg, particles-vtp\nnames = avaframe\n"
     "gauges = gauge.geojson\ncross-sections = section.geojson\n"
