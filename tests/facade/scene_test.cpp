@@ -63,7 +63,7 @@ TEST(FacadeScene, RefusesWrongValues) {
     EXPECT_EQ(problems_of([&] { facade::Scene({0, 0, -1, 30, 60}, {z}); }).front().where, "grid: cell size");
     facade::Scene scene = small_scene(z);
     EXPECT_TRUE(scene.check().empty());
-    EXPECT_EQ(problems_of([&] { scene.set("material.densty", 1); }).front().where, "material.densty");
+    EXPECT_EQ(problems_of([&] { scene.set("material.densty", 1); }).front().what, "unknown key");
     EXPECT_EQ(problems_of([&] { scene.set_values("zones.density", {z}); }).size(), 1U);
     EXPECT_EQ(problems_of([&] { scene.set_walls({std::span(z).first(3)}); }).size(), 1U);
     z[5] = -9999;

@@ -7,16 +7,16 @@
 namespace frana::test {
 namespace {
 
-// A cone 1.5 m high and 15 m in radius (surface slope 5.7 degrees) on a plane, friction angle 30 degrees.
+// A cone 3 m high and 30 m in radius (surface slope 5.7 degrees) on a plane, friction angle 30 degrees.
 class RestingPile : public testing::TestWithParam<std::tuple<double, double, Scheme>> {};
 
 TEST_P(RestingPile, DoesNotMoveByOneBit) {
     const auto [slope_deg, jitter, scheme] = GetParam();
     const double gradient = std::tan(slope_deg * M_PI / 180);
-    const GridSpec grid = bench::plain_grid(50, 50, 1);
-    const Raster bed = bench::sample_raster(grid, [&](Point p) { return (50 - p.x) * gradient; });
+    const GridSpec grid = bench::plain_grid(100, 100, 1);
+    const Raster bed = bench::sample_raster(grid, [&](Point p) { return (100 - p.x) * gradient; });
     const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, jitter, [](Point p) { return bench::Seed{1.5 - 0.1 * std::hypot(p.x - 25, p.y - 25)}; });
+        grid, 2, jitter, [](Point p) { return bench::Seed{3 - 0.1 * std::hypot(p.x - 50, p.y - 50)}; });
     const SlopeCorrection slope = scheme == Scheme::paper ? SlopeCorrection::none : SlopeCorrection::normal;
     Flow flow(bed, seeds, dry_friction(30), numerics(scheme, slope, Boundary::open), 1);
     std::vector<double> x(flow.particles()[Field::x], flow.particles()[Field::x] + flow.particles().size());
