@@ -75,6 +75,14 @@ TEST_F(Modules, DrawingIsLoadedForAPicture) {
     EXPECT_TRUE(fs::exists(path("film/animation.mp4")));
 }
 
+TEST_F(Modules, TheProgramOfTheBenchesIsNamedWhenItIsMissing) {
+    const Outcome outcome = copy({"bench", "stability"});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_NE(outcome.err.find(path("bin/frana-bench") + ": a part of frana is missing"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(copy({"bench", "--help"}).exit_code, 0);
+}
+
 TEST_F(Modules, AMissingOneIsNamedBeforeTheRun) {
     const Outcome outcome = copy({"run", "scene.ini", "--out", "out", "--set", "output.maps=on"});
     EXPECT_EQ(outcome.exit_code, 4) << outcome.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/commands/bench_output.h"
+#include "bench/program/bench_output.h"
 
 #include <algorithm>
 #include <iostream>

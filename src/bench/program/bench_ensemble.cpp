@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/commands/bench_ensemble.h"
-#include "app/study/plan/study_input.h"
+#include "bench/program/bench_ensemble.h"
 
 #include <unistd.h>
 
@@ -10,19 +9,20 @@
 #include <iostream>
 
 #include "app/commands/accuracy_search.h"
-#include "app/commands/bench_output.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/scene_variants.h"
 #include "app/input/share_directory.h"
 #include "app/process/signals.h"
 #include "app/store/result_files.h"
+#include "app/study/plan/study_input.h"
 #include "app/study/pool/level_rounds.h"
 #include "app/study/pool/member_runs.h"
 #include "app/study/pool/study_result.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
+#include "bench/program/bench_output.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "render/canvas/image.h"
