@@ -8,6 +8,7 @@
 #include "mpm/curvature.h"
 #include "mpm/node_grid.h"
 #include "mpm/shifting.h"
+#include "mpm/stable_step.h"
 #include "particles/particle_set.h"
 #include "physics/stress_bingham.h"
 
@@ -163,8 +164,7 @@ struct ParticleUpdate {
 
 /// Results of a tile's particles in a step; combined tile by tile in their order.
 struct ParticleReport {
-    double wave_speed = 0;     ///< greatest |v| + sqrt(g h) [m/s]
-    double speed = 0;          ///< greatest |v| [m/s]
+    FlowSpeeds speeds;
     double diffusivity = 0;    ///< greatest of the in-plane stress [m2/s]
     double front_squared = 0;  ///< farthest from the origin [m2]
     double kinetic = 0;        ///< sum of V v^2 / 2 [m5/s2]
@@ -173,8 +173,7 @@ struct ParticleReport {
     std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0;
 
     void merge(const ParticleReport &r) noexcept {
-        wave_speed = std::max(wave_speed, r.wave_speed);
-        speed = std::max(speed, r.speed);
+        speeds.merge(r.speeds);
         diffusivity = std::max(diffusivity, r.diffusivity);
         front_squared = std::max(front_squared, r.front_squared);
         kinetic += r.kinetic;
@@ -276,7 +275,8 @@ struct ParticleSweep {
     double *const q_xx = particles[Field::q_xx], *const q_xy = particles[Field::q_xy];
     double *const q_yy = particles[Field::q_yy];
 
-    Number wave_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0, longest = 0.0;
+    Number wave_speed = 0.0, carried_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0,
+           longest = 0.0;
     Number kinetic = 0.0, inside_volume = 0.0;
     typename L::Count clamped{}, non_finite{}, outside{};
     std::int64_t no_data = 0;
@@ -390,7 +390,7 @@ struct ParticleSweep {
             }
         }
         // Non-finite particles keep their position; the run stops after this step.
-        const Number wave = speed + sqrt(k.gravity * depth);
+        const Number celerity = sqrt(k.gravity * depth), wave = speed + celerity;
         const Mask finite = (wave < 1e9) & (abs(px) < 1e12) & (abs(py) < 1e12);
         L::store(select(finite, px, old_x), x + p, n);
         L::store(select(finite, py, old_y), y + p, n);
@@ -406,6 +406,7 @@ struct ParticleSweep {
         }
         const Number ox = px - k.origin.x, oy = py - k.origin.y;
         wave_speed = select(inside, max(wave_speed, wave), wave_speed);
+        carried_speed = select(inside, max(carried_speed, k_carried * speed + celerity), carried_speed);
         greatest_speed = select(inside, max(greatest_speed, speed), greatest_speed);
         front_squared = select(inside, max(front_squared, ox * ox + oy * oy), front_squared);
         kinetic += select(inside, 0.5 * mass * (back_u * back_u + back_v * back_v), Number(0.0));
@@ -414,8 +415,7 @@ struct ParticleSweep {
 
     [[nodiscard, gnu::always_inline]] ParticleReport report() const {
         ParticleReport r;
-        r.wave_speed = L::greatest(wave_speed);
-        r.speed = L::greatest(greatest_speed);
+        r.speeds = {L::greatest(wave_speed), L::greatest(carried_speed), L::greatest(greatest_speed)};
         r.diffusivity = L::greatest(diffusivity);
         r.front_squared = L::greatest(front_squared);
         r.kinetic = L::sum(kinetic);

@@ -182,7 +182,7 @@ StepStatistics Flow::step(double dt_limit) {
     f.volume = report.particles.volume + report.aloft;
     f.max_depth = report.nodes.max_depth;
     f.max_speed = report.nodes.max_speed;
-    f.fastest = report.particles.speed;
+    f.fastest = report.particles.speeds.flow;
     f.kinetic = report.particles.kinetic + report.aloft_kinetic;
     f.energy = report.nodes.energy;
     f.energy_moving = report.nodes.kinetic;
@@ -257,7 +257,7 @@ Point Flow::centroid() const {
 }
 
 double Flow::stable_step() {
-    return frana::stable_step(grid_.cell_size, laws_.cfl, state_.wave_speed, laws_.gravity, state_.diffusivity);
+    return frana::stable_step(grid_.cell_size, laws_.step, state_.speeds, laws_.gravity, state_.diffusivity);
 }
 
 template <class Visit>

@@ -192,8 +192,9 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
         b = (FollowsBed ? kernels.along_bed : kernels.nodes_to_particles)(tile, update, {}, nodes, fast);
     }
     expect_same_particles(particles, fast);
-    EXPECT_NEAR(a.wave_speed, b.wave_speed, k_rounding * a.wave_speed);
-    EXPECT_NEAR(a.speed, b.speed, k_rounding * a.speed);
+    EXPECT_NEAR(a.speeds.wave, b.speeds.wave, k_rounding * a.speeds.wave);
+    EXPECT_NEAR(a.speeds.carried_wave, b.speeds.carried_wave, k_rounding * a.speeds.wave);
+    EXPECT_NEAR(a.speeds.flow, b.speeds.flow, k_rounding * a.speeds.wave);
     EXPECT_NEAR(a.diffusivity, b.diffusivity, k_rounding * a.diffusivity);
     EXPECT_NEAR(a.front_squared, b.front_squared, k_rounding * a.front_squared);
     EXPECT_NEAR(a.kinetic, b.kinetic, k_rounding * a.kinetic);

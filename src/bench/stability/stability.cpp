@@ -53,7 +53,7 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
         fastest = std::max(fastest, std::hypot(setup.seeds[Field::u][p], setup.seeds[Field::v][p]));
     const double limit = speed_limit(setup, fastest);
     run.advance_to(end, [&](const voellmy_bingham::StepReport& report) {
-        s.speed_ratio = std::max({s.speed_ratio, report.particles.speed / limit, report.nodes.max_speed / limit});
+        s.speed_ratio = std::max({s.speed_ratio, report.particles.speeds.flow / limit, report.nodes.max_speed / limit});
         s.volume_error =
             std::max(s.volume_error, std::abs(run.flow().volume() + run.flow().volume_left() - volume) / volume);
         s.clamped += report.particles.clamped;

@@ -72,10 +72,11 @@ void sort_again(State& state, bool drop, ThreadPool& pool) {
     state.since_sort = 0;
 }
 
-// Returns the greatest speed of a particle including its wave [m/s].
-double wave_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
-    return std::hypot(particles[Field::u][p], particles[Field::v][p]) +
-           std::sqrt(laws.gravity * laws.stress.wave_factor * particles[Field::volume][p] / particles[Field::area][p]);
+FlowSpeeds speeds_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
+    const double speed = std::hypot(particles[Field::u][p], particles[Field::v][p]);
+    const double celerity =
+        std::sqrt(laws.gravity * laws.stress.wave_factor * particles[Field::volume][p] / particles[Field::area][p]);
+    return {speed + celerity, k_carried * speed + celerity, speed};
 }
 
 }  // namespace
@@ -95,9 +96,8 @@ bool shifts_now(const State& state, const Stages& stages) {
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     sort_again(state, true, pool);
     state.active.activate(state.order);
-    state.wave_speed = 0;
-    for (std::size_t p = 0; p < state.particles.size(); ++p)
-        state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, laws));
+    state.speeds = {};
+    for (std::size_t p = 0; p < state.particles.size(); ++p) state.speeds.merge(speeds_of(state.particles, p, laws));
     if (laws.wall) mirror_bed(state.nodes);
 }
 
@@ -105,7 +105,7 @@ void advance_time(Step& now) {
     State& state = now.state;
     state.time += now.drift;
     state.velocity_lag = now.stages.leapfrog ? 0.5 * now.drift : 0;
-    state.wave_speed = now.report.particles.wave_speed;
+    state.speeds = now.report.particles.speeds;
     state.diffusivity = now.report.particles.diffusivity;
 }
 
@@ -113,7 +113,7 @@ void regularise(Step& now) {
     State& state = now.state;
     const ParticleReport& report = now.report.particles;
     const double dx = state.nodes.cell_size();
-    const double moved = report.speed * now.drift / dx, shift = now.stages.resamples ? shift_reach(moved) : 0;
+    const double moved = report.speeds.flow * now.drift / dx, shift = now.stages.resamples ? shift_reach(moved) : 0;
     state.drift += moved + (shifts_now(state, now.stages) ? shift : 0);
     ++state.since_sort;
     const bool stretched =
@@ -141,7 +141,7 @@ void leave_and_land(Step& now) {
     if (keep.empty() && landed.count == 0) return;
     if (!keep.empty()) keep.resize(state.particles.size(), 1);
     for (std::size_t p = state.particles.size() - landed.count; p < state.particles.size(); ++p) {
-        state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, now.laws));
+        state.speeds.merge(speeds_of(state.particles, p, now.laws));
         state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
     sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: those keep their own

@@ -40,7 +40,7 @@ struct State {
     double velocity_lag = 0;                     ///< how far the velocities are behind the positions [s]
     double drift = 0;                            ///< bound of the particles' displacement since the last sort [cells]
     int since_sort = 0;                          ///< [steps]
-    double wave_speed = 0;                       ///< greatest |v| + sqrt(g h) [m/s]
+    FlowSpeeds speeds;                           ///< of the particles
     double diffusivity = 0;                      ///< greatest of the in-plane stress [m2/s]
     double volume_left = 0;                      ///< through open boundaries [m3]
     Flights flights;                             ///< particles in the air; none if Stages::flies is off
@@ -54,10 +54,10 @@ struct State {
 template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
-                            since_sort, wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
-                            exchanged, kept, lost, gathered] = state;
+                            since_sort, speeds, diffusivity, volume_left, flights, bed_states, erodible_beds, exchanged,
+                            kept, lost, gathered] = state;
     archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
-            wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
+            speeds, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }
@@ -79,7 +79,7 @@ struct BedExchange {
 struct Laws {
     double gravity = k_standard_gravity;  ///< vertical, or normal to a tilted flat bed [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< of a tilted frame, for verification [m/s2]
-    double cfl = 0.5;
+    StepBounds step;
     double minimum_depth = k_minimum_depth;  ///< [m]
     bool wall = false;
     double flight_slope = 0;  ///< JumpRules::edge

@@ -45,7 +45,7 @@ void slow_down(State& state, ThreadPool& pool) {
 void choose_length(Step& now, double dt_limit) {
     const State& state = now.state;
     const double stable =
-        stable_step(state.nodes.cell_size(), now.laws.cfl, state.wave_speed, now.laws.gravity, state.diffusivity);
+        stable_step(state.nodes.cell_size(), now.laws.step, state.speeds, now.laws.gravity, state.diffusivity);
     now.drift = std::min(stable, dt_limit);
     now.kick = state.velocity_lag + now.drift - (now.stages.leapfrog ? 0.5 * now.drift : 0);
 }

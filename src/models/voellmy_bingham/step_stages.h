@@ -32,7 +32,7 @@ struct Step {
     [[nodiscard]] bool exchanges() const noexcept { return stages.exchange_at_nodes != nullptr && drift > 0; }
 };
 
-/// Sets kick and drift. Reads State::wave_speed, diffusivity, velocity_lag.
+/// Sets kick and drift. Reads State::speeds, diffusivity, velocity_lag.
 void choose_length(Step& now, double dt_limit);
 /// Lists the tiles of this step (ActiveTiles).
 void choose_active_tiles(Step& now);
