@@ -31,6 +31,15 @@ struct Lanes<double> {
     [[gnu::always_inline]] static void set(double& a, int, double value) { a = value; }
     [[gnu::always_inline]] static double load(const double* from, std::size_t) { return *from; }
     [[gnu::always_inline]] static void store(double a, double* to, std::size_t) { *to = a; }
+    /// Stores {a, b, c, d} of each of the first n lanes that are `real` from `to` on, `step` apart.
+    [[gnu::always_inline]] static void store_rows(double a, double b, double c, double d, Mask real, std::size_t,
+                                                  double* to, std::size_t) {
+        if (!real) return;
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        to[3] = d;
+    }
     [[gnu::always_inline]] static void add(Count& count, Mask m) { count += m ? 1 : 0; }
     [[gnu::always_inline]] static std::int64_t total(Count count) { return count; }
     [[gnu::always_inline]] static double greatest(double a) { return a; }

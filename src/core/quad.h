@@ -157,6 +157,13 @@ struct Lanes<Quad> {
     static FRANA_INLINE void set(Quad& a, int lane, double value) { a.v[lane] = value; }
     static FRANA_INLINE Quad load(const double* from, std::size_t n) { return load_some(from, n); }
     static FRANA_INLINE void store(Quad a, double* to, std::size_t n) { store_some(a, to, n); }
+    static FRANA_INLINE void store_rows(Quad a, Quad b, Quad c, Quad d, Mask real, std::size_t n, double* to,
+                                        std::size_t step) {
+        transpose(a, b, c, d);
+        const Quad rows[4] = {a, b, c, d};
+        for (std::size_t i = 0; i < n; ++i)
+            if (real[static_cast<int>(i)] != 0) rows[i].store(to + i * step);
+    }
     static FRANA_INLINE void add(Count& count, Mask m) { count += m; }
     static FRANA_INLINE std::int64_t total(Count count) { return frana::count(count); }
     static FRANA_INLINE double greatest(Quad a) { return frana::greatest(a); }

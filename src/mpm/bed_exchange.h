@@ -23,7 +23,8 @@ void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
         const NodeForces& node = nodes.forces()[i];
         if (!(node.mass > 0)) return;
-        const NodeDrive ground = ground_of<Slope>(nodes, k, i, column, row);
+        const NodeDrive<double> ground = load_on<Slope, double>(bed_at<Slope>(nodes, i, column, row),
+                                                                node.px / node.mass, node.py / node.mass, k.gravity);
         const double root = Slope::metric ? std::sqrt(ground.n) : 1;
         states[i] = {node.mass / node.area / root, (k.gravity + ground.load) / root, 0, 0, 0, 0};
     });

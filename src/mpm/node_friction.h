@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/geometry.h"
+#include "core/lanes.h"
 #include "physics/friction_sum.h"
 #include "physics/friction_voellmy.h"
 
@@ -26,10 +27,8 @@ struct NodeUpdate {
 
 /// Friction at the nodes: Voellmy with uniform parameters, nothing stored.
 struct UniformFriction {
-    static constexpr bool remembers = false;
     const VoellmyFriction& law;
 
-    [[nodiscard]] bool active() const noexcept { return law.active(); }
     [[nodiscard]] bool keeps_rest() const noexcept { return law.friction_coefficient > 0; }
     /// Returns the reduction of speed by yield in a step [m/s].
     [[nodiscard]] double stopped_in_step(std::size_t, const NodeUpdate& k) const noexcept {
@@ -42,10 +41,15 @@ struct UniformFriction {
     }
     /// Returns the factor that converts the sum of contributions to a momentum.
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt * law.friction_coefficient; }
+    /// Returns the speed after the step of `count` nodes from `node` on; 0 where they are held.
     /// @param supported vertical acceleration supported by the bed, g + load [m/s2]
-    [[nodiscard]] double speed_after(std::size_t, double speed, const NodeUpdate& k, double root, double supported,
-                                     double depth) const noexcept {
-        return law.speed_after(speed, k.dt, supported / root, k.gravity, depth / root);
+    template <class Number>
+    [[nodiscard, gnu::always_inline]] Number speed_after(std::size_t, std::size_t, Number speed,
+                                                         typename Lanes<Number>::Mask held, const NodeUpdate& k,
+                                                         Number root, Number supported, Number depth) const {
+        if (!law.active()) return select(held, Number(0.0), speed);
+        return select(held, Number(0.0),
+                      law.template speed_after<Number>(speed, k.dt, supported / root, k.gravity, depth / root));
     }
 };
 
@@ -53,12 +57,10 @@ struct UniformFriction {
 /// most one law that is not a polynomial of the speed.
 template <class Excess>
 struct SummedFriction {
-    static constexpr bool remembers = true;
     const Excess& excess;
     BedState* states;  ///< padded
     bool yields;       ///< whether any law has a yield part
 
-    [[nodiscard]] bool active() const noexcept { return true; }
     [[nodiscard]] bool keeps_rest() const noexcept { return yields; }
     [[nodiscard]] double stopped_in_step(std::size_t node, const NodeUpdate& k) const noexcept {
         return k.dt * states[node].yield;
@@ -67,15 +69,34 @@ struct SummedFriction {
         return mass * states[node].yield / std::sqrt(n);
     }
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt; }
-    [[nodiscard]] double speed_after(std::size_t node, double speed, const NodeUpdate& k, double, double,
-                                     double) const noexcept {
-        const double after = std::min(speed, speed_after_friction(states[node], node, excess, speed, k.dt));
-        states[node].resistance = (speed - after) / k.dt;
+    /// The same; remembers the resistance: that of a held node equals the driving force.
+    template <class Number>
+    [[nodiscard, gnu::always_inline]] Number speed_after(std::size_t node, std::size_t count, Number speed,
+                                                         typename Lanes<Number>::Mask held, const NodeUpdate& k, Number,
+                                                         Number, Number) const {
+        using L = Lanes<Number>;
+        Number after = 0.0;
+        if constexpr (std::is_same_v<Excess, NoExcess>) {
+            Number yield = 0.0, linear = 0.0, square = 0.0, thickness = 1.0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const BedState& bed = states[node + i];
+                L::set(yield, static_cast<int>(i), bed.yield);
+                L::set(linear, static_cast<int>(i), bed.linear);
+                L::set(square, static_cast<int>(i), bed.square);
+                L::set(thickness, static_cast<int>(i), bed.thickness);
+            }
+            const Number left = speed - k.dt * yield;
+            after =
+                select((thickness > 0) & (left > 0), polynomial_speed<Number>(linear, square, left, k.dt), Number(0.0));
+        } else {
+            static_assert(std::is_same_v<Number, double>);
+            after = speed_after_friction(states[node], node, excess, speed, k.dt);
+        }
+        using std::min;
+        after = select(held, Number(0.0), min(speed, after));
+        for (std::size_t i = 0; i < count; ++i)
+            states[node + i].resistance = L::at(speed - after, static_cast<int>(i)) / k.dt;
         return after;
-    }
-    /// Stores a held node's resistance: it equals the driving force.
-    void remember(std::size_t node, double speed, const NodeUpdate& k) const noexcept {
-        states[node].resistance = speed / k.dt;
     }
 };
 

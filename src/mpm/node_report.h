@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "mpm/curvature.h"
-
 namespace frana {
 
 /// Results of a tile's nodes in a step.
@@ -40,20 +38,6 @@ struct NodeReport {
         energy += r.energy;
         kinetic += r.kinetic;
         dissipated += r.dissipated;
-    }
-
-    /// Adds a node's energy in a step that changes its velocity in map view from `before` (`turned` by the bed) to
-    /// `driven` by all driving forces and to `after` by friction and walls too. Friction and walls dissipate their
-    /// change of the velocity times the mean of before and after: a held node does no work.
-    /// @param height of its middle [m]
-    void count_energy(double node_volume, double height, double gravity, const AlongBed& bed, Point before,
-                      Point turned, Point driven, Point after) noexcept {
-        const double motion = 0.25 * node_volume * (bed.dot(before, before) + bed.dot(after, after));
-        volume += node_volume;
-        kinetic += motion;
-        energy += motion + gravity * node_volume * height;
-        dissipated += 0.5 * node_volume *
-                      bed.dot({driven.x - after.x, driven.y - after.y}, {turned.x + after.x, turned.y + after.y});
     }
 };
 

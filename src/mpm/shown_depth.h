@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/lanes.h"
 #include "mpm/node_grid.h"
 
 namespace frana {
@@ -70,12 +71,13 @@ double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, st
 /// Returns the depth of a node for maps [m]: the mean depth of its particles times their crowding where the node and
 /// its surroundings are filled, independent of the unevenness of their arrangement; volume over cell area at fronts and
 /// in thin flow, where the cell is only partly covered.
-inline double shown_depth(double mass, double area, double support, double crowding,
-                          double inverse_cell_area) noexcept {
-    const double by_volume = mass * inverse_cell_area;
-    if (!(area > 0)) return by_volume;
-    const double filled = std::min(1.0, area * inverse_cell_area / k_filled_fraction);
-    return by_volume + support * filled * (crowding * mass / area - by_volume);
+template <class Number>
+[[gnu::always_inline]] inline Number shown_depth(Number mass, Number area, Number support, Number crowding,
+                                                 double inverse_cell_area) {
+    using std::min;
+    const Number by_volume = mass * inverse_cell_area;
+    const Number filled = min(Number(1.0), area * inverse_cell_area / k_filled_fraction);
+    return select(area > 0, by_volume + support * filled * (crowding * mass / area - by_volume), by_volume);
 }
 
 /// Returns the depth for maps of a node inside the ghosts after a step [m].
@@ -83,8 +85,8 @@ inline double shown_depth(const NodeGrid& nodes, std::size_t node) noexcept {
     const NodeMotion& motion = nodes.motion()[node];
     const double cell_area = nodes.cell_size() * nodes.cell_size();
     const auto n = static_cast<std::int64_t>(node), stride = nodes.stride();
-    return shown_depth(motion.mass, motion.fraction * cell_area, motion.support,
-                       crowding(nodes, nodes.motion(), node, n % stride, n / stride), 1 / cell_area);
+    return shown_depth<double>(motion.mass, motion.fraction * cell_area, motion.support,
+                               crowding(nodes, nodes.motion(), node, n % stride, n / stride), 1 / cell_area);
 }
 
 }  // namespace frana

@@ -32,10 +32,24 @@ struct Maxima {
         archive(h, v, arrival);
     }
 
-    void update(std::size_t node, double node_depth, double node_speed, double time) noexcept {
-        depth[node] = std::max(depth[node], node_depth);
-        speed[node] = std::max(speed[node], node_speed);
-        if (arrival_plus_1[node] == 0) arrival_plus_1[node] = time + 1;
+    /// Updates `count` nodes from `node` on, those that are `deep`.
+    template <class Number>
+    [[gnu::always_inline]] void update(std::size_t node, std::size_t count, typename Lanes<Number>::Mask deep,
+                                       Number node_depth, Number node_speed, double time) {
+        using std::max;
+        using L = Lanes<Number>;
+        const auto keep = [&](double* to, auto next) __attribute__((always_inline)) {
+            const Number before = L::load(to, count);
+            L::store(select(deep, next(before), before), to, count);
+        };
+        keep(
+            depth.data() + node, [&](Number before) __attribute__((always_inline)) { return max(before, node_depth); });
+        keep(
+            speed.data() + node, [&](Number before) __attribute__((always_inline)) { return max(before, node_speed); });
+        keep(
+            arrival_plus_1.data() + node, [&](Number before) __attribute__((always_inline)) {
+                return select(before > 0, before, Number(time + 1));
+            });
     }
 };
 
@@ -57,13 +71,19 @@ struct Curved : Slope {
     static constexpr bool curved = true;  // cppcheck-suppress duplInheritedMember; hides it on purpose
 };
 
-/// Driving accelerations of a node, and the slope of its bed.
+/// The bed at a node (double) or at four in a row (Quad), whatever flows over it.
+template <class Number>
+struct NodeBed {
+    Number slope_x = 0.0, slope_y = 0.0;
+    BedCurvatureOf<Number> curvature;  ///< zero unless the slope is Curved
+};
+
+/// Driving accelerations of a node.
+template <class Number>
 struct NodeDrive {
-    double ax, ay;            ///< acceleration by pressure and slope [m/s2]
-    double slope_x, slope_y;  ///< of the bed [-]
-    double n;                 ///< 1 + |grad Z|^2; 1 without slope correction
-    double load;              ///< load of the bed's curvature, at least -g [m/s2]
-    BedCurvature curvature;   ///< zero unless the slope is Curved
+    Number ax = 0.0, ay = 0.0;  ///< acceleration by pressure and slope [m/s2]
+    Number n = 1.0;             ///< 1 + |grad Z|^2; 1 without slope correction
+    Number load = 0.0;          ///< load of the bed's curvature, at least -g [m/s2]
 };
 
 /// Returns the bed's slope at a node, from its neighbours; 0 across the outermost rings.
@@ -87,17 +107,25 @@ inline BedFrame node_frame(const NodeGrid& nodes, std::size_t i, std::int64_t co
     return BedFrame::of({follows * slope.x, follows * slope.y});
 }
 
-/// Returns the slope at a node and the load of its curvature; no acceleration yet.
+/// Returns the bed at a node.
 template <class Slope>
-NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
+[[gnu::always_inline]] inline NodeBed<double> bed_at(const NodeGrid& nodes, std::size_t i, std::int64_t column,
+                                                     std::int64_t row) {
     const Point slope = node_slope(nodes, i, column, row);
-    NodeDrive d{0, 0, slope.x, slope.y, 1, 0, {}};
-    if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
-    if constexpr (Slope::curved) {
-        const NodeForces& node = nodes.forces()[i];
-        d.curvature = bed_curvature(nodes, i, column, row);
-        d.load = std::max(-k.gravity, d.curvature.load(node.px / node.mass, node.py / node.mass));
-    }
+    NodeBed<double> bed{slope.x, slope.y, {}};
+    if constexpr (Slope::curved) bed.curvature = bed_curvature(nodes, i, column, row);
+    return bed;
+}
+
+/// Returns the load of a curved bed and n; no acceleration yet.
+/// @param u, v velocity in map view [m/s]
+template <class Slope, class Number>
+[[gnu::always_inline]] inline NodeDrive<Number> load_on(const NodeBed<Number>& bed, Number u, Number v,
+                                                        double gravity) {
+    using std::max;
+    NodeDrive<Number> d;
+    if constexpr (Slope::metric) d.n = 1 + bed.slope_x * bed.slope_x + bed.slope_y * bed.slope_y;
+    if constexpr (Slope::curved) d.load = max(Number(-gravity), bed.curvature.load(u, v));
     return d;
 }
 
@@ -117,7 +145,7 @@ inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
 /// twice its weight.
 inline constexpr double k_least_bearing = 0.5;
 
-/// Returns the acceleration of a node with mass. With S = grad(h + Z) and n = 1 + |grad Z|^2:
+/// Sets the acceleration of a node with mass. With S = grad(h + Z) and n = 1 + |grad Z|^2:
 ///     gentle   a = -g S
 ///     surface  a = -(g/n) S
 ///     normal   a = -g' S,  g' = g + a . grad Z = g / (1 + S . grad Z)
@@ -126,32 +154,37 @@ inline constexpr double k_least_bearing = 0.5;
 /// surface is steeper than the bed (fronts) only the linear terms in grad h are kept, as in Savage and Hutter (1989):
 ///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
 /// The load of the motion over the bed's curvature is not included: see turn_by_bed.
-/// Reads NodeForces; NodeLevel (if allocated); bed.
-template <class Slope>
-NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
-    NodeDrive d = ground_of<Slope>(nodes, k, i, column, row);
-    // The part of gravity that the reference state cancelled in the particles' sum.
-    const double weight =
-        nodes.levels.size() != 0 ? k.gravity * nodes.levels[i].support * (1 - nodes.levels[i].ponding) : 0;
-    const NodeForces& node = nodes.forces()[i];
-    const double fall_x = node.fx / node.mass - weight * d.slope_x;  // -g S
-    const double fall_y = node.fy / node.mass - weight * d.slope_y;
+/// @param fx, fy force over mass [m/s2]  @param weight part of gravity that the reference state cancelled in the
+/// particles' sum [m/s2]  @param d of load_on
+template <class Slope, class Number>
+[[gnu::always_inline]] inline void accelerate(const NodeBed<Number>& bed, Number fx, Number fy, Number weight,
+                                              const NodeUpdate& k, NodeDrive<Number>& d) {
+    using std::max;
+    const Number fall_x = fx - weight * bed.slope_x, fall_y = fy - weight * bed.slope_y;  // -g S
     d.ax = fall_x / d.n;
     d.ay = fall_y / d.n;
     if constexpr (Slope::thin_flow) {
-        const double bearing = 1 - (fall_x * d.slope_x + fall_y * d.slope_y) / k.gravity;
-        if (bearing < d.n) {
-            const double divisor = std::max(k_least_bearing, bearing);
-            d.ax = fall_x / divisor;
-            d.ay = fall_y / divisor;
-        } else {
-            const double along = k.gravity * (d.n - bearing) / (d.n * d.n);  // grad Z . (-g grad h) / n^2
-            d.ax -= d.slope_x * along;
-            d.ay -= d.slope_y * along;
-        }
+        const Number bearing = 1 - (fall_x * bed.slope_x + fall_y * bed.slope_y) / k.gravity;
+        const Number divisor = max(Number(k_least_bearing), bearing);
+        const Number along = k.gravity * (d.n - bearing) / (d.n * d.n);  // grad Z . (-g grad h) / n^2
+        const auto bears = bearing < d.n;
+        d.ax = select(bears, fall_x / divisor, d.ax - bed.slope_x * along);
+        d.ay = select(bears, fall_y / divisor, d.ay - bed.slope_y * along);
     }
     d.ax += k.gravity_x;
     d.ay += k.gravity_y;
+}
+
+/// Returns the acceleration of a node. Reads NodeForces; NodeLevel (if allocated); bed.
+template <class Slope>
+NodeDrive<double> drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
+                           std::int64_t row) {
+    const NodeForces& node = nodes.forces()[i];
+    const NodeBed<double> bed = bed_at<Slope>(nodes, i, column, row);
+    NodeDrive<double> d = load_on<Slope, double>(bed, node.px / node.mass, node.py / node.mass, k.gravity);
+    const bool levels = nodes.levels.size() != 0;
+    const double weight = levels ? k.gravity * nodes.levels[i].support * (1 - nodes.levels[i].ponding) : 0;
+    accelerate<Slope, double>(bed, node.fx / node.mass, node.fy / node.mass, weight, k, d);
     return d;
 }
 
@@ -175,7 +208,7 @@ void find_held_nodes(const NodeRange& range, const NodeUpdate& k, const Friction
         const auto place = static_cast<std::size_t>((row - range.j0 + 1) * k_side + column - range.i0 + 1);
         if (!known[place]) {
             const NodeForces& node = nodes.forces()[n];
-            const NodeDrive d = drive_of<Slope>(nodes, k, n, column, row);
+            const NodeDrive<double> d = drive_of<Slope>(nodes, k, n, column, row);
             pulls[place] = {node.px + k.dt * node.mass * d.ax, node.py + k.dt * node.mass * d.ay,
                             friction.held(node.mass, n, d.n, k.gravity + d.load)};
             known[place] = true;
@@ -203,87 +236,199 @@ void find_held_nodes(const NodeRange& range, const NodeUpdate& k, const Friction
     });
 }
 
-/// Computes new nodal velocities (paper, equations 31-32): driving forces, then bed friction as a cap on the speed
-/// along the bed that stops but never reverses. Reads NodeForces, NodeLevel (if allocated), bed; converts the records
-/// with mass to NodeMotion. Calls observe(node, depth, speed) for every node deeper than the minimum.
-template <class Slope, class Friction, class Observe>
-NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes,
-                        const Observe& observe) {
-    NodeReport report;
-    const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
-    const std::uint8_t* solid = nodes.solid();
-    const NodeLevel* levels = nodes.levels.size() != 0 ? nodes.levels.data() : nullptr;
-    const bool keeps_rest = friction.keeps_rest();
+/// What the update of a node, or of four in a row, reads of its record, levels and bed.
+template <class Number>
+struct NodeInput {
+    Number px, py, fx, fy, mass, area, crowding, held;
+    Number ponding, support;  ///< NodeLevel; without reference levels 1, 0
+    Number follows;           ///< 1 - ponding; without reference levels 1
+    Number height;            ///< of the bed [m]
+    NodeBed<Number> bed;
+};
 
-    range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        NodeRecord& record = nodes.records[i];
-        const NodeForces node = record.forces;
-        if (!(node.mass > 0)) return;
-        const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
-        const Point old{node.px / node.mass, node.py / node.mass};
-        AlongBed bed = Slope::metric ? AlongBed{drive.slope_x, drive.slope_y} : AlongBed{};
-        BedFrame frame;
-        Point driven{old.x + k.dt * drive.ax, old.y + k.dt * drive.ay}, turned = old;
-        const double follows = levels ? 1 - levels[i].ponding : 1;
+/// The update of the nodes of a tile, one at a time or four.
+template <class Number, class Slope, class Friction>
+struct NodeSweep {
+    using L = Lanes<Number>;
+    using Mask = typename L::Mask;
+
+    const NodeUpdate& k;
+    const Friction& friction;
+    NodeGrid& nodes;
+    Maxima& maxima;
+    const double time;
+
+    const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
+    Number max_depth = 0.0, max_speed = 0.0, moving = 0.0, thin = 0.0, volume = 0.0, energy = 0.0, kinetic = 0.0,
+           dissipated = 0.0;
+    typename L::Count covered{}, unsupported{}, moves{};
+
+    /// `count` nodes from i on; those that are not `real` have no mass: only their results are ignored. `ghost`: none
+    /// of them is counted.
+    [[gnu::always_inline]] void operator()(std::size_t i, std::size_t count, Mask real, Mask held, bool ghost,
+                                           const NodeInput<Number>& in) {
+        using std::abs;
+        using std::max;
+        const Number zero(0.0), mass = select(real, in.mass, Number(1.0));
+        const MapVector<Number> old{in.px / mass, in.py / mass};
+        NodeDrive<Number> drive = load_on<Slope, Number>(in.bed, old.x, old.y, k.gravity);
+        accelerate<Slope, Number>(in.bed, in.fx / mass, in.fy / mass, k.gravity * in.support * in.follows, k, drive);
+        AlongBedOf<Number> bed{zero, zero};
+        if constexpr (Slope::metric) bed = {in.bed.slope_x, in.bed.slope_y};
+        BedFrameOf<Number> frame;
+        MapVector<Number> driven{old.x + k.dt * drive.ax, old.y + k.dt * drive.ay}, turned = old;
         if constexpr (Slope::curved) {
-            frame = node_frame(nodes, i, column, row);
+            frame = BedFrameOf<Number>::of({in.follows * in.bed.slope_x, in.follows * in.bed.slope_y});
             // The slope of the frame of the gathered velocity: a level flow over a lip gains no speed from the slope
             // below.
             bed = {frame.slope_x, frame.slope_y};
             // Half of the force, the rotation, the other half: second order (Strang 1968).
             const double half = 0.5 * k.dt;
             driven = {old.x + half * drive.ax, old.y + half * drive.ay};
-            turn_by_bed(drive.curvature, frame, follows * k.dt, driven.x, driven.y);
+            turn_by_bed<Number>(in.bed.curvature, frame, in.follows * k.dt, driven);
             driven = {driven.x + half * drive.ax, driven.y + half * drive.ay};
             turned = {driven.x - k.dt * drive.ax, driven.y - k.dt * drive.ay};
         }
-        const double driven_speed = bed.speed(driven);
-        Point after = driven;
-        if ((solid && solid[i]) || (keeps_rest && node.held != 0)) {
-            if constexpr (Friction::remembers) friction.remember(i, driven_speed, k);
-            after = {0, 0};
-        } else if (driven_speed > 0 && friction.active()) {
-            const double root = Slope::metric ? std::sqrt(drive.n) : 1;
-            const double left =
-                friction.speed_after(i, driven_speed, k, root, k.gravity + drive.load, node.mass / node.area) /
-                driven_speed;
-            after = {left * driven.x, left * driven.y};
-        }
-        const bool ghost = k.wall && (column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||
-                                      row >= nodes.padded_rows() - k_ghost);
-        if (!ghost) {
-            const double ponding = levels ? levels[i].ponding : 1;
-            const double middle = 0.5 * node.mass * inverse_area * (ponding + (1 - ponding) / drive.n);
-            report.count_energy(node.mass, nodes.bed[i] + middle, k.gravity, bed, old, turned, driven, after);
-        }
-        const double support = levels ? levels[i].support : 0;
-        const double cell_depth = shown_depth(node.mass, node.area, support, node.crowding, inverse_area);
+        const Number driven_speed = bed.speed(driven), root = root_of(drive.n);
+        const Number slowed = friction.template speed_after<Number>(i, count, driven_speed, held, k, root,
+                                                                    k.gravity + drive.load, mass / in.area);
+        const Number left = select(held, zero, select(driven_speed > 0, slowed / driven_speed, Number(1.0)));
+        const MapVector<Number> after{left * driven.x, left * driven.y};
         // The particles' own mean velocity: the new nodal velocity overshoots at nodes with almost no mass.
-        const double gathered = bed.speed(old);
-        // Ghosts mirror nodes inside, which are already counted.
-        if (!ghost && gathered > k.moving_speed) report.moving += node.mass;
-        if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;  // however thin: tips fly first
-        if (cell_depth < k.minimum_depth) {
-            if (!ghost) report.thin += node.mass;
-        } else {
-            report.covered += ghost ? 0 : 1;
-            report.max_depth = std::max(report.max_depth, cell_depth);
-            report.max_speed = std::max(report.max_speed, gathered);
-            observe(i, cell_depth, gathered);
+        const Number gathered = bed.speed(old);
+        if (!ghost) {
+            const Number middle = 0.5 * mass * inverse_area * (in.ponding + (1 - in.ponding) / drive.n);
+            count_energy(real, mass, in.height + middle, bed, old, turned, driven, after);
+            moving += select(real & (gathered > k.moving_speed), mass, zero);
         }
-        report.moves = report.moves || after.x != 0 || after.y != 0;
-        if (k.gathered != nullptr) k.gathered[i] = old;
-        Point back = Slope::curved ? frame.along_bed(after.x, after.y) : after;
+        // However thin: tips fly first.
+        if constexpr (Slope::curved) L::add(unsupported, real & L::none(drive.load > -k.gravity));
+        const Number depth = shown_depth<Number>(mass, in.area, in.support, in.crowding, inverse_area);
+        const Mask shallow = real & (depth < k.minimum_depth), deep = real & L::none(shallow);
+        if (!ghost) {  // ghosts mirror nodes inside, which are already counted
+            thin += select(shallow, mass, zero);
+            L::add(covered, deep);
+        }
+        if (L::any(deep)) {
+            max_depth = select(deep, max(max_depth, depth), max_depth);
+            max_speed = select(deep, max(max_speed, gathered), max_speed);
+            maxima.update<Number>(i, count, deep, depth, gathered, time);
+        }
+        L::add(moves, real & L::none(zero >= abs(after.x) + abs(after.y)));
+        MapVector<Number> back = after, way = after;
+        Number climb = zero;
+        if constexpr (Slope::curved) {
+            back = frame.along_bed(after.x, after.y);
+            climb = after.x * in.bed.slope_x + after.y * in.bed.slope_y;
+            way = velocity_underway<Number>(in.bed.curvature, frame, in.follows * k.drift, after);
+        }
         if (k.change_only) {
-            const Point before = Slope::curved ? frame.along_bed(old.x, old.y) : old;
+            MapVector<Number> before = old;
+            if constexpr (Slope::curved) before = frame.along_bed(old.x, old.y);
             back = {back.x - before.x, back.y - before.y};
         }
-        const double climb = Slope::curved ? after.x * drive.slope_x + after.y * drive.slope_y : 0;
-        Point moves = after;
-        if constexpr (Slope::curved) moves = velocity_underway(drive.curvature, frame, follows * k.drift, after);
-        record.motion = {moves.x, moves.y, back.x, back.y, node.mass, node.area * inverse_area, climb, support};
+        for (std::size_t l = 0; l < count; ++l) {
+            const auto lane = static_cast<int>(l);
+            if (!L::at(real, lane)) continue;
+            if (k.gathered != nullptr) k.gathered[i + l] = {L::at(old.x, lane), L::at(old.y, lane)};
+        }
+        store(i, count, real, {way.x, way.y, back.x, back.y}, {mass, in.area * inverse_area, climb, in.support});
+    }
+
+    [[nodiscard, gnu::always_inline]] NodeReport report() const {
+        NodeReport r;
+        r.max_depth = L::greatest(max_depth);
+        r.max_speed = L::greatest(max_speed);
+        r.covered = L::total(covered);
+        r.unsupported = L::total(unsupported);
+        r.moves = L::total(moves) > 0;
+        r.moving = L::sum(moving);
+        r.thin = L::sum(thin);
+        r.volume = L::sum(volume);
+        r.energy = L::sum(energy);
+        r.kinetic = L::sum(kinetic);
+        r.dissipated = L::sum(dissipated);
+        return r;
+    }
+
+  private:
+    struct Four {
+        Number a, b, c, d;
+    };
+    [[gnu::always_inline]] static Number root_of(Number n) {
+        using std::sqrt;
+        if constexpr (Slope::metric) return sqrt(n);
+        return n;
+    }
+    // Adds the energy in a step that changes the velocity in map view from `before` (`turned` by the bed) to `driven`
+    // by all driving forces and to `after` by friction and walls too. Friction and walls dissipate their change of the
+    // velocity times the mean of before and after: a held node does no work.
+    // @param height of the middle of the flow [m]
+    [[gnu::always_inline]] void count_energy(Mask real, Number mass, Number height, const AlongBedOf<Number>& bed,
+                                             const MapVector<Number>& before, const MapVector<Number>& turned,
+                                             const MapVector<Number>& driven, const MapVector<Number>& after) {
+        const Number zero(0.0), motion = 0.25 * mass * (bed.dot(before, before) + bed.dot(after, after));
+        volume += select(real, mass, zero);
+        kinetic += select(real, motion, zero);
+        energy += select(real, motion + k.gravity * mass * height, zero);
+        const Number lost =
+            0.5 * mass * bed.dot({driven.x - after.x, driven.y - after.y}, {turned.x + after.x, turned.y + after.y});
+        dissipated += select(real, lost, zero);
+    }
+    [[gnu::always_inline]] void store(std::size_t i, std::size_t count, Mask real, Four first, Four second) {
+        double* const to = &nodes.records[i].motion.u;
+        L::store_rows(first.a, first.b, first.c, first.d, real, count, to, sizeof(NodeRecord) / sizeof(double));
+        L::store_rows(second.a, second.b, second.c, second.d, real, count, to + 4, sizeof(NodeRecord) / sizeof(double));
+    }
+};
+
+/// Reads a node's input.
+template <class Slope>
+[[gnu::always_inline]] inline NodeInput<double> input_of(const NodeGrid& nodes, std::size_t i, std::int64_t column,
+                                                         std::int64_t row) {
+    const NodeForces& f = nodes.records[i].forces;
+    const bool levels = nodes.levels.size() != 0;
+    const double ponding = levels ? nodes.levels[i].ponding : 1;
+    return {f.px,
+            f.py,
+            f.fx,
+            f.fy,
+            f.mass,
+            f.area,
+            f.crowding,
+            f.held,
+            ponding,
+            levels ? nodes.levels[i].support : 0,
+            levels ? 1 - ponding : 1,
+            nodes.bed[i],
+            bed_at<Slope>(nodes, i, column, row)};
+}
+
+/// Updates one node, if it has mass.
+template <class Slope, class Friction>
+[[gnu::always_inline]] inline void update_node(std::size_t i, std::int64_t column, std::int64_t row,
+                                               const NodeUpdate& k, const Friction& friction,
+                                               NodeSweep<double, Slope, Friction>& sweep) {
+    const NodeGrid& nodes = sweep.nodes;
+    if (!(nodes.mass(i) > 0)) return;
+    const bool ghost = k.wall && (column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||
+                                  row >= nodes.padded_rows() - k_ghost);
+    const NodeInput<double> in = input_of<Slope>(nodes, i, column, row);
+    const bool held = (nodes.any_solid() && nodes.solid()[i] != 0) || (friction.keeps_rest() && in.held != 0);
+    sweep(i, 1, true, held, ghost, in);
+}
+
+/// Computes new nodal velocities (paper, equations 31-32): driving forces, then bed friction as a cap on the speed
+/// along the bed that stops but never reverses. Reads NodeForces, NodeLevel (if allocated), bed; converts the records
+/// with mass to NodeMotion. Updates the maxima of every node deeper than the minimum.
+template <class Slope, class Friction>
+NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, double time,
+                        NodeGrid& nodes, Maxima& maxima) {
+    NodeSweep<double, Slope, Friction> sweep{k, friction, nodes, maxima, time};
+    range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
+        update_node<Slope>(i, column, row, k, friction, sweep);
     });
-    return report;
+    return sweep.report();
 }
 
 }  // namespace frana

@@ -9,18 +9,21 @@ namespace frana {
 
 /// Divisor of `left` that gives s1 with b s1 + k s1^2 = left: backward Euler of terms linear (b = 1 + dt times the
 /// coefficient) and quadratic (k = dt times the coefficient) in the speed.
-inline double implicit_divisor(double left, double b, double k) noexcept {
-    return 0.5 * (b + std::sqrt(b * b + 4 * k * left));
+template <class Number>
+[[gnu::always_inline]] inline Number implicit_divisor(Number left, Number b, Number k) {
+    using std::sqrt;
+    return 0.5 * (b + sqrt(b * b + 4 * k * left));
 }
 
 /// Returns s1 with s1 + dt (linear s1 + square s1^2) = left, for left > 0: the polynomial part of backward Euler.
-inline double polynomial_speed(const BedState& bed, double left, double dt) noexcept {
-    return left / implicit_divisor(left, 1 + dt * bed.linear, dt * bed.square);
+template <class Number>
+[[gnu::always_inline]] inline Number polynomial_speed(Number linear, Number square, Number left, double dt) {
+    return left / implicit_divisor<Number>(left, 1 + dt * linear, dt * square);
 }
 
 struct NoExcess {
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
-        return polynomial_speed(bed, left, dt);
+        return polynomial_speed<double>(bed.linear, bed.square, left, dt);
     }
 };
 

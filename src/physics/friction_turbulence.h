@@ -17,7 +17,8 @@ namespace frana {
 /// of s^2 [1/m].
 ///
 /// @param inverse_turbulence 1 / xi
-inline double turbulent_resistance(double gravity, double inverse_turbulence, double thickness) noexcept {
+template <class Number>
+[[gnu::always_inline]] inline Number turbulent_resistance(double gravity, double inverse_turbulence, Number thickness) {
     return gravity * inverse_turbulence / thickness;
 }
 

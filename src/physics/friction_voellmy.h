@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/lanes.h"
 #include "physics/friction_sum.h"
 #include "physics/friction_turbulence.h"
 
@@ -25,12 +26,15 @@ struct VoellmyFriction {
     /// Returns the speed after dt, by backward Euler: s1 + dt R(s1) = s0, never below zero. A constant driving force
     /// then reaches the exact terminal speed, and friction cannot reverse the motion.
     /// @param s0 speed before friction, including the driving forces of this step [m/s]
-    [[nodiscard]] double speed_after(double s0, double dt, double normal_gravity, double gravity,
-                                     double thickness) const noexcept {
-        if (!(thickness > 0)) return 0;
-        const double left = s0 - dt * (friction_coefficient * normal_gravity);
-        if (left <= 0) return 0;
-        return left / implicit_divisor(left, 1, turbulent_resistance(dt * gravity, inverse_turbulence, thickness));
+    template <class Number = double>
+    [[nodiscard, gnu::always_inline]] Number speed_after(std::type_identity_t<Number> s0, double dt,
+                                                         std::type_identity_t<Number> normal_gravity, double gravity,
+                                                         std::type_identity_t<Number> thickness) const {
+        const Number left = s0 - dt * (friction_coefficient * normal_gravity);
+        const Number after =
+            left / implicit_divisor<Number>(left, 1.0,
+                                            turbulent_resistance<Number>(dt * gravity, inverse_turbulence, thickness));
+        return select((thickness > 0) & (left > 0), after, Number(0.0));
     }
 };
 

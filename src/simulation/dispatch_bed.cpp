@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "mpm/bed_exchange.h"
+#include "mpm/vector/kernels.h"
 #include "params/keys/laws.h"
 
 namespace frana {
@@ -31,9 +32,7 @@ void rest_summed(const NodeRange& range, const NodeUpdate& update, const BedFric
 template <class Slope>
 NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
                           double time, NodeGrid& nodes, Maxima& maxima) {
-    return update_nodes<Slope>(
-        range, update, UniformFriction{friction.voellmy}, nodes,
-        [&](std::size_t node, double depth, double speed) { maxima.update(node, depth, speed, time); });
+    return update_nodes<Slope>(range, update, UniformFriction{friction.voellmy}, time, nodes, maxima);
 }
 
 template <class Slope>
@@ -43,11 +42,26 @@ NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const
         [&](auto excess) {
             if constexpr (requires { excess.effective_fraction; })
                 excess.effective_fraction = update.effective_fraction;
-            return update_nodes<Slope>(
-                range, update, SummedFriction<decltype(excess)>{excess, states, friction.yields}, nodes,
-                [&](std::size_t node, double depth, double speed) { maxima.update(node, depth, speed, time); });
+            return update_nodes<Slope>(range, update, SummedFriction<decltype(excess)>{excess, states, friction.yields},
+                                       time, nodes, maxima);
         },
         friction.excess);
+}
+
+// The same by the fast kernels, where they compute a tile.
+NodeReport fast_update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
+                               BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
+    if (!four_at_a_time(range, update, nodes))
+        return update_uniform<Curved<NormalSlope>>(range, update, friction, states, time, nodes, maxima);
+    return vector_kernels()->update_nodes(range, update, UniformFriction{friction.voellmy}, time, nodes, maxima);
+}
+
+NodeReport fast_update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
+                              BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
+    if (!std::holds_alternative<NoExcess>(friction.excess) || !four_at_a_time(range, update, nodes))
+        return update_summed<Curved<NormalSlope>>(range, update, friction, states, time, nodes, maxima);
+    const NoExcess none;
+    return vector_kernels()->update_nodes_of_sum(range, update, {none, states, friction.yields}, time, nodes, maxima);
 }
 
 template <class Slope>
@@ -177,6 +191,11 @@ void choose_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
         case SlopeCorrection::normal:
             return choose_slope<NormalSlope>(summed, curvature(numerics), stages);
     }
+}
+
+void use_vector_kernels(const Numerics& numerics, bool summed, Stages& stages) {
+    if (!stages.references || !numerics.curvature || numerics.slope_correction != SlopeCorrection::normal) return;
+    stages.update_nodes = summed ? fast_update_summed : fast_update_uniform;
 }
 
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, Stages& stages) {

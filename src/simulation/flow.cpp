@@ -327,7 +327,7 @@ void Flow::record_present() {
     const Snapshot shot = snapshot();
     for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
         const double depth = shot.depth.at(row, column);
-        if (!std::isnan(depth)) maxima_.update(node, depth, shot.speed.at(row, column), state_.time);
+        if (!std::isnan(depth)) maxima_.update<double>(node, 1, true, depth, shot.speed.at(row, column), state_.time);
     });
 }
 

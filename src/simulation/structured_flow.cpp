@@ -263,7 +263,7 @@ StepStatistics StructuredFlow::observe() {
                 f.max_speed = std::max(f.max_speed, fast);
                 const Point here = state_.grid.middle(i, j);
                 f.front_distance = std::max(f.front_distance, origins_.squared_distance(here));
-                maxima_.update(cell, depth, fast, state_.time);
+                maxima_.update<double>(cell, 1, true, depth, fast, state_.time);
                 pressure_[cell] = std::max(pressure_[cell], dynamic_pressure(cell));
             });
     });

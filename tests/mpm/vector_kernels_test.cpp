@@ -158,10 +158,10 @@ void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double d
     work_out_levels(nodes);
     pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, nodes);
     const VoellmyFriction frictionless;
+    Maxima maxima(nodes.size());
     for_all_nodes(nodes, [&](const NodeRange& range) {
         using Slope = std::conditional_t<FollowsBed, Curved<NormalSlope>, NormalSlope>;
-        update_nodes<Slope>(range, {dt, 9.81, 0, 0, 0.01}, UniformFriction{frictionless}, nodes,
-                            [](std::size_t, double, double) {});
+        update_nodes<Slope>(range, {dt, 9.81, 0, 0, 0.01}, UniformFriction{frictionless}, 0, nodes, maxima);
     });
     nodes.phase = NodePhase::motion;
     for (std::size_t i = 0; i < nodes.size(); ++i) {  // velocities of a flow that can be stepped

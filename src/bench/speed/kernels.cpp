@@ -54,9 +54,10 @@ struct Tile {
             for_all([&](const NodeRange& range) { node_references(range, *nodes); });
             if (nodes == &gathered) continue;
             const VoellmyFriction frictionless;
+            Maxima maxima(nodes->size());
             for_all([&](const NodeRange& range) {
-                update_nodes<NormalSlope>(range, {0, k_fall, 0, 0, 0.01}, UniformFriction{frictionless}, *nodes,
-                                          [](std::size_t, double, double) {});
+                update_nodes<NormalSlope>(range, {0, k_fall, 0, 0, 0.01}, UniformFriction{frictionless}, 0, *nodes,
+                                          maxima);
             });
         }
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mpm/nodes_to_particles.h"
+#include "mpm/update_nodes.h"
 
 namespace frana {
 
@@ -17,7 +18,20 @@ struct VectorKernels {
                                                 const NodeGrid&, ParticleSet&);
     NodesToParticles nodes_to_particles, nodes_to_particles_with_stress;
     NodesToParticles along_bed, along_bed_with_stress;  ///< the same, for velocities along the bed
+    /// update_nodes<Curved<NormalSlope>> of tiles that are four_at_a_time.
+    NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const UniformFriction&, double time, NodeGrid&,
+                               Maxima&);
+    NodeReport (*update_nodes_of_sum)(const NodeRange&, const NodeUpdate&, const SummedFriction<NoExcess>&, double time,
+                                      NodeGrid&, Maxima&);
 };
+
+/// Returns whether VectorKernels::update_nodes computes a tile: it has whole fours of nodes, none in the outermost ring
+/// or, with walls, among the ghosts.
+inline bool four_at_a_time(const NodeRange& range, const NodeUpdate& k, const NodeGrid& nodes) noexcept {
+    const std::int64_t ring = k.wall ? k_ghost : 1;
+    return (range.i1 - range.i0) % 4 == 0 && range.i0 >= ring && range.j0 >= ring &&
+           range.i1 <= nodes.stride() - ring && range.j1 <= nodes.padded_rows() - ring;
+}
 
 /// Returns the kernels in AVX2 and FMA; null if the processor lacks either.
 const VectorKernels* vector_kernels();
