@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "core/lanes.h"
 #include "mpm/node_grid.h"
@@ -71,9 +72,10 @@ double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, st
 /// Returns the depth of a node for maps [m]: the mean depth of its particles times their crowding where the node and
 /// its surroundings are filled, independent of the unevenness of their arrangement; volume over cell area at fronts and
 /// in thin flow, where the cell is only partly covered.
-template <class Number>
-[[gnu::always_inline]] inline Number shown_depth(Number mass, Number area, Number support, Number crowding,
-                                                 double inverse_cell_area) {
+template <class Number = double>
+[[gnu::always_inline]] inline Number shown_depth(std::type_identity_t<Number> mass, std::type_identity_t<Number> area,
+                                                 std::type_identity_t<Number> support,
+                                                 std::type_identity_t<Number> crowding, double inverse_cell_area) {
     using std::min;
     const Number by_volume = mass * inverse_cell_area;
     const Number filled = min(Number(1.0), area * inverse_cell_area / k_filled_fraction);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "core/lanes.h"
 #include "physics/friction_sum.h"
 #include "physics/friction_turbulence.h"

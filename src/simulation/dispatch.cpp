@@ -121,11 +121,14 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
         stages.flies = flight(numerics);
     }
-    choose_node_stages(numerics, sums_friction(material, zones, entrainment), stages);
+    const bool summed = sums_friction(material, zones, entrainment);
+    choose_node_stages(numerics, summed, stages);
     choose_exchange(entrainment, numerics, stages);
     const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
-    if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic)
+    if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
         use_vector_kernels(*fast, stress, stages);
+        use_fast_node_stages(numerics, summed, stages);
+    }
     return stages;
 }
 

@@ -193,8 +193,8 @@ void choose_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
     }
 }
 
-void use_vector_kernels(const Numerics& numerics, bool summed, Stages& stages) {
-    if (!stages.references || !numerics.curvature || numerics.slope_correction != SlopeCorrection::normal) return;
+void use_fast_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
+    if (!stages.references || !curvature(numerics) || slope_correction(numerics) != SlopeCorrection::normal) return;
     stages.update_nodes = summed ? fast_update_summed : fast_update_uniform;
 }
 

@@ -140,8 +140,8 @@ void check_zone_friction(const SceneSpec& spec, double greatest, const std::stri
     for (const Law* law : laws_of(spec)) {
         if (!(greatest > law->greatest_friction)) continue;
         problems.add({"the zones' friction is too large for the law " + law->word, where,
-                      shortest_text(std::round(greatest * 1e4) / 1e4),
-                      "0 to " + shortest_text(law->greatest_friction), "The law is not defined above that"});
+                      shortest_text(std::round(greatest * 1e4) / 1e4), "0 to " + shortest_text(law->greatest_friction),
+                      "The law is not defined above that"});
     }
 }
 

@@ -172,6 +172,94 @@ void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double d
     }
 }
 
+// Nodes of every kind: at rest, held, solid, at fronts, without material.
+// Tiles that are not four_at_a_time are updated by `rest`.
+template <class Update, class Rest, class FastUpdate>
+void compare_nodes(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile, bool solid,
+                   const Update& update, const Rest& rest, const FastUpdate& fast_update) {
+    Fields plain(bed), fast(bed);
+    Maxima plain_maxima(plain.nodes.size()), fast_maxima(plain.nodes.size());
+    NodeReport plain_report, fast_report;
+    NodeUpdate k{0.05, 9.81, 0, 0, 0.01};
+    k.moving_speed = 1;
+    k.drift = 0.05;
+    Raster walls = bed;
+    for (std::size_t c = 0; c < walls.values.size(); ++c) walls.values[c] = solid && c % 7 == 0 ? 1 : 0;
+    int computed = 0;
+    for (Fields* fields : {&plain, &fast}) {
+        NodeGrid& nodes = fields->nodes;
+        if (solid) nodes.mark_walls(walls);
+        particles_to_nodes<Shape, true, true>(tile, particles, nodes);
+        work_out_levels(nodes);
+        pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, nodes);
+        for (std::size_t i = 0; i < nodes.size(); i += 5) nodes.forces()[i].held = 1;
+        for_all_nodes(nodes, [&](const NodeRange& range) {
+            if (fields == &plain) {
+                plain_report.merge(update(range, k, nodes, plain_maxima));
+            } else if (four_at_a_time(range, k, nodes)) {
+                ++computed;
+                fast_report.merge(fast_update(range, k, nodes, fast_maxima));
+            } else {
+                fast_report.merge(rest(range, k, nodes, fast_maxima));
+            }
+        });
+    }
+    EXPECT_GT(computed, 0);
+    expect_same_nodes(plain.nodes, fast.nodes);
+    for (std::size_t i = 0; i < plain.nodes.size(); ++i) {
+        EXPECT_NEAR(plain_maxima.depth[i], fast_maxima.depth[i], k_rounding);
+        EXPECT_NEAR(plain_maxima.speed[i], fast_maxima.speed[i], k_rounding * plain_report.max_speed);
+        EXPECT_EQ(plain_maxima.arrival_plus_1[i], fast_maxima.arrival_plus_1[i]);
+    }
+    EXPECT_EQ(plain_report.covered, fast_report.covered);
+    EXPECT_EQ(plain_report.unsupported, fast_report.unsupported);
+    EXPECT_EQ(plain_report.moves, fast_report.moves);
+    for (const auto part : {&NodeReport::max_depth, &NodeReport::max_speed, &NodeReport::moving, &NodeReport::thin,
+                            &NodeReport::volume, &NodeReport::energy, &NodeReport::kinetic, &NodeReport::dissipated})
+        EXPECT_NEAR(plain_report.*part, fast_report.*part, k_rounding * std::abs(plain_report.energy));
+}
+
+TEST_P(VectorKernelsTest, UpdateNodes) {
+    using Slope = Curved<NormalSlope>;
+    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    const ParticleTile tile{1, 1 + GetParam(), 0};
+    const VoellmyFriction law{0.2, 1.0 / 500};
+    const VectorKernels& kernels = *vector_kernels();
+    const auto plain = [&](const NodeRange& range, const NodeUpdate& k, NodeGrid& nodes, Maxima& maxima) {
+        return update_nodes<Slope>(range, k, UniformFriction{law}, 3, nodes, maxima);
+    };
+    const auto fast = [&](const NodeRange& range, const NodeUpdate& k, NodeGrid& nodes, Maxima& maxima) {
+        return kernels.update_nodes(range, k, UniformFriction{law}, 3, nodes, maxima);
+    };
+    compare_nodes(bed_, particles, tile, false, plain, plain, fast);
+    compare_nodes(bed_, particles, tile, true, plain, plain, fast);
+}
+
+TEST_P(VectorKernelsTest, UpdateNodesUnderASumOfLaws) {
+    using Slope = Curved<NormalSlope>;
+    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    const NodeGrid size(bed_);
+    std::vector<BedState> states(size.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const auto x = static_cast<double>(i % 11);
+        states[i] = {0.1 + x, 9, 0.3 * x, 0.01 * x, 0.02 * x, 0};
+    }
+    std::vector<BedState> plain_states = states;
+    const NoExcess none;
+    const VectorKernels& kernels = *vector_kernels();
+    const auto plainly = [&](std::vector<BedState>& of) {
+        return [&](const NodeRange& range, const NodeUpdate& k, NodeGrid& nodes, Maxima& maxima) {
+            return update_nodes<Slope>(range, k, SummedFriction<NoExcess>{none, of.data(), true}, 3, nodes, maxima);
+        };
+    };
+    const auto fast = [&](const NodeRange& range, const NodeUpdate& k, NodeGrid& nodes, Maxima& maxima) {
+        return kernels.update_nodes_of_sum(range, k, {none, states.data(), true}, 3, nodes, maxima);
+    };
+    compare_nodes(bed_, particles, {1, 1 + GetParam(), 0}, true, plainly(plain_states), plainly(states), fast);
+    for (std::size_t i = 0; i < states.size(); ++i)
+        EXPECT_NEAR(states[i].resistance, plain_states[i].resistance, k_rounding * 1e3);
+}
+
 template <bool FollowsBed, class Stress>
 void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile& tile, const Stress& stress, bool wall,
                     double shift = 0) {

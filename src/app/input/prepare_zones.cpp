@@ -155,7 +155,8 @@ void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer,
             values.push_back(value_of(reading, quantity.key->name, *quantity.source, layer, f, problems));
             if (!values.back()) continue;
             values.back() = quantity.key->stored(*values.back());
-            if (quantity.key->what == "friction") check_zone_friction(reading.scene, *values.back(), reading.where("terrain.friction-zones"), problems);
+            if (quantity.key->what == "friction")
+                check_zone_friction(reading.scene, *values.back(), reading.where("terrain.friction-zones"), problems);
         }
         zones.*quantity.target = polygon_values_on_demand(grid, layer.features, values);
         look_under(released, *(zones.*quantity.target));
@@ -195,7 +196,8 @@ Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput
         if (!may_be_wrong) return value;
         Problems problems;
         (void)within_limits(reading, of.name, read, "a value of the raster", problems);
-        if (of.what == "friction") check_zone_friction(reading.scene, value, reading.where("terrain.friction-zones"), problems);
+        if (of.what == "friction")
+            check_zone_friction(reading.scene, value, reading.where("terrain.friction-zones"), problems);
         problems.throw_if_any();
         return value;
     };

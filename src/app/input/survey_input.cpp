@@ -27,8 +27,7 @@ std::vector<gis::NamedLine> lines_of(const std::optional<gis::Marks>& marks, con
     if (!marks) return {};
     if (marks->lines.empty() || !marks->points.empty() || marks->polygons > 0)
         problems.add({"is not a layer of lines", where, file, "lines of two points or more", "Draw lines"});
-    for (const gis::NamedLine& line : marks->lines)
-        check_inside(line.line, grid, "line " + line.name, where, problems);
+    for (const gis::NamedLine& line : marks->lines) check_inside(line.line, grid, "line " + line.name, where, problems);
     return marks->lines;
 }
 
