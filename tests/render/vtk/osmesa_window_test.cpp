@@ -64,7 +64,7 @@ TEST(OsmesaWindow, SeveralAtOnceAndOneAfterTheOther) {
     EXPECT_EQ(colour(second, 30, 5, 5), (Rgb{0, 255, 0}));
     second.resize(50, 40);
     second.render();
-    EXPECT_EQ(second.read_rgb().size(), 3U * 50 * 40);
+    EXPECT_EQ(picture(second).size(), 3U * 50 * 40);
 }
 
 TEST(OsmesaWindow, WorksOnAnotherThread) {
