@@ -53,7 +53,7 @@ NodeReport fast_update_uniform(const NodeRange& range, const NodeUpdate& update,
                                BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
     if (!four_at_a_time(range, update, nodes))
         return update_uniform<Curved<NormalSlope>>(range, update, friction, states, time, nodes, maxima);
-    return vector_kernels()->update_nodes(range, update, UniformFriction{friction.voellmy}, time, nodes, maxima);
+    return vector_node_kernels()->uniform(range, update, UniformFriction{friction.voellmy}, time, nodes, maxima);
 }
 
 NodeReport fast_update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
@@ -61,7 +61,7 @@ NodeReport fast_update_summed(const NodeRange& range, const NodeUpdate& update, 
     if (!std::holds_alternative<NoExcess>(friction.excess) || !four_at_a_time(range, update, nodes))
         return update_summed<Curved<NormalSlope>>(range, update, friction, states, time, nodes, maxima);
     const NoExcess none;
-    return vector_kernels()->update_nodes_of_sum(range, update, {none, states, friction.yields}, time, nodes, maxima);
+    return vector_node_kernels()->summed(range, update, {none, states, friction.yields}, time, nodes, maxima);
 }
 
 template <class Slope>

@@ -167,7 +167,7 @@ TEST(PlacedScene, AFlowTurnedByAQuarterDiffersOnlyByRounding) {
     RunOptions options;
     options.threads = 2;
     const RunResult straight = run(scene, options), turned = run(placed_otherwise(scene, {0, 90}).scene, options);
-    EXPECT_GT(straight.steps, 150);
+    EXPECT_GT(straight.steps, 100);
     EXPECT_EQ(straight.steps, turned.steps);
     EXPECT_EQ(straight.particles_final, turned.particles_final);
     EXPECT_NE(straight.particles_final, straight.particles_initial);

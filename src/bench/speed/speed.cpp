@@ -173,6 +173,32 @@ Setup speed_sheet(double particles, bool mud) {
     return setup;
 }
 
+Setup speed_gullies(double particles) {
+    constexpr double k_cell_size = 5, k_fall = 0.6, k_film = 0.4, k_speed = 25;
+    const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(particles / 4)));
+    constexpr std::int64_t k_margin = 10, k_path = 100;
+    Setup setup;
+    const GridSpec grid = plain_grid(side + 2 * k_margin + k_path, side + 2 * k_margin, k_cell_size);
+    const double edge = 0.6 * grid.east();
+    const auto is_hole = [](Point p) { return std::hypot(std::fmod(p.x, 400) - 200, std::fmod(p.y, 400) - 200) < 12; };
+    setup.bed = sample_raster(grid, [&](Point p) {
+        if (is_hole(p)) return std::nan("");
+        const double gullies = 8 * std::sin(p.y / 12) + 3 * std::sin(p.x / 25) * std::sin(p.y / 7);
+        const double roughness = 0.5 * std::sin(1.7 * p.x) * std::sin(2.3 * p.y);
+        return k_fall * (grid.east() - p.x) + gullies + roughness + (p.x < edge + 0.2 * p.y ? 40 : 0);
+    });
+    const double low = k_margin * k_cell_size, high = low + static_cast<double>(side) * k_cell_size;
+    setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) {
+        const bool inside = p.x > low && p.x < high && p.y > low && p.y < high && !is_hole(p);
+        return Seed{inside ? k_film * (1.5 + std::sin(p.y / 12)) : 0, k_speed, 0};
+    });
+    setup.material = dry_friction(12);
+    setup.material.density = 300;
+    setup.material.turbulence = 2000;
+    setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
+    return setup;
+}
+
 SpeedResult run_speed(const SpeedOptions& options) {
     SpeedResult result;
     result.kernels = vector_kernels() ? "AVX2 and FMA" : "plain";
@@ -182,13 +208,14 @@ SpeedResult run_speed(const SpeedOptions& options) {
         result.bandwidth.emplace_back(threads, memory_bandwidth(threads));
     std::vector<double> sizes = options.sizes;
     if (sizes.empty()) sizes = usual_sizes(options.quick, result.notes);
-    for (const bool mud : {false, true}) {
+    for (const std::string name : {"slide", "gullies", "mud"}) {
+        const bool mud = name == "mud";
         for (const double size : sizes) {
-            const Setup setup = speed_sheet(size, mud);
+            const Setup setup = name == "gullies" ? speed_gullies(size) : speed_sheet(size, mud);
             std::optional<Raster> first;
             for (const auto& [threads, bandwidth] : result.bandwidth) {
                 const std::int64_t steps = options.steps > 0 ? options.steps : steps_for(size, options.quick);
-                Measured measured = measure(setup, mud ? "mud" : "slide", threads, steps);
+                Measured measured = measure(setup, name, threads, steps);
                 SpeedRow& row = measured.row;
                 for (std::size_t s = 0; s < voellmy_bingham::k_stages; ++s)
                     row.bytes_moved += bytes_moved(static_cast<voellmy_bingham::Stage>(s), mud);

@@ -18,14 +18,18 @@ struct VectorKernels {
                                                 const NodeGrid&, ParticleSet&);
     NodesToParticles nodes_to_particles, nodes_to_particles_with_stress;
     NodesToParticles along_bed, along_bed_with_stress;  ///< the same, for velocities along the bed
-    /// update_nodes<Curved<NormalSlope>> of tiles that are four_at_a_time.
-    NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const UniformFriction&, double time, NodeGrid&,
-                               Maxima&);
-    NodeReport (*update_nodes_of_sum)(const NodeRange&, const NodeUpdate&, const SummedFriction<NoExcess>&, double time,
-                                      NodeGrid&, Maxima&);
 };
 
-/// Returns whether VectorKernels::update_nodes computes a tile: it has whole fours of nodes, none in the outermost ring
+/// update_nodes<Curved<NormalSlope>> of tiles that are four_at_a_time. Products and sums are not fused: a node has the
+/// same bits as by the plain formula, so that no frame's depth exceeds the greatest; only sums over nodes differ by
+/// rounding.
+struct VectorNodeKernels {
+    NodeReport (*uniform)(const NodeRange&, const NodeUpdate&, const UniformFriction&, double time, NodeGrid&, Maxima&);
+    NodeReport (*summed)(const NodeRange&, const NodeUpdate&, const SummedFriction<NoExcess>&, double time, NodeGrid&,
+                         Maxima&);
+};
+
+/// Returns whether VectorNodeKernels compute a tile: it has whole fours of nodes, none in the outermost ring
 /// or, with walls, among the ghosts.
 inline bool four_at_a_time(const NodeRange& range, const NodeUpdate& k, const NodeGrid& nodes) noexcept {
     const std::int64_t ring = k.wall ? k_ghost : 1;
@@ -35,8 +39,10 @@ inline bool four_at_a_time(const NodeRange& range, const NodeUpdate& k, const No
 
 /// Returns the kernels in AVX2 and FMA; null if the processor lacks either.
 const VectorKernels* vector_kernels();
+const VectorNodeKernels* vector_node_kernels();
 
 /// Returns them as compiled, whatever this processor supports; null on other architectures.
 const VectorKernels* compiled_vector_kernels();
+const VectorNodeKernels* compiled_vector_node_kernels();
 
 }  // namespace frana

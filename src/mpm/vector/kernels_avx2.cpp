@@ -6,7 +6,6 @@
 #include "mpm/vector/nodes_to_particles.h"
 #include "mpm/vector/particles_to_nodes.h"
 #include "mpm/vector/pressure.h"
-#include "mpm/vector/update_nodes.h"
 #endif
 
 namespace frana {
@@ -40,9 +39,7 @@ constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>,
                                   vector_nodes_to_particles_stage<false, false>,
                                   vector_nodes_to_particles_stage<false, true>,
                                   vector_nodes_to_particles_stage<true, false>,
-                                  vector_nodes_to_particles_stage<true, true>,
-                                  vector_update_nodes<Curved<NormalSlope>, UniformFriction>,
-                                  vector_update_nodes<Curved<NormalSlope>, SummedFriction<NoExcess>>};
+                                  vector_nodes_to_particles_stage<true, true>};
 
 }  // namespace
 

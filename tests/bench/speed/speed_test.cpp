@@ -13,7 +13,7 @@ TEST(Speed, MeasuresOneAndSeveralThreadsWithTheSameBits) {
     options.sizes = {400};
     options.steps = 20;
     const SpeedResult result = run_speed(options);
-    ASSERT_EQ(result.rows.size(), 6u);  // slide, mud and solids, 1 and 2 threads
+    ASSERT_EQ(result.rows.size(), 8u);  // slide, gullies, mud and solids, 1 and 2 threads
     for (const SpeedRow& row : result.rows) {
         EXPECT_EQ(row.particles, 400);
         EXPECT_GT(row.particle_steps_per_second, 0);
@@ -21,7 +21,7 @@ TEST(Speed, MeasuresOneAndSeveralThreadsWithTheSameBits) {
         EXPECT_TRUE(row.case_name == "solids" || row.fraction_of_memory_bandwidth > 0);
         EXPECT_TRUE(row.same_bits);
     }
-    EXPECT_GT(result.rows[2].bytes_per_particle, result.rows[0].bytes_per_particle)
+    EXPECT_GT(result.rows[4].bytes_per_particle, result.rows[0].bytes_per_particle)
         << "stress is carried only where there is some";
     EXPECT_LT(result.difference_from_plain, 1e-10) << "the fast kernels compute something else";
     EXPECT_TRUE(result.right());
