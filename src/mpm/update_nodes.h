@@ -327,10 +327,9 @@ struct NodeSweep {
             if constexpr (Slope::curved) before = frame.along_bed(old.x, old.y);
             back = {back.x - before.x, back.y - before.y};
         }
-        for (std::size_t l = 0; l < count; ++l) {
+        for (std::size_t l = 0; k.gathered != nullptr && l < count; ++l) {
             const auto lane = static_cast<int>(l);
-            if (!L::at(real, lane)) continue;
-            if (k.gathered != nullptr) k.gathered[i + l] = {L::at(old.x, lane), L::at(old.y, lane)};
+            if (L::at(real, lane)) k.gathered[i + l] = {L::at(old.x, lane), L::at(old.y, lane)};
         }
         store(i, count, real, {way.x, way.y, back.x, back.y}, {mass, in.area * inverse_area, climb, in.support});
     }
@@ -404,20 +403,6 @@ template <class Slope>
             bed_at<Slope>(nodes, i, column, row)};
 }
 
-/// Updates one node, if it has mass.
-template <class Slope, class Friction>
-[[gnu::always_inline]] inline void update_node(std::size_t i, std::int64_t column, std::int64_t row,
-                                               const NodeUpdate& k, const Friction& friction,
-                                               NodeSweep<double, Slope, Friction>& sweep) {
-    const NodeGrid& nodes = sweep.nodes;
-    if (!(nodes.mass(i) > 0)) return;
-    const bool ghost = k.wall && (column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||
-                                  row >= nodes.padded_rows() - k_ghost);
-    const NodeInput<double> in = input_of<Slope>(nodes, i, column, row);
-    const bool held = (nodes.any_solid() && nodes.solid()[i] != 0) || (friction.keeps_rest() && in.held != 0);
-    sweep(i, 1, true, held, ghost, in);
-}
-
 /// Computes new nodal velocities (paper, equations 31-32): driving forces, then bed friction as a cap on the speed
 /// along the bed that stops but never reverses. Reads NodeForces, NodeLevel (if allocated), bed; converts the records
 /// with mass to NodeMotion. Updates the maxima of every node deeper than the minimum.
@@ -426,7 +411,12 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
                         NodeGrid& nodes, Maxima& maxima) {
     NodeSweep<double, Slope, Friction> sweep{k, friction, nodes, maxima, time};
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        update_node<Slope>(i, column, row, k, friction, sweep);
+        if (!(nodes.mass(i) > 0)) return;
+        const bool ghost = k.wall && (column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||
+                                      row >= nodes.padded_rows() - k_ghost);
+        const NodeInput<double> in = input_of<Slope>(nodes, i, column, row);
+        const bool held = (nodes.any_solid() && nodes.solid()[i] != 0) || (friction.keeps_rest() && in.held != 0);
+        sweep(i, 1, true, held, ghost, in);
     });
     return sweep.report();
 }
