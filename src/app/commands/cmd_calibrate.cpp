@@ -37,7 +37,7 @@ int cmd_calibrate(const Arguments& arguments) {
         const auto read = [&file] {
             RunLog silent(true);
             return study::studies_of(
-                study::prepare_calibration(study::read_calibration_texts(file, silent), std::nullopt, silent));
+                study::prepare_calibration(study::read_calibration_texts(file, {}, silent), std::nullopt, silent));
         };
         study::work_for_rank_0(*ranks.job, read, file, threads);
         return static_cast<int>(ExitCode::done);
@@ -45,9 +45,9 @@ int cmd_calibrate(const Arguments& arguments) {
     const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
                resume = values->count("resume") > 0;
     RunLog log(quiet);
-    apply_memory_limit(*values, log);
+    const Session session = session_of(*values, log);
 
-    study::CalibrationTexts texts = study::read_calibration_texts(file, log);
+    study::CalibrationTexts texts = study::read_calibration_texts(file, session, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(calibration_directory(texts.first_scene.scene)), target = result_path(place);
     const std::string interrupted = interrupted_study(target);

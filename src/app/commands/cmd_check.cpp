@@ -292,20 +292,21 @@ int cmd_check(const Arguments& arguments) {
     const int threads = thread_count(*values);
     RunLog log(false);
     const bool json = values->count("json") > 0;
-    apply_memory_limit(*values, log);
+    const Session session = session_of(*values, log);
     if (const std::string file = (*values)["operand"].as<std::string>();
         study::is_study(file) || study::is_region(file) || study::is_calibration(file)) {
         if (!text_options(*values, "set").empty())
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});
         const auto check = study::is_calibration(file) ? check_calibration : check_study;
-        Json document = check(file, text_option(*values, "out"), threads, !json, log);
+        Json document = check(file, text_option(*values, "out"), threads, !json, session, log);
         document["warnings"] = texts_of(log.warnings());
         if (json) print_document(document);
         return static_cast<int>(ExitCode::done);
     }
     SceneReading reading =
         read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
+    reading.session = session;
     find_recorded_inputs(reading, log);
     // Whether an existing result may be replaced is checked when the scene is run.
     const auto out = text_option(*values, "out");

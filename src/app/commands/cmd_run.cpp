@@ -145,8 +145,8 @@ void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& 
     }
 }
 
-// The input of a session of a run.
-struct Session {
+// What a run is computed from.
+struct RunInput {
     const Prepared& prepared;
     int threads;
     bool quiet, json_progress, strict;
@@ -217,8 +217,8 @@ void log_run(const RunResult& result, double end, RunLog& log) {
 }
 
 // Computes and writes; returns the exit code.
-int run_into(const Session& session, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
-    const Prepared& prepared = session.prepared;
+int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
+    const Prepared& prepared = input.prepared;
     const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
     FrameWriter frames(directory.path(k_frame_folder), provenance(prepared), particles,
                        from != nullptr ? from->head().frame_times : std::vector<double>{},
@@ -228,10 +228,10 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     publish_ground(prepared, directory);
     FrameWriter* const written_frames = has_frames ? &frames : nullptr;
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
-                            session.since_start, session.earlier_seconds,
-                            session.accuracy ? record_text(*session.accuracy) : "", log);
-    ProgressReporter progress(session.quiet, session.json_progress);
-    RunOptions options = run_options(session.threads, written_frames, particles.any(), progress, checkpoints, log);
+                            input.since_start, input.earlier_seconds,
+                            input.accuracy ? record_text(*input.accuracy) : "", log);
+    ProgressReporter progress(input.quiet, input.json_progress);
+    RunOptions options = run_options(input.threads, written_frames, particles.any(), progress, checkpoints, log);
     if (from != nullptr) {
         options.saved = &from->state();
         add_waiting(*from, prepared.scene.grid, frames);
@@ -242,11 +242,10 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     checkpoints.release();
     log_run(result, prepared.scene.time.end, log);
 
-    const std::optional<AccuracyRecord> accuracy = completed_record(session.accuracy, prepared, result);
-    const PictureOutcome pictures =
-        publish({prepared, result, session.threads, session.input_seconds, session.earlier_seconds, session.since_start,
-                 accuracy ? &*accuracy : nullptr},
-                directory, frames, log);
+    const std::optional<AccuracyRecord> accuracy = completed_record(input.accuracy, prepared, result);
+    const PictureOutcome pictures = publish({prepared, result, input.threads, input.input_seconds,
+                                             input.earlier_seconds, input.since_start, accuracy ? &*accuracy : nullptr},
+                                            directory, frames, log);
     // An exit code other than 0 keeps everything that --resume needs to complete the run.
     const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
     const int code =
@@ -255,11 +254,11 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
     if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
     // The estimate of a study applies to the scene's own cells.
-    if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !session.accuracy)
+    if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !input.accuracy)
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
     if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
-    const bool refused = finished && session.strict && is_open(result, session.prepared.scene);
+    const bool refused = finished && input.strict && is_open(result, input.prepared.scene);
     if (refused) log.print_deferred_warnings();
     return refused ? static_cast<int>(ExitCode::numerical) : code;
 }
@@ -288,10 +287,11 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     const bool quiet = values.count("quiet") > 0;
     const bool overwrite = values.count("overwrite") > 0;
     const bool json_progress = wants_json_progress(values);
-    apply_memory_limit(values, log);
+    const Session session = session_of(values, log);
 
     require_scene(values["operand"].as<std::string>());
     SceneReading reading = read_scene(values["operand"].as<std::string>(), overrides(values), materials_directory());
+    reading.session = session;
     find_recorded_inputs(reading, log);
     const auto out = text_option(values, "out");
     const std::string place = out.value_or(output_directory(reading.scene));

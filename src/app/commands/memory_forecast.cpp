@@ -142,12 +142,13 @@ std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, c
                              {std::max(expected.particles, crowded), most_steps(prepared, expected)});
 }
 
-void apply_memory_limit(const boost::program_options::variables_map& values, RunLog& log) {
-    if (const auto text = text_option(values, "memory-limit")) limit_memory(*text, log);
+Session session_of(const boost::program_options::variables_map& values, RunLog& log) {
+    const auto text = text_option(values, "memory-limit");
+    return {text ? memory_limit_from_text(*text, log) : 0};
 }
 
 void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared) {
-    const MemoryBound bound = usable_memory();
+    const MemoryBound bound = usable_memory(reading.session);
     if (static_cast<double>(needed) <= bound.bytes) return;
     throw Error(ErrorKind::input,
                 Problem{"a run of this scene needs about " + bytes_text(static_cast<double>(needed)) + " of memory",
@@ -159,13 +160,14 @@ void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepa
 
 void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t in_use,
                               const RunEstimate& expected, int threads) {
-    if (static_cast<double>(most_memory_of_run(prepared, in_use, expected)) <= usable_memory().bytes) return;
+    if (static_cast<double>(most_memory_of_run(prepared, in_use, expected)) <= usable_memory(reading.session).bytes)
+        return;
     refuse_run_of(memory_of_run(prepared, in_use, expected, estimate_time(reading, prepared, expected, threads)),
                   reading, prepared);
 }
 
 void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size) {
-    const MemoryBound bound = usable_memory();
+    const MemoryBound bound = machine_memory();
     const double all = static_cast<double>(needed + resident_memory());
     if (all <= bound.bytes) return;
     throw Error(ErrorKind::input, Problem{"drawing needs about " + bytes_text(all) + " of memory", where, size,

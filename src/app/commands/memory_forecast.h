@@ -15,8 +15,8 @@
 
 namespace frana::app {
 
-/// Applies --memory-limit, if given; see limit_memory.
-void apply_memory_limit(const boost::program_options::variables_map& values, RunLog& log);
+/// Returns what a command's options say for all that it reads and runs; see memory_limit_from_text.
+Session session_of(const boost::program_options::variables_map& values, RunLog& log);
 
 /// Throws Error(input) if a run needs more than is available. `in_use`: memory of this process with all inputs read. A
 /// trial run is made only if the result depends on the flow.

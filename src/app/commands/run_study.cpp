@@ -162,7 +162,8 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
         const auto read = [&file] {
             RunLog silent(true);
             study::RankStudies own;
-            own.studies.push_back(study::prepare_study(study::read_study_texts(file, silent), std::nullopt, silent));
+            own.studies.push_back(
+                study::prepare_study(study::read_study_texts(file, {}, silent), std::nullopt, silent));
             own.identity = own.studies.front().identity;
             return own;
         };
@@ -172,9 +173,9 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
                resume = values->count("resume") > 0;
     RunLog log(quiet);
-    apply_memory_limit(*values, log);
+    const Session session = session_of(*values, log);
 
-    study::StudyTexts texts = study::read_study_texts(file, log);
+    study::StudyTexts texts = study::read_study_texts(file, session, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(study_directory(texts.reading.study, texts.central.scene)),
                       target = result_path(place);

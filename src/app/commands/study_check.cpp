@@ -143,7 +143,7 @@ StudyForecast forecast_study(const study::StudyInput& input, int threads, bool w
 
 void refuse_study_beyond_memory(const study::StudyInput& input, const StudyForecast& forecast, int threads,
                                 int processes) {
-    const MemoryBound bound = usable_memory();
+    const MemoryBound bound = usable_memory(input.reading.session);
     const double needed = static_cast<double>(forecast.peak_bytes) * processes;
     if (needed <= bound.bytes) return;
     throw Error(
@@ -156,8 +156,9 @@ void refuse_study_beyond_memory(const study::StudyInput& input, const StudyForec
                 bound_text(bound), "Use fewer --threads or ranks, larger cells, or provide more memory"});
 }
 
-Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log) {
-    study::StudyTexts texts = study::read_study_texts(path, log);
+Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
+                 const Session& session, RunLog& log) {
+    study::StudyTexts texts = study::read_study_texts(path, session, log);
     const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
     const std::optional<Problem> place = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.central.problems);
@@ -287,8 +288,8 @@ std::string calibration_directory(const SceneSpec& scene) {
 }
 
 Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
-                       RunLog& log) {
-    study::CalibrationTexts texts = study::read_calibration_texts(path, log);
+                       const Session& session, RunLog& log) {
+    study::CalibrationTexts texts = study::read_calibration_texts(path, session, log);
     const std::string directory = out.value_or(calibration_directory(texts.first_scene.scene));
     const std::optional<Problem> place =
         check_result_directory(directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.problems);

@@ -19,7 +19,7 @@ std::string calibration_directory(const SceneSpec& scene);
 /// `frana check` of a calibration: with `print`, prints events, keys, members and forecasts to stdout; returns the
 /// document of --json. Throws Error(input).
 Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
-                       RunLog& log);
+                       const Session& session, RunLog& log);
 
 /// Expected resources of a study.
 struct StudyForecast {
@@ -51,6 +51,7 @@ std::string study_directory(const study::StudySpec& study, const SceneSpec& scen
 
 /// `frana check` of a study: with `print`, prints keys, members and forecasts to stdout; returns the
 /// document of --json. Throws Error(input).
-Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print, RunLog& log);
+Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
+                 const Session& session, RunLog& log);
 
 }  // namespace frana::app

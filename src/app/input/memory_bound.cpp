@@ -16,8 +16,6 @@
 namespace frana::app {
 namespace {
 
-double limit = 0;  // 0: none
-
 // Particles have 32-bit numbers, and a spreading flow splits them.
 constexpr double k_most_particles = 1e9;
 // The fields of every particle, and the few that are copied during sorting.
@@ -43,18 +41,19 @@ std::string bound_text(const MemoryBound& bound) {
     return bytes_text(bound.bytes) + ", which " + bound.what;
 }
 
-void limit_memory(const std::string& text, RunLog& log) {
+double memory_limit_from_text(const std::string& text, RunLog& log) {
     const auto bytes = bytes_from_text(text);
     if (!bytes)
         throw Error(ErrorKind::input, Problem{"is not an amount of memory", "--memory-limit", text, "",
                                               "Write for example 4GB, 500MB or 2GiB"});
-    limit = *bytes;
-    if (const MemoryBound there = machine_memory(); limit > there.bytes)
+    if (const MemoryBound there = machine_memory(); *bytes > there.bytes)
         log.info("--memory-limit " + text + " is more than " + bound_text(there) + ": the lower limit applies");
+    return *bytes;
 }
 
-MemoryBound usable_memory() {
+MemoryBound usable_memory(const Session& session) {
     const MemoryBound there = machine_memory();
+    const double limit = session.memory_limit;
     return limit > 0 && limit <= there.bytes ? MemoryBound{limit, "--memory-limit allows"} : there;
 }
 
@@ -69,7 +68,7 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
                  cells = scene.terrain.values.is_tiled() ? std::min(all, released_area / scene.grid.cell_area()) : all;
     const double needed = cells * k_least_cell_bytes + particles * k_least_particle_bytes;
     const std::string cell = shortest_text(scene.grid.cell_size) + " m";
-    if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
+    if (const MemoryBound bound = usable_memory(reading.session); needed > bound.bytes) {
         throw Error(ErrorKind::input, Problem{"a run with " + grouped(cells) + " cells and " + grouped(particles) +
                                                   " particles needs at least " + bytes_text(needed) + " of memory",
                                               reading.where("terrain.cell-size"), cell, bound_text(bound),

@@ -10,12 +10,13 @@
 
 namespace frana::app {
 
-/// Applies a user's limit ("4GB", "500 MB", "2GiB", bytes) from now on; logs if less is available. Throws Error(input).
-void limit_memory(const std::string& text, RunLog& log);
+/// Returns the bytes of a user's limit ("4GB", "500 MB", "2GiB", bytes); logs if less is available. Throws
+/// Error(input).
+double memory_limit_from_text(const std::string& text, RunLog& log);
 
 /// Returns the total memory this program may use: the least of --memory-limit, if given, and of the limits of the
 /// machine, this process's control group and the shell.
-MemoryBound usable_memory();
+MemoryBound usable_memory(const Session& session);
 
 /// "23.5 GB, which the machine has free"
 std::string bound_text(const MemoryBound& bound);

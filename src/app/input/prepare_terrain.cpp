@@ -237,7 +237,7 @@ void check_size(const SceneReading& reading, const GridSpec& grid, bool on_deman
                             "Lift that limit (ulimit -v unlimited), or choose larger cells or a part of the DTM with "
                             "terrain.bounds"});
     }
-    if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
+    if (const MemoryBound bound = usable_memory(reading.session); needed > bound.bytes) {
         throw Error(ErrorKind::input, Problem{"a run on the working grid of " + grouped(cells) +
                                                   " cells needs at least " + bytes_text(needed) + " of memory",
                                               reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",

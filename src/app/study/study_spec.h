@@ -8,6 +8,7 @@
 
 #include "analysis/hazard.h"
 #include "core/error.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app::study {
 
@@ -127,6 +128,7 @@ struct StudySpec {
 /// A study as far as its file could be read, and all its problems.
 struct StudyReading {
     StudySpec study;
+    Session session;  ///< of all members
     Problems problems;
     std::string label;  ///< the study file as the user named it
 

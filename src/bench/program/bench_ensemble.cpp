@@ -398,7 +398,7 @@ int bench_ensemble(const std::string& file, const boost::program_options::variab
     const bool quick = values.count("quick") > 0, quiet = values.count("quiet") > 0;
     const Extent extent = quick ? Extent{256, {16, 32}, 2} : Extent{2048, {25, 50, 100}, 4};
     RunLog log(quiet);
-    study::StudyInput input = study::prepare_study(study::read_study_texts(file, log), std::nullopt, log);
+    study::StudyInput input = study::prepare_study(study::read_study_texts(file, {}, log), std::nullopt, log);
     if (input.reading.study.sampling == study::Sampling::table)
         throw Error(ErrorKind::input,
                     Problem{"has no distributions to draw from", input.reading.where("study.sampling"), "", "",

@@ -11,9 +11,15 @@
 
 namespace frana {
 
+/// What the user who started the program decides, for all that is read and run: no scene can change it.
+struct Session {
+    double memory_limit = 0;  ///< total memory that may be used [bytes]; 0: whatever the machine has
+};
+
 /// A scene as far as it could be read, with all its problems.
 struct SceneReading {
     SceneSpec scene;
+    Session session;
     Problems problems;
     std::vector<Sentence> warnings;  ///< keys given by a former name
     std::string label;               ///< the scene file as the user named it

@@ -85,8 +85,8 @@ class Twin : public TinyScene {
 // One design of runs serves all twins: they differ in their truths, which are a Latin hypercube, and in their surveys.
 TEST_F(Twin, IntervalsHoldTheTruth) {
     app::RunLog log(true);
-    app::study::CalibrationInput input =
-        app::study::prepare_calibration(app::study::read_calibration_texts(path("study.ini"), log), std::nullopt, log);
+    app::study::CalibrationInput input = app::study::prepare_calibration(
+        app::study::read_calibration_texts(path("study.ini"), {}, log), std::nullopt, log);
     auto runs = app::study::run_calibration(input, {made("design"), 2, true}, log);
     ASSERT_TRUE(runs);
 

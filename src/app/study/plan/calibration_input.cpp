@@ -110,9 +110,10 @@ SampleTable members_at(const CalibrationSpec& calibration, std::size_t event, co
     return samples_at(spec.members.study, of_event, spec.members.label, problems);
 }
 
-CalibrationTexts read_calibration_texts(const std::string& path, RunLog& log) {
+CalibrationTexts read_calibration_texts(const std::string& path, const Session& session, RunLog& log) {
     CalibrationTexts texts;
     texts.reading = read_calibration(path);
+    for (EventSpec& event : texts.reading.calibration.events) event.members.session = session;
     find_recorded_inputs(texts.reading, log);
     const CalibrationSpec& calibration = texts.reading.calibration;
     texts.problems = texts.reading.problems;

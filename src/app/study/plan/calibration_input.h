@@ -22,7 +22,7 @@ struct CalibrationTexts {
 /// Reads the calibration, draws its first members, and reads their scenes. The study file of a result, which may have
 /// been moved, finds its inputs as find_recorded_inputs(). Throws Error(input) only if a file is no INI, no event has a
 /// scene, or an input of such a result is missing.
-CalibrationTexts read_calibration_texts(const std::string& path, RunLog& log);
+CalibrationTexts read_calibration_texts(const std::string& path, const Session& session, RunLog& log);
 
 /// A calibration with everything checked that can be checked before its members run.
 struct CalibrationInput {

@@ -164,6 +164,7 @@ SceneReading read_member(const StudyReading& reading, const std::vector<std::str
     });
     all.insert(all.end(), overrides.begin(), overrides.end());
     SceneReading scene = read_scene(reading.study.scene, all, materials_directory(), reading.label + ": ");
+    scene.session = reading.session;
     resolve_language(scene.scene);
     return scene;
 }
@@ -320,9 +321,10 @@ SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) c
     return read_member(reading, overrides);
 }
 
-StudyTexts read_study_texts(const std::string& path, RunLog& log) {
+StudyTexts read_study_texts(const std::string& path, const Session& session, RunLog& log) {
     StudyTexts texts;
     texts.reading = is_region(path) ? read_region(path) : read_study(path);
+    texts.reading.session = session;
     find_recorded_inputs(texts.reading, log);
     if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
     std::vector<std::string> central;
