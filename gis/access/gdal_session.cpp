@@ -62,15 +62,14 @@ void disable_other_access() {
     OSRSetPROJEnableNetwork(FALSE);
 }
 
-}  // namespace
-
-GdalSession::GdalSession() {
+/// GDAL's drivers and file systems are the process's: the first call decides.
+void initialise(bool network) {
     static std::once_flag once;
-    std::call_once(once, [] {
+    std::call_once(once, [network] {
         GDALAllRegister();
         disable_other_access();
         guard_local_files();
-        if (!network_allowed()) disable_network();
+        if (!network) disable_network();
         // Tiles are compressed and warped in parallel; the values are the same. A value set by the user is kept. GDAL
         // waits for ever for a thread that could not be started for lack of address space.
         if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
@@ -80,6 +79,16 @@ GdalSession::GdalSession() {
         constexpr GIntBig k_cache_bytes = 128 << 20;
         if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr) GDALSetCacheMax64(k_cache_bytes);
     });
+}
+
+}  // namespace
+
+void allow_network() {
+    initialise(true);
+}
+
+GdalSession::GdalSession() {
+    initialise(false);
     CPLPushErrorHandlerEx(keep, this);
 }
 

@@ -10,6 +10,10 @@ namespace frana::gis {
 /// Returns the versions of GDAL with GEOS, and PROJ, at run time: one "NAME VERSION" per line.
 std::string library_versions();
 
+/// Allows inputs to be read over the network. Must be called before anything is opened: the first GdalSession disables
+/// it for the rest of the program. A scene cannot call it: the user who starts the program decides.
+void allow_network();
+
 /// While an instance exists, GDAL is initialised and its messages on this thread are collected here instead of being
 /// written to stderr. Sessions nest: each function of gis opens its own, and the innermost collects.
 class GdalSession {

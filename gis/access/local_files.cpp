@@ -8,9 +8,11 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <string>
-
-#include "gis/access/access_problem.h"
+#include <thread>
+#include <utility>
 
 namespace frana::gis {
 
@@ -42,18 +44,12 @@ void MemoryFolder::write_to_disk(const std::string& path, Sync sync) const {
 
 namespace {
 
-thread_local int reading_only = 0;
-
 bool writes(const char* access) {
     return std::string(access).find_first_of("wa+") != std::string::npos;
 }
 
-bool refuse_writing() {
-    if (reading_only > 0) errno = EROFS;
-    return reading_only > 0;
-}
-
-/// Wraps GDAL's own handler and refuses special files.
+/// Wraps GDAL's own handler: refuses special files, and to write while a thread only reads. GDAL keeps it until the
+/// program ends, and gives it back to whoever asks for the handler of local files.
 class LocalFiles : public VSIFilesystemHandler {
   public:
     explicit LocalFiles(VSIFilesystemHandler& files) : files_(files) {}
@@ -80,8 +76,32 @@ class LocalFiles : public VSIFilesystemHandler {
     }
     bool IsLocal(const char* path) override { return files_.IsLocal(path); }
 
+    /// Begins (1) or ends (-1) that this thread only reads; nests.
+    void read_only(int change) {
+        const std::lock_guard lock(guard_);
+        if ((readers_[std::this_thread::get_id()] += change) == 0) readers_.erase(std::this_thread::get_id());
+    }
+    void note(AccessProblem problem) {
+        const std::lock_guard lock(guard_);
+        if (!first_problem_) first_problem_ = std::move(problem);
+    }
+    std::optional<AccessProblem> pop() {
+        const std::lock_guard lock(guard_);
+        return std::exchange(first_problem_, std::nullopt);
+    }
+
   private:
+    bool refuse_writing() {
+        const std::lock_guard lock(guard_);
+        const bool refused = readers_.count(std::this_thread::get_id()) > 0;
+        if (refused) errno = EROFS;
+        return refused;
+    }
+
     VSIFilesystemHandler& files_;
+    std::mutex guard_;  ///< libraries also read on their own threads
+    std::map<std::thread::id, int> readers_;
+    std::optional<AccessProblem> first_problem_;
 };
 
 /// Replaces the handler of standard input, which would read the user's typing.
@@ -98,16 +118,27 @@ class NoStream : public VSIFilesystemHandler {
     }
 };
 
+LocalFiles& local_files() {
+    return dynamic_cast<LocalFiles&>(*VSIFileManager::GetHandler(""));
+}
+
 }  // namespace
 
 void guard_local_files() {
     // GDAL keeps handlers until the program ends, but drops those that others replace.
-    static VSIFilesystemHandler* const plain = VSIFileManager::GetHandler("");
-    VSIFileManager::InstallHandler("", new LocalFiles(*plain));
     static VSIFilesystemHandler* const streams[] = {VSIFileManager::GetHandler("/vsistdin/"),
                                                     VSIFileManager::GetHandler("/vsistdin?")};
     (void)streams;
+    VSIFileManager::InstallHandler("", new LocalFiles(*VSIFileManager::GetHandler("")));
     for (const char* prefix : {"/vsistdin/", "/vsistdin?"}) VSIFileManager::InstallHandler(prefix, new NoStream);
+}
+
+void note_access_problem(AccessProblem problem) {
+    local_files().note(std::move(problem));
+}
+
+std::optional<AccessProblem> pop_access_problem() {
+    return local_files().pop();
 }
 
 bool refuse_special_file(const char* path) {
@@ -118,12 +149,12 @@ bool refuse_special_file(const char* path) {
     return true;
 }
 
-ReadingOnly::ReadingOnly() noexcept {
-    ++reading_only;
+ReadingOnly::ReadingOnly() {
+    local_files().read_only(1);
 }
 
 ReadingOnly::~ReadingOnly() {
-    --reading_only;
+    local_files().read_only(-1);
 }
 
 }  // namespace frana::gis

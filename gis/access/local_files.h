@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/files.h"
@@ -28,6 +28,19 @@ class MemoryFolder {
     std::string folder_;
 };
 
+/// An access that a library requested while reading a file and that was refused: an address on the network, a special
+/// file.
+struct AccessProblem {
+    std::string what, value, remedy;  ///< as in Problem
+};
+
+/// Called by the filters of the libraries' access (network, local files). The function that reads the file reports the
+/// first.
+void note_access_problem(AccessProblem problem);
+
+/// Returns the first since the last call, if any: the cause of the library's error.
+[[nodiscard]] std::optional<AccessProblem> pop_access_problem();
+
 /// Filters all access of GDAL and its drivers to local files: FIFOs, devices and sockets are not opened (a refused
 /// access is noted), whatever file names them. GdalSession calls it once.
 void guard_local_files();
@@ -39,7 +52,7 @@ bool refuse_special_file(const char* path);
 /// No file is created beside one that frana reads.
 class ReadingOnly {
   public:
-    ReadingOnly() noexcept;
+    ReadingOnly();
     ~ReadingOnly();
     ReadingOnly(const ReadingOnly&) = delete;
     ReadingOnly& operator=(const ReadingOnly&) = delete;

@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "core/text.h"
-#include "gis/access/access_problem.h"
+#include "gis/access/gdal_session.h"
+#include "gis/access/local_files.h"
 
 namespace frana::gis {
 namespace {
@@ -115,8 +116,6 @@ void on_slow_reading(void (*warn)(const std::string& where, double seconds)) {
 
 namespace {
 
-bool allowed = false;
-
 constexpr const char* k_file_systems[] = {"/vsicurl",
                                           "/vsicurl_streaming",
                                           "/vsis3",
@@ -184,16 +183,13 @@ bool names_network(const std::string& path) {
 
 }  // namespace
 
-void allow_network() {
-    allowed = true;
-}
-
 bool network_allowed() {
-    return allowed;
+    const GdalSession session;
+    return dynamic_cast<const NoFiles*>(VSIFileManager::GetHandler("/vsicurl/")) == nullptr;
 }
 
 std::optional<std::string> network_remedy(const std::string& path) {
-    if (allowed || !names_network(path)) return std::nullopt;
+    if (!names_network(path) || network_allowed()) return std::nullopt;
     return k_network_remedy;
 }
 

@@ -42,16 +42,13 @@ void when_time_is_up(double seconds, void (*end)(const Problem&));
 /// and the duration. Must be set before the other.
 void on_slow_reading(void (*warn)(const std::string& where, double seconds));
 
-/// Allows inputs to be read over the network (URLs, /vsicurl/, databases, map services). Must be called before anything
-/// is opened; otherwise GDAL's network drivers and file systems are removed. A scene cannot call it: the user who
-/// starts the program decides.
-void allow_network();
+/// Returns whether GDAL may read over the network (URLs, /vsicurl/, databases, map services); see allow_network().
 [[nodiscard]] bool network_allowed();
 
 /// Returns the remedy for a path that is not on this machine; none if it is, or if the network is allowed.
 [[nodiscard]] std::optional<std::string> network_remedy(const std::string& path);
 
-/// Removes access to the network; GdalSession calls it once unless it was allowed.
+/// Removes GDAL's network drivers and file systems; GdalSession calls it once unless the network was allowed.
 void disable_network();
 
 }  // namespace frana::gis

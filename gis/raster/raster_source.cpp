@@ -13,7 +13,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/network.h"

@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "gis/access/access_problem.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/json_members.h"
+#include "gis/access/local_files.h"
 #include "gis/access/network.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/vector_out.h"

@@ -22,7 +22,7 @@
 #include "app/process/terminal.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "gis/access/network.h"
+#include "gis/access/gdal_session.h"
 
 namespace frana::app {
 namespace {
@@ -61,10 +61,11 @@ int run_program(const Arguments& arguments, int (*run)(Arguments)) {
         map_sparingly();
         Arguments words = arguments;
         // Only the user who starts the program can allow it, never a scene.
-        if (std::erase(words, "--allow-network") > 0) gis::allow_network();
+        const bool network = std::erase(words, "--allow-network") > 0;
         const bool quiet = std::any_of(words.begin(), words.end(),
                                        [](const std::string& word) { return word == "--quiet" || word == "-q"; });
-        guard_process(gis::network_allowed(), quiet);
+        guard_process(network, quiet);
+        if (network) gis::allow_network();
         const int code = run(std::move(words));
         if (const auto warning = letter_warning()) std::cerr << "frana: warning: " << warning->text() << '\n';
         std::cout.flush();
