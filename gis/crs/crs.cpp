@@ -13,7 +13,6 @@
 #include "core/error.h"
 #include "core/words/words.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/remembered_reads.h"
 #include "gis/crs/crs_transform.h"
 
 namespace frana::gis {
@@ -68,143 +67,93 @@ std::string layer_crs(const OGRSpatialReference* crs) {
 }
 
 std::string crs_from_user(const std::string& text, const std::string& where) {
-    return remembered(
-        "crs_from_user",
-        [&]() -> std::string {
-            const GdalSession session;
-            const auto error_of = [&](const std::string& what) {
-                return Error(ErrorKind::input, Problem{what, where, text.empty() ? "nothing" : text, "", k_crs_remedy});
-            };
-            auto crs = parse(text);
-            if (!crs) {
-                const std::string reason = session.last_message();
-                throw error_of("is not a coordinate reference system" + (reason.empty() ? "" : ": " + reason));
-            }
-            if (!crs->IsProjected() && !crs->IsGeographic() && !crs->IsCompound()) {
-                throw error_of("the coordinate reference system is neither projected nor geographic");
-            }
-            std::string wkt = wkt2(*crs);
-            if (wkt.empty()) throw error_of("the coordinate reference system cannot be written as WKT");
-            return wkt;
-        },
-        text, where);
+    const GdalSession session;
+    const auto error_of = [&](const std::string& what) {
+        return Error(ErrorKind::input, Problem{what, where, text.empty() ? "nothing" : text, "", k_crs_remedy});
+    };
+    auto crs = parse(text);
+    if (!crs) {
+        const std::string reason = session.last_message();
+        throw error_of("is not a coordinate reference system" + (reason.empty() ? "" : ": " + reason));
+    }
+    if (!crs->IsProjected() && !crs->IsGeographic() && !crs->IsCompound()) {
+        throw error_of("the coordinate reference system is neither projected nor geographic");
+    }
+    std::string wkt = wkt2(*crs);
+    if (wkt.empty()) throw error_of("the coordinate reference system cannot be written as WKT");
+    return wkt;
 }
 
 std::string crs_name(const std::string& wkt) {
-    return remembered(
-        "crs_name",
-        [&]() -> std::string {
-            if (wkt.empty()) return "local";
-            const GdalSession session;
-            const auto crs = parse(wkt);
-            if (!crs) return "unknown";
-            const char* name = crs->GetName();
-            const char* authority = crs->GetAuthorityName(nullptr);
-            const char* code = crs->GetAuthorityCode(nullptr);
-            const std::string label = name ? name : "unnamed";
-            return authority && code ? std::string(authority) + ":" + code + " (" + label + ")" : label;
-        },
-        wkt);
+    if (wkt.empty()) return "local";
+    const GdalSession session;
+    const auto crs = parse(wkt);
+    if (!crs) return "unknown";
+    const char* name = crs->GetName();
+    const char* authority = crs->GetAuthorityName(nullptr);
+    const char* code = crs->GetAuthorityCode(nullptr);
+    const std::string label = name ? name : "unnamed";
+    return authority && code ? std::string(authority) + ":" + code + " (" + label + ")" : label;
 }
 
 bool is_projected_in_metres(const std::string& wkt) {
-    return remembered(
-        "is_projected_in_metres",
-        [&]() -> bool {
-            const GdalSession session;
-            auto crs = parse(wkt);
-            if (!crs) return false;
-            drop_heights(*crs);
-            return crs->IsProjected() && std::abs(crs->GetLinearUnits() - 1.0) < 1e-9 && axes_run_east_and_north(*crs);
-        },
-        wkt);
+    const GdalSession session;
+    auto crs = parse(wkt);
+    if (!crs) return false;
+    drop_heights(*crs);
+    return crs->IsProjected() && std::abs(crs->GetLinearUnits() - 1.0) < 1e-9 && axes_run_east_and_north(*crs);
 }
 
 double metres_per_unit(const std::string& wkt) {
-    return remembered(
-        "metres_per_unit",
-        [&]() -> double {
-            const GdalSession session;
-            const auto crs = parse(wkt);
-            return crs && crs->IsProjected() ? crs->GetLinearUnits() : 1;
-        },
-        wkt);
+    const GdalSession session;
+    const auto crs = parse(wkt);
+    return crs && crs->IsProjected() ? crs->GetLinearUnits() : 1;
 }
 
 std::string horizontal_crs(const std::string& wkt) {
-    return remembered(
-        "horizontal_crs",
-        [&]() -> std::string {
-            const GdalSession session;
-            auto crs = parse(wkt);
-            if (!crs) return {};
-            drop_heights(*crs);
-            return wkt2(*crs);
-        },
-        wkt);
+    const GdalSession session;
+    auto crs = parse(wkt);
+    if (!crs) return {};
+    drop_heights(*crs);
+    return wkt2(*crs);
 }
 
 double vertical_metres_per_unit(const std::string& wkt) {
-    return remembered(
-        "vertical_metres_per_unit",
-        [&]() -> double {
-            const GdalSession session;
-            const auto crs = parse(wkt);
-            if (!crs || !(crs->IsCompound() || crs->IsVertical())) return 0;
-            const double unit = crs->GetTargetLinearUnits("VERT_CS");
-            return unit > 0 ? unit : 0;
-        },
-        wkt);
+    const GdalSession session;
+    const auto crs = parse(wkt);
+    if (!crs || !(crs->IsCompound() || crs->IsVertical())) return 0;
+    const double unit = crs->GetTargetLinearUnits("VERT_CS");
+    return unit > 0 ? unit : 0;
 }
 
 double longitude_turn(const std::string& wkt) {
-    return remembered(
-        "longitude_turn",
-        [&]() -> double {
-            const GdalSession session;
-            const auto crs = parse(wkt);
-            return crs && crs->IsGeographic() ? 2 * std::numbers::pi / crs->GetAngularUnits() : 0;
-        },
-        wkt);
+    const GdalSession session;
+    const auto crs = parse(wkt);
+    return crs && crs->IsGeographic() ? 2 * std::numbers::pi / crs->GetAngularUnits() : 0;
 }
 
 std::string utm_crs_for(double longitude, double latitude) {
-    return remembered(
-        "utm_crs_for",
-        [&]() -> std::string {
-            const GdalSession session;
-            if (longitude > 180) longitude -= 360;  // of a map that crosses the antimeridian
-            const int zone = std::clamp(static_cast<int>(std::floor((longitude + 180) / 6)) + 1, 1, 60);
-            OGRSpatialReference crs;
-            crs.importFromEPSG((latitude < 0 ? 32700 : 32600) + zone);
-            return wkt2(crs);
-        },
-        longitude, latitude);
+    const GdalSession session;
+    if (longitude > 180) longitude -= 360;  // of a map that crosses the antimeridian
+    const int zone = std::clamp(static_cast<int>(std::floor((longitude + 180) / 6)) + 1, 1, 60);
+    OGRSpatialReference crs;
+    crs.importFromEPSG((latitude < 0 ? 32700 : 32600) + zone);
+    return wkt2(crs);
 }
 
 Point to_longitude_latitude(const std::string& wkt, Point map) {
-    return remembered(
-        "to_longitude_latitude",
-        [&]() -> Point {
-            return CrsTransform(wkt, "OGC:CRS84", Bounds{map.x, map.y, map.x, map.y})(map);
-        },
-        wkt, map);
+    return CrsTransform(wkt, "OGC:CRS84", Bounds{map.x, map.y, map.x, map.y})(map);
 }
 
 double meridian_convergence_deg(const std::string& wkt, Point map) {
-    return remembered(
-        "meridian_convergence_deg",
-        [&]() -> double {
-            if (wkt.empty()) return 0;
-            const CrsTransform to_degrees(wkt, "OGC:CRS84", Bounds{map.x, map.y, map.x, map.y});
-            const Point here = to_degrees(map);
-            // Some 100 m either way along the meridian: long compared with rounding, short compared with its curvature.
-            const double step = 1e-3;
-            const Point north = to_degrees.inverse({here.x, here.y + step});
-            const Point south = to_degrees.inverse({here.x, here.y - step});
-            return std::atan2(north.x - south.x, north.y - south.y) * 180 / std::numbers::pi;
-        },
-        wkt, map);
+    if (wkt.empty()) return 0;
+    const CrsTransform to_degrees(wkt, "OGC:CRS84", Bounds{map.x, map.y, map.x, map.y});
+    const Point here = to_degrees(map);
+    // Some 100 m either way along the meridian: long compared with rounding, short compared with its curvature.
+    const double step = 1e-3;
+    const Point north = to_degrees.inverse({here.x, here.y + step});
+    const Point south = to_degrees.inverse({here.x, here.y - step});
+    return std::atan2(north.x - south.x, north.y - south.y) * 180 / std::numbers::pi;
 }
 
 namespace {

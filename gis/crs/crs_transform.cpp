@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "gis/access/remembered_reads.h"
 #include "gis/crs/coordinate_operation.h"
 #include "gis/crs/crs.h"
 
@@ -109,8 +108,8 @@ CrsTransform::CrsTransform(const std::string& from_wkt, const std::string& to_wk
     parts_->operation.info.operation = "none";
     if (from_wkt.empty() || to_wkt.empty()) return;
     const std::string from = horizontal_crs(from_wkt), to = horizontal_crs(to_wkt);
-    parts_->names = crs_name(from) + " to " + crs_name(to);
     if (from == to && !from.empty()) return;
+    parts_->names = crs_name(from) + " to " + crs_name(to);
     parts_->turn = longitude_turn(from);
     parts_->context = make_proj_context();
     const std::vector<Point> points = area_of_interest ? rim(*area_of_interest) : std::vector<Point>{};
@@ -180,26 +179,21 @@ double MapScale::error() const noexcept {
 }
 
 MapScale map_scale(const std::string& wkt, Point map) {
-    return remembered(
-        "map_scale",
-        [&]() -> MapScale {
-            if (wkt.empty()) return {};
-            const CrsTransform to_degrees(wkt, "OGC:CRS84", Bounds{map.x, map.y, map.x, map.y});
-            geod_geodesic ellipsoid;
-            geod_init(&ellipsoid, k_wgs84_a, k_wgs84_f);
-            MapScale scale{HUGE_VAL, 0};
-            for (const Point half : {Point{0.5, 0}, Point{0, 0.5}, Point{M_SQRT1_2 / 2, M_SQRT1_2 / 2},
-                                     Point{M_SQRT1_2 / 2, -M_SQRT1_2 / 2}}) {
-                const Point a = to_degrees({map.x - k_baseline * half.x, map.y - k_baseline * half.y});
-                const Point b = to_degrees({map.x + k_baseline * half.x, map.y + k_baseline * half.y});
-                double ground = 0;
-                geod_inverse(&ellipsoid, a.y, a.x, b.y, b.x, &ground, nullptr, nullptr);
-                scale.least = std::min(scale.least, k_baseline / ground);
-                scale.greatest = std::max(scale.greatest, k_baseline / ground);
-            }
-            return scale;
-        },
-        wkt, map);
+    if (wkt.empty()) return {};
+    const CrsTransform to_degrees(wkt, "OGC:CRS84", Bounds{map.x, map.y, map.x, map.y});
+    geod_geodesic ellipsoid;
+    geod_init(&ellipsoid, k_wgs84_a, k_wgs84_f);
+    MapScale scale{HUGE_VAL, 0};
+    for (const Point half :
+         {Point{0.5, 0}, Point{0, 0.5}, Point{M_SQRT1_2 / 2, M_SQRT1_2 / 2}, Point{M_SQRT1_2 / 2, -M_SQRT1_2 / 2}}) {
+        const Point a = to_degrees({map.x - k_baseline * half.x, map.y - k_baseline * half.y});
+        const Point b = to_degrees({map.x + k_baseline * half.x, map.y + k_baseline * half.y});
+        double ground = 0;
+        geod_inverse(&ellipsoid, a.y, a.x, b.y, b.x, &ground, nullptr, nullptr);
+        scale.least = std::min(scale.least, k_baseline / ground);
+        scale.greatest = std::max(scale.greatest, k_baseline / ground);
+    }
+    return scale;
 }
 
 }  // namespace frana::gis

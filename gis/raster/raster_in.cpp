@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/memory_dataset.h"
-#include "gis/access/remembered_reads.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_source.h"
 #include "gis/raster/raster_warp.h"
@@ -154,25 +153,6 @@ void read_onto(const RasterSource& source, const std::string& source_crs, Resamp
     read.zero_rim_cells = source.zero_rim(k_wall_cells * grid.cell_size, unit.metres);
 }
 
-RasterRead read_raster_now(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
-                           Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
-                           const std::string& where) {
-    const GdalSession session;
-    RasterSource source(path, where.empty() ? path : where);
-    if (nodata_value) source.declare_nodata(*nodata_value);
-    const std::string crs = crs_of(source, target, source_crs_override);
-    RasterRead read;
-    read.raster = Raster(target, k_no_data);
-    try {
-        read_onto(source, crs, resampling, vertical_unit, read);
-    } catch (const Error& error) {
-        rethrow_naming(where.empty() ? path : where + ": " + path, error);
-    }
-    read.nodata_cells = std::count_if(read.raster.values.begin(), read.raster.values.end(),
-                                      [](double value) { return std::isnan(value); });
-    return read;
-}
-
 }  // namespace
 
 struct RasterOnDemand::Parts {
@@ -256,11 +236,20 @@ void RasterOnDemand::read(const CellWindow& window, double* values) const {
 RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                           Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
                           const std::string& where) {
-    const auto read = [&] {
-        return read_raster_now(path, target, source_crs_override, resampling, vertical_unit, nodata_value, where);
-    };
-    return remembered("read_raster_on", read, path, target, source_crs_override, resampling, vertical_unit,
-                      nodata_value, where);
+    const GdalSession session;
+    RasterSource source(path, where.empty() ? path : where);
+    if (nodata_value) source.declare_nodata(*nodata_value);
+    const std::string crs = crs_of(source, target, source_crs_override);
+    RasterRead read;
+    read.raster = Raster(target, k_no_data);
+    try {
+        read_onto(source, crs, resampling, vertical_unit, read);
+    } catch (const Error& error) {
+        rethrow_naming(where.empty() ? path : where + ": " + path, error);
+    }
+    read.nodata_cells = std::count_if(read.raster.values.begin(), read.raster.values.end(),
+                                      [](double value) { return std::isnan(value); });
+    return read;
 }
 
 Raster read_result_raster(const std::string& path) {

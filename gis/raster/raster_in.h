@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/raster.h"
@@ -30,6 +31,11 @@ struct RasterInfo {
     bool vertical_unit_stated = false;    ///< by the band or by the CRS
     double vertical_scale_to_metres = 1;  ///< of that unit
     bool rotated = false;                 ///< rows do not run to the east
+
+    [[nodiscard]] auto members() const {
+        return std::tie(path, crs_wkt, crs_label, driver, data_type, bounds, columns, rows, cell_x, cell_y, has_nodata,
+                        nodata, band_unit, vertical_unit, vertical_unit_stated, vertical_scale_to_metres, rotated);
+    }
 };
 
 /// Returns the properties with another CRS, which may specify its vertical unit.

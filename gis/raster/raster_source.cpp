@@ -16,7 +16,6 @@
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/network.h"
-#include "gis/access/remembered_reads.h"
 #include "gis/crs/crs.h"
 
 namespace frana::gis {
@@ -290,8 +289,7 @@ RasterInfo with_crs(RasterInfo info, const std::string& crs_wkt) {
 }
 
 RasterInfo inspect_raster(const std::string& path, const std::string& where) {
-    return remembered(
-        "inspect_raster", [&] { return RasterSource(path, where).info(); }, path, where);
+    return RasterSource(path, where).info();
 }
 
 bool RasterSource::holds_any(const Window& window) const noexcept {

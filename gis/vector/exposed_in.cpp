@@ -9,7 +9,6 @@
 
 #include "gis/access/gdal_session.h"
 #include "gis/access/network.h"
-#include "gis/access/remembered_reads.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/outline_check.h"
 #include "gis/vector/vector_source.h"
@@ -126,8 +125,10 @@ void transform_all(ExposedLayer& layer, const std::string& target, const VectorS
     }
 }
 
-ExposedLayer read_exposed_now(const std::string& path, const std::string& target, const std::string& where,
-                              const std::string& name_column, const std::string& count_column) {
+}  // namespace
+
+ExposedLayer read_exposed(const std::string& path, const std::string& target, const std::string& where,
+                          const std::string& name_column, const std::string& count_column) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -165,15 +166,6 @@ ExposedLayer read_exposed_now(const std::string& path, const std::string& target
     if (layer.features.empty()) throw vector_error(source, "the layer is empty", layer.layer_name, "Draw a feature");
     transform_all(layer, target, source);
     return layer;
-}
-
-}  // namespace
-
-ExposedLayer read_exposed(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
-                          const std::string& name_column, const std::string& count_column) {
-    return remembered(
-        "read_exposed", [&] { return read_exposed_now(path, target_crs_wkt, where, name_column, count_column); }, path,
-        target_crs_wkt, where, name_column, count_column);
 }
 
 }  // namespace frana::gis

@@ -8,7 +8,6 @@
 
 #include "gis/access/gdal_session.h"
 #include "gis/access/network.h"
-#include "gis/access/remembered_reads.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/vector_source.h"
 
@@ -34,7 +33,9 @@ Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
     return line;
 }
 
-LineInputLayer read_lines_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+}  // namespace
+
+LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -77,13 +78,6 @@ LineInputLayer read_lines_now(const std::string& path, const std::string& target
                            error.problems().front().remedy);
     }
     return read;
-}
-
-}  // namespace
-
-LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
-    return remembered(
-        "read_lines", [&] { return read_lines_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
 }
 
 ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names,
@@ -175,7 +169,9 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
     each([&](Point& p) { p = transform(p); });
 }
 
-Marks read_marks_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+}  // namespace
+
+Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -217,13 +213,6 @@ Marks read_marks_now(const std::string& path, const std::string& target_crs_wkt,
         throw error_of(error.problems().front().what, error.problems().front().value, error.problems().front().remedy);
     }
     return marks;
-}
-
-}  // namespace
-
-Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
-    return remembered(
-        "read_marks", [&] { return read_marks_now(path, target_crs_wkt, where); }, path, target_crs_wkt, where);
 }
 
 }  // namespace frana::gis

@@ -10,7 +10,6 @@
 #include "core/text.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/network.h"
-#include "gis/access/remembered_reads.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/outline_check.h"
 #include "gis/vector/vector_source.h"
@@ -236,8 +235,10 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
     return !found.empty();
 }
 
-PolygonLayer read_polygons_now(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
-                               const LayerChoice& choice) {
+}  // namespace
+
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+                           const LayerChoice& choice) {
     const GdalSession session;
     const ReadingOnly reading;
     VectorSource source = vector_source(path, where);
@@ -289,8 +290,6 @@ PolygonLayer read_polygons_now(const std::string& path, const std::string& targe
     return read;
 }
 
-}  // namespace
-
 std::set<std::string> filled_layers(const std::string& file, const std::string& where) {
     const GdalSession session;
     const VectorSource source = vector_source(file, where);
@@ -302,13 +301,6 @@ std::set<std::string> filled_layers(const std::string& file, const std::string& 
     if (session.failed() || dataset->GetLayerCount() == 0)
         throw vector_error(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
     return names;
-}
-
-PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
-                           const LayerChoice& choice) {
-    return remembered(
-        "read_polygons", [&] { return read_polygons_now(path, target_crs_wkt, where, choice); }, path, target_crs_wkt,
-        where, choice.name, choice.filter, choice.crs, choice.keep_unusable);
 }
 
 }  // namespace frana::gis

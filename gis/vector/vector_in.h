@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/geometry.h"
@@ -32,6 +33,8 @@ struct LayerChoice {
     std::string crs;     ///< WKT, replaces that of the file
     bool keep_unusable =
         false;  ///< features that are no area stay in their place, without parts; else they are refused
+
+    [[nodiscard]] auto members() const { return std::tie(name, filter, crs, keep_unusable); }
 };
 
 /// Returns every polygon of a vector layer in the target CRS (empty: coordinates unchanged). `path` may name a layer:

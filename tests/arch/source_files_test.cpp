@@ -40,13 +40,13 @@ struct Room {
 
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
-    {"src/core", 3250},         {"src/params", 4650},       {"src/physics", 1450},
+    {"src/core", 3350},         {"src/params", 4650},       {"src/physics", 1450},
     {"src/particles", 1550},    {"src/mpm", 4400},          {"src/models", 4700},
     {"src/simulation", 6150},   {"src/analysis", 2900},     {"src/facade", 1400},
     {"src/python", 500},        {"src/bench", 6150},        {"src/app/process", 350},
     {"src/app/text", 700},      {"src/app/input", 4250},    {"src/app/store", 4000},
     {"src/app/pictures", 3150}, {"src/app/compare", 1000},  {"src/app/publish", 4600},
-    {"src/app/study", 10300},   {"src/app/commands", 5600}, {"gis", 7600},
+    {"src/app/study", 10300},   {"src/app/commands", 5600}, {"gis", 7350},
     {"render", 7600},
 };
 

@@ -25,10 +25,9 @@ SlopePlan plan_of(const study::StudyInput& input, std::size_t member) {
     if (!plan.problem.empty()) return plan;
     const auto note = [&](const Error& error) { plan.problem = describe(error.problems().front()); };
     attempt(note, [&] {
-        gis::RememberedReads own;
-        const gis::UseRemembered remember(own);
         RunLog silent(true);
         SceneReading reading = input.member(member);
+        reading.session.reads = std::make_shared<RememberedReads>();
         study::cut_terrain(*input.reading.study.region, reading, silent);
         Problems problems;
         std::vector<UsedFile> files;

@@ -73,16 +73,17 @@ std::optional<Origin> release_origin(const SceneReading& reading, const std::str
     if (!release.perimeter) {
         if (!release.thickness || release.thickness->kind != ThicknessSpec::Kind::raster) return std::nullopt;
         return if_readable([&] {
-            const gis::RasterInfo file =
-                gis::inspect_raster(release.thickness->names.front(), reading.where("release.thickness"));
+            const gis::RasterInfo file = reading.session.read(gis::inspect_raster, release.thickness->names.front(),
+                                                              reading.where("release.thickness"));
             origin.extent = box_of(file, crs);
             return origin;
         });
     }
     return if_readable([&] {
         const std::string key = "release.perimeter";
-        const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, crs, reading.where(key),
-                                                           layer_choice(reading, release.perimeter_layer, key));
+        const gis::PolygonLayer layer =
+            reading.session.read(gis::read_polygons, *release.perimeter, crs, reading.where(key),
+                                 layer_choice(reading, release.perimeter_layer, key));
         origin.extent = layer.bounds;
         if (velocity && velocity->kind == SourceSpec::Kind::attribute) {
             double fastest = 0;
@@ -101,7 +102,7 @@ std::optional<std::vector<Origin>> inflow_origins(const SceneReading& reading, c
         const double gravity = reading.scene.numerics.gravity;
         std::vector<Origin> origins;
         const gis::LineInputLayer layer =
-            gis::read_lines(*reading.scene.inflow.line, crs, reading.where("inflow.line"));
+            reading.session.read(gis::read_lines, *reading.scene.inflow.line, crs, reading.where("inflow.line"));
         for (std::size_t i = 0; i < layer.features.size(); ++i) {
             const Polyline& line = layer.features[i].line;
             Origin origin{bounds(MultiPolygon{{line, {}}}), 0};
@@ -140,12 +141,14 @@ std::optional<std::vector<Origin>> origins_of(const SceneReading& reading, const
 std::optional<Bounds> ground_of(const SceneReading& reading, const std::string& file, const std::string& key,
                                 const std::string& crs) {
     const std::string where = reading.where(key);
-    if (const auto raster = if_readable([&] { return gis::inspect_raster(file, where); })) return box_of(*raster, crs);
+    if (const auto raster = if_readable([&] { return reading.session.read(gis::inspect_raster, file, where); }))
+        return box_of(*raster, crs);
     const LayerSpec choice = key == "observed.perimeter" ? reading.scene.observed.perimeter_layer : LayerSpec{};
-    std::optional<Bounds> box =
-        if_readable([&] { return gis::read_polygons(file, crs, where, layer_choice(reading, choice, key)).bounds; });
+    std::optional<Bounds> box = if_readable([&] {
+        return reading.session.read(gis::read_polygons, file, crs, where, layer_choice(reading, choice, key)).bounds;
+    });
     const auto add = [&](const Bounds& part) { box = box ? united(*box, part) : part; };
-    if (const auto marks = if_readable([&] { return gis::read_marks(file, crs, where); })) {
+    if (const auto marks = if_readable([&] { return reading.session.read(gis::read_marks, file, crs, where); })) {
         for (const gis::NamedPoint& point : marks->points)
             add({point.place.x, point.place.y, point.place.x, point.place.y});
         for (const gis::NamedLine& line : marks->lines) add(bounds(MultiPolygon{{line.line, {}}}));

@@ -15,7 +15,7 @@ namespace frana::app {
 
 gis::LayerChoice layer_choice(const SceneReading& reading, const LayerSpec& spec, const std::string& key) {
     return {spec.name.value_or(""), spec.filter.value_or(""),
-            spec.crs ? gis::crs_from_user(*spec.crs, reading.where(key + "-crs")) : ""};
+            spec.crs ? reading.session.read(gis::crs_from_user, *spec.crs, reading.where(key + "-crs")) : ""};
 }
 
 namespace {
@@ -63,7 +63,7 @@ std::string feature_name(const gis::PolygonLayer& layer, std::size_t feature) {
 
 std::string target_crs(const SceneReading& reading, const TerrainInput* ground) {
     if (ground != nullptr) return ground->terrain.grid.crs_wkt;
-    return reading.scene.terrain.crs == "local" ? "" : gis::crs_from_user("EPSG:4326", "");
+    return reading.scene.terrain.crs == "local" ? "" : reading.session.read(gis::crs_from_user, "EPSG:4326", "");
 }
 
 bool within_limits(const SceneReading& reading, const std::string& key, double value, const std::string& what,

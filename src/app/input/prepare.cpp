@@ -38,7 +38,8 @@ constexpr double k_widened = 1.5;
 std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const std::string& key,
                                             const std::string& file, const TerrainInput* ground,
                                             std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
-    gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
+    gis::PolygonLayer layer =
+        reading.session.read(gis::read_polygons, file, target_crs(reading, ground), reading.where(key), {});
     log.note(key + " " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
     log.warn_of(key, layer.warnings);
     files.push_back(used_polygons(key == "terrain.walls" ? worded("Walls") : worded("Obstacles"), file, layer));
@@ -130,9 +131,9 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
     if (!reading.scene.observed.perimeter) return std::nullopt;
     const std::string where = reading.where("observed.perimeter");
     return attempt(problems, [&] {
-        gis::PolygonLayer layer =
-            gis::read_polygons(*reading.scene.observed.perimeter, target_crs(reading, ground), where,
-                               layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
+        gis::PolygonLayer layer = reading.session.read(
+            gis::read_polygons, *reading.scene.observed.perimeter, target_crs(reading, ground), where,
+            layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
         files.push_back(used_polygons(worded("Observed outline"), *reading.scene.observed.perimeter, layer));
         log.warn_of(worded("observed outline"), layer.warnings);
         if (ground != nullptr) {
@@ -235,8 +236,9 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     }
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {
-        prepared.convergence_deg = gis::meridian_convergence_deg(
-            grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
+        prepared.convergence_deg =
+            reading.session.read(gis::meridian_convergence_deg, grid.crs_wkt,
+                                 Point{(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
     }
     prepared.resolved = resolved_choices(reading.scene, *ground, grid);
     prepared.files = std::move(files);

@@ -134,8 +134,8 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
     const InflowSpec& spec = reading.scene.inflow;
     if (!spec.line || !spec.hydrograph) return inflows;
     attempt(problems, [&] {
-        const gis::LineInputLayer layer =
-            gis::read_lines(*spec.line, target_crs(reading, ground), reading.where("inflow.line"));
+        const gis::LineInputLayer layer = reading.session.read(gis::read_lines, *spec.line, target_crs(reading, ground),
+                                                               reading.where("inflow.line"));
         log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
                  layer.crs_label);
         files.push_back(used_lines(worded("Inflow line"), *spec.line, layer));

@@ -296,11 +296,11 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     std::vector<std::shared_ptr<const gis::RasterOnDemand>> unread;
     for (const std::string& file : spec.names) {
         attempt(problems, [&] {
-            gis::RasterInfo info = gis::inspect_raster(file, where);
+            gis::RasterInfo info = reading.session.read(gis::inspect_raster, file, where);
             if (reading.scene.release.thickness_crs) {
-                info.crs_wkt =
-                    gis::crs_from_user(*reading.scene.release.thickness_crs, reading.where("release.thickness-crs"));
-                info.crs_label = gis::crs_name(info.crs_wkt);
+                info.crs_wkt = reading.session.read(gis::crs_from_user, *reading.scene.release.thickness_crs,
+                                                    reading.where("release.thickness-crs"));
+                info.crs_label = reading.session.read(gis::crs_name, info.crs_wkt);
             }
             if (ground == nullptr) return;
             const bool local = ground->terrain.grid.crs_wkt.empty();
@@ -315,8 +315,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                     file, ground->terrain.grid, info.crs_wkt, gis::Resampling::automatic, unit, nodata, where));
                 read = unread.back()->known();
             } else {
-                read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt, gis::Resampling::automatic, unit,
-                                           nodata, where);
+                read = reading.session.read(gis::read_raster_on, file, ground->terrain.grid, info.crs_wkt,
+                                            gis::Resampling::automatic, unit, nodata, where);
             }
             log.warn_of(worded("thickness"), read.warnings);
             report_transform(worded("thickness {1}", {file}), read.transform, ground->terrain.grid.cell_size, log);
@@ -365,8 +365,8 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std
     const std::string key = "release.perimeter";
     const auto read = [&] {
         release.perimeter =
-            gis::read_polygons(*reading.scene.release.perimeter, target_crs(reading, ground), reading.where(key),
-                               layer_choice(reading, reading.scene.release.perimeter_layer, key));
+            reading.session.read(gis::read_polygons, *reading.scene.release.perimeter, target_crs(reading, ground),
+                                 reading.where(key), layer_choice(reading, reading.scene.release.perimeter_layer, key));
     };
     if (!attempt(problems, read)) return;
     const gis::PolygonLayer& layer = *release.perimeter;
@@ -414,7 +414,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
             files.back().checksum.add(*release.areas.front().thickness_raster);
         // Interpolated at its edge, a raster would lose volume; the released volume is that of the file.
         if (problems.empty() && spec.kind == ThicknessSpec::Kind::raster && !reading.scene.release.volume)
-            match_file_volume(release, ground->terrain.grid, files.back());
+            match_file_volume(release, ground->terrain.grid, reading.session, files.back());
     }
     return release;
 }

@@ -195,7 +195,7 @@ const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInpu
         return nullptr;
     }
     const std::string key = "structured.zones";
-    own = gis::read_polygons(*file, target_crs(reading, ground), reading.where(key));
+    own = reading.session.read(gis::read_polygons, *file, target_crs(reading, ground), reading.where(key), {});
     log.warn_of(key, own->warnings);
     files.push_back(used_polygons(worded("Zones"), *file, *own));
     if (ground == nullptr) return nullptr;

@@ -44,17 +44,17 @@ Sentence scale_of(const gis::MapScale& scale) {
 /// Returns the working CRS named by terrain.crs, which must measure the ground in metres at the DTM.
 std::string requested_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
     const std::string where = reading.where("terrain.crs"), requested = reading.scene.terrain.crs;
-    const std::string crs = gis::crs_from_user(requested, where);
-    if (!gis::is_projected_in_metres(crs)) {
+    const std::string crs = reading.session.read(gis::crs_from_user, requested, where);
+    if (!reading.session.read(gis::is_projected_in_metres, crs)) {
         throw Error(ErrorKind::input,
                     Problem{"is not a projected system in metres with axes east and north", where, requested,
                             "a projected CRS in metres, such as a UTM zone", "Choose another, or remove the key"});
     }
-    std::string horizontal = gis::horizontal_crs(crs);
+    std::string horizontal = reading.session.read(gis::horizontal_crs, crs);
     if (dtm.crs_wkt.empty()) return horizontal;
     const Point centre = centre_of(dtm.bounds);
     const gis::CrsTransform to_working(dtm.crs_wkt, horizontal, Bounds{centre.x, centre.y, centre.x, centre.y});
-    const gis::MapScale scale = gis::map_scale(horizontal, to_working(centre));
+    const gis::MapScale scale = reading.session.read(gis::map_scale, horizontal, to_working(centre));
     if (scale.error() > k_largest_scale_error) {
         throw Error(ErrorKind::input, Problem{"lengths in this system are not lengths on the ground", where,
                                               requested + " with a scale of " + scale_of(scale).text() + " at the DTM",
@@ -65,25 +65,25 @@ std::string requested_crs(const SceneReading& reading, const gis::RasterInfo& dt
 
 /// Without a CRS coordinates must be in metres.
 void check_local(const SceneReading& reading, const gis::RasterInfo& dtm) {
-    if (dtm.crs_wkt.empty() || gis::is_projected_in_metres(dtm.crs_wkt)) return;
+    if (dtm.crs_wkt.empty() || reading.session.read(gis::is_projected_in_metres, dtm.crs_wkt)) return;
     throw Error(ErrorKind::input,
                 Problem{"the DTM's coordinates are not in metres, so they cannot be used as they are",
                         reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
 }
 
-std::string automatic_crs(const gis::RasterInfo& dtm, RunLog& log) {
+std::string automatic_crs(const SceneReading& reading, const gis::RasterInfo& dtm, RunLog& log) {
     const Point centre = centre_of(dtm.bounds);
-    if (gis::is_projected_in_metres(dtm.crs_wkt)) {
-        std::string own = gis::horizontal_crs(dtm.crs_wkt);
-        const gis::MapScale scale = gis::map_scale(own, centre);
+    if (reading.session.read(gis::is_projected_in_metres, dtm.crs_wkt)) {
+        std::string own = reading.session.read(gis::horizontal_crs, dtm.crs_wkt);
+        const gis::MapScale scale = reading.session.read(gis::map_scale, own, centre);
         if (scale.error() <= k_largest_scale_error) return own;
         log.warn(
             worded("DTM: lengths in {1} are not lengths on the ground (scale {2}); the run is computed in the UTM zone "
                    "instead",
                    {dtm.crs_label, scale_of(scale)}));
     }
-    const Point degrees = gis::to_longitude_latitude(dtm.crs_wkt, centre);
-    return gis::utm_crs_for(degrees.x, degrees.y);
+    const Point degrees = reading.session.read(gis::to_longitude_latitude, dtm.crs_wkt, centre);
+    return reading.session.read(gis::utm_crs_for, degrees.x, degrees.y);
 }
 
 /// Returns the working CRS (WKT): that of terrain.crs, else the DTM's own if projected, in metres and true to scale,
@@ -106,7 +106,7 @@ std::string choose_working_crs(const SceneReading& reading, const gis::RasterInf
                       "and the perimeter's, as plain metres"});
     }
     problems.throw_if_any();
-    return crs.empty() ? automatic_crs(dtm, log) : crs;
+    return crs.empty() ? automatic_crs(reading, dtm, log) : crs;
 }
 
 constexpr double k_steepest_median = 60;  // degrees; of the steepest mountains some 45
@@ -187,12 +187,12 @@ constexpr double k_fill_distance_cells = 50;
 /// The DTM's CRS, the user's word before the file's. Empty: none.
 std::string dtm_crs(const SceneReading& reading, const gis::RasterInfo& file) {
     const auto& given = reading.scene.terrain.dtm_crs;
-    return given ? gis::crs_from_user(*given, reading.where("terrain.dtm-crs")) : file.crs_wkt;
+    return given ? reading.session.read(gis::crs_from_user, *given, reading.where("terrain.dtm-crs")) : file.crs_wkt;
 }
 
 /// Where eastings are in feet, a guess at elevations would be wrong by a factor of three.
 void check_vertical_unit(const SceneReading& reading, const gis::RasterInfo& file) {
-    const double metres = gis::metres_per_unit(file.crs_wkt);
+    const double metres = reading.session.read(gis::metres_per_unit, file.crs_wkt);
     if (reading.scene.terrain.vertical_unit != "auto" || file.vertical_unit_stated || std::abs(metres - 1) < 1e-9) {
         return;
     }
@@ -331,19 +331,19 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     const DtmFile dtm = inspect_dtm(reading, log);
     input.file = dtm.file;
     const std::string& crs = dtm.working_crs;
-    input.crs_label = crs.empty() ? "local" : gis::crs_name(crs);
+    input.crs_label = crs.empty() ? "local" : reading.session.read(gis::crs_name, crs);
 
     std::optional<Bounds> bounds = spec.bounds;
     bool on_demand = can_read_on_demand(reading.scene);
     if (!bounds && static_cast<double>(input.file.columns) * static_cast<double>(input.file.rows) > k_large) {
-        const GridSpec all = gis::working_grid(input.file, crs, bounds, spec.cell_size);
+        const GridSpec all = reading.session.read(gis::working_grid, input.file, crs, bounds, spec.cell_size);
         const double most = on_demand ? k_large * all.cell_area() : HUGE_VAL;
         bounds = flow_window(reading, input.file, crs, most);
         if (bounds)
             log.note("the DTM is large: frana takes the part that the release can reach, " + extent_text(*bounds) +
                      "; terrain.bounds overrides this");
     }
-    const GridSpec grid = gis::working_grid(input.file, crs, bounds, spec.cell_size);
+    const GridSpec grid = reading.session.read(gis::working_grid, input.file, crs, bounds, spec.cell_size);
     on_demand = on_demand && (static_cast<double>(grid.cell_count()) > k_large ||
                               cells_to_read(input.file, grid) > k_most_cells_read);
     check_size(reading, grid, on_demand);
@@ -351,9 +351,9 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
         read_on_demand(reading, grid, input, log);
         return input;
     }
-    gis::RasterRead read =
-        gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling),
-                            spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
+    gis::RasterRead read = reading.session.read(gis::read_raster_on, spec.dtm, grid,
+                                                spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling),
+                                                spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
     log.warn_of(worded("DTM"), read.warnings);
     if (read.zero_rim_cells > 0) {
         log.warn(worded(
@@ -380,7 +380,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
 void report(const TerrainInput& input, const SceneReading& reading, RunLog& log) {
     const GridSpec& grid = input.terrain.grid;
     log.note("DTM " + reading.scene.terrain.dtm + " in " +
-             (input.file.crs_wkt.empty() ? "plain metres" : gis::crs_name(input.file.crs_wkt)));
+             (input.file.crs_wkt.empty() ? "plain metres" : reading.session.read(gis::crs_name, input.file.crs_wkt)));
     log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells of " +
              shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " + input.used.resampling);
     if (reading.scene.terrain.vertical_unit != "auto")
@@ -408,8 +408,8 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
 
 DtmFile inspect_dtm(const SceneReading& reading, RunLog& log) {
     DtmFile dtm;
-    dtm.file = gis::inspect_raster(reading.scene.terrain.dtm, reading.where("terrain.dtm"));
-    dtm.file = gis::with_crs(dtm.file, dtm_crs(reading, dtm.file));
+    dtm.file = reading.session.read(gis::inspect_raster, reading.scene.terrain.dtm, reading.where("terrain.dtm"));
+    dtm.file = reading.session.read(gis::with_crs, dtm.file, dtm_crs(reading, dtm.file));
     dtm.working_crs = choose_working_crs(reading, dtm.file, log);
     check_vertical_unit(reading, dtm.file);
     if (dtm.working_crs.empty()) dtm.file.crs_wkt.clear();

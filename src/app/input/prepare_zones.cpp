@@ -168,7 +168,8 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
                         std::vector<Quantity>& list, MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log,
                         Problems& problems) {
     const std::string key = "terrain.friction-zones", file = *reading.scene.terrain.friction_zones;
-    const gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
+    const gis::PolygonLayer layer =
+        reading.session.read(gis::read_polygons, file, target_crs(reading, ground), reading.where(key), {});
     log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
     log.warn_of(worded("zones"), layer.warnings);
     files.push_back(used_polygons(worded("Zones"), file, layer));
@@ -211,14 +212,15 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
                                        const std::string& file, const char* elsewhere, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems) {
     const std::string where = reading.where(key);
-    const gis::RasterInfo info = gis::inspect_raster(file, where);
+    const gis::RasterInfo info = reading.session.read(gis::inspect_raster, file, where);
     if (ground == nullptr) return std::nullopt;
     const GridSpec& grid = ground->terrain.grid;
     if (!grid.crs_wkt.empty() && info.crs_wkt.empty()) {
         problems.add({"has no coordinate reference system", where, file, "", k_state_zone_crs});
         return std::nullopt;
     }
-    gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
+    gis::RasterRead read = reading.session.read(gis::read_raster_on, file, grid, "", gis::Resampling::automatic,
+                                                "metre", std::nullopt, "");
     log.warn_of(key, read.warnings);
     report_transform(key, read.transform, grid.cell_size, log);
     files.push_back(used_raster("Zones: " + key, info, read));

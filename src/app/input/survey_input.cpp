@@ -18,7 +18,9 @@ namespace {
 std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const std::string& key,
                                    const SceneReading& reading, const GridSpec& grid, Problems& problems) {
     if (!file) return std::nullopt;
-    return attempt(problems, [&] { return std::optional(gis::read_marks(*file, grid.crs_wkt, reading.where(key))); });
+    return attempt(problems, [&] {
+        return std::optional(reading.session.read(gis::read_marks, *file, grid.crs_wkt, reading.where(key)));
+    });
 }
 
 /// Returns the lines of a key that requires lines.
@@ -155,14 +157,16 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     }
     if (const auto& exposed = output.exposure) {
         attempt(problems, [&] {
-            extra.exposure = gis::read_exposed(*exposed, grid.crs_wkt, reading.where("output.exposure"),
-                                               output.exposure_name.value_or(""), output.exposure_count.value_or(""));
+            extra.exposure =
+                reading.session.read(gis::read_exposed, *exposed, grid.crs_wkt, reading.where("output.exposure"),
+                                     output.exposure_name.value_or(""), output.exposure_count.value_or(""));
             files.push_back(used_exposed(*exposed, *extra.exposure));
         });
     }
     if (const auto& front = reading.scene.observed.front) {
         attempt(problems, [&] {
-            const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
+            const gis::Marks marks =
+                reading.session.read(gis::read_marks, *front, grid.crs_wkt, reading.where(front_key));
             files.push_back(used_marks(worded("Surveyed front"), *front, marks));
             add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
             if (!extra.survey.scar.empty()) {

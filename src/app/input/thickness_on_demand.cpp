@@ -140,25 +140,28 @@ double volume_of_all(const Raster& thickness, const GridSpec& working, const Mul
 }
 
 /// Returns the raster's own cells, in its own CRS; none if they are not square or rotated.
-std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& working) {
+std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& working, const Session& session) {
     const bool square = !file.rotated && std::abs(file.cell_x - file.cell_y) <= 1e-9 * file.cell_x;
     if (!square) return std::nullopt;
     const bool same_crs = file.crs_wkt.empty() || working.crs_wkt.empty() ||
-                          gis::crs_name(gis::horizontal_crs(file.crs_wkt)) == gis::crs_name(working.crs_wkt);
+                          session.read(gis::crs_name, session.read(gis::horizontal_crs, file.crs_wkt)) ==
+                              session.read(gis::crs_name, working.crs_wkt);
     GridSpec grid;
     grid.west = file.bounds.west;
     grid.north = file.bounds.north;
     grid.cell_size = file.cell_x;
     grid.columns = file.columns;
     grid.rows = file.rows;
-    grid.crs_wkt = same_crs ? working.crs_wkt : gis::horizontal_crs(file.crs_wkt);
+    grid.crs_wkt = same_crs ? working.crs_wkt : session.read(gis::horizontal_crs, file.crs_wkt);
     return grid;
 }
 
 /// All of the file, or of a large one what is asked for.
-Raster read_own(const std::string& path, const GridSpec& grid) {
+Raster read_own(const std::string& path, const GridSpec& grid, const Session& session) {
     if (grid.cell_count() <= CellValues::k_most_dense)
-        return gis::read_raster_on(path, grid, grid.crs_wkt, gis::Resampling::nearest).raster;
+        return session
+            .read(gis::read_raster_on, path, grid, grid.crs_wkt, gis::Resampling::nearest, "auto", std::nullopt, "")
+            .raster;
     const auto file = std::make_shared<const gis::RasterOnDemand>(path, grid, grid.crs_wkt, gis::Resampling::nearest,
                                                                   "auto", std::nullopt, path);
     return raster_values_on_demand(grid, file, [](double metres) { return metres; });
@@ -166,14 +169,14 @@ Raster read_own(const std::string& path, const GridSpec& grid) {
 
 }  // namespace
 
-void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used) {
+void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, const Session& session, UsedFile& used) {
     if (release.rasters.size() != 1 || release.areas.empty()) return;
     const ReleaseArea& first = release.areas.front();
     if (!first.thickness_raster || first.normal_to_bed) return;
     const gis::RasterInfo& file = release.rasters.front();
-    const std::optional<GridSpec> grid = own_grid(file, working_grid);
+    const std::optional<GridSpec> grid = own_grid(file, working_grid, session);
     if (!grid) return;
-    const Raster own = read_own(file.path, *grid);
+    const Raster own = read_own(file.path, *grid, session);
     FileVolume found;
     for (ReleaseArea& area : release.areas) {
         const double volume = volume_inside(own, working_grid, area.outline);

@@ -15,7 +15,7 @@ namespace frana::app {
 /// cells, and stores what the raster contains in release.file_volume. Does nothing if the thickness is not one vertical
 /// raster of square cells; their CRS may be another than the working one. `used` is that raster: its own cells are
 /// added to its checksum.
-void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used);
+void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, const Session& session, UsedFile& used);
 
 /// The released volume must equal that of the file inside the perimeter; logs both, as a warning if they differ by a
 /// percent. Warns as well if the perimeter cuts more than that off a raster that is mostly inside: a raster of this

@@ -91,7 +91,7 @@ void look_under(const MultiPolygon& released, const Raster& raster) {
 Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                              const std::string& path, const MultiPolygon& released,
                              const std::function<double(double)>& convert, std::vector<UsedFile>& files, RunLog& log) {
-    const gis::RasterInfo info = gis::inspect_raster(path, reading.where(key));
+    const gis::RasterInfo info = reading.session.read(gis::inspect_raster, path, reading.where(key));
     const File file = open_zones(reading, ground, key, info, log);
     Raster raster = raster_values_on_demand(ground.terrain.grid, file, convert);
     look_under(released, raster);
@@ -102,7 +102,7 @@ Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& gr
 Raster positive_values_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                                  const std::string& path, const std::function<double(double)>& convert,
                                  std::vector<UsedFile>& files, RunLog& log) {
-    const gis::RasterInfo info = gis::inspect_raster(path, reading.where(key));
+    const gis::RasterInfo info = reading.session.read(gis::inspect_raster, path, reading.where(key));
     const File file = open_zones(reading, ground, key, info, log);
     const GridSpec& grid = ground.terrain.grid;
     Raster raster = positive_values(

@@ -6,15 +6,11 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/session.h"
 #include "core/words/sentence.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
-
-/// What the user who started the program decides, for all that is read and run: no scene can change it.
-struct Session {
-    double memory_limit = 0;  ///< total memory that may be used [bytes]; 0: whatever the machine has
-};
 
 /// A scene as far as it could be read, with all its problems.
 struct SceneReading {

@@ -24,7 +24,7 @@ gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& cr
     const std::string key = "release.perimeter";
     gis::LayerChoice own = layer_choice(reading, choice, key);
     own.keep_unusable = all;
-    return gis::read_polygons(*reading.scene.release.perimeter, crs, reading.where(key), own);
+    return reading.session.read(gis::read_polygons, *reading.scene.release.perimeter, crs, reading.where(key), own);
 }
 
 void check_degree(const StudyInput& input) {
@@ -122,7 +122,8 @@ std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Sl
 void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log) {
     if (reading.scene.terrain.bounds || reading.scene.terrain.dtm.empty() || !reading.scene.release.perimeter) return;
     const DtmFile dtm = inspect_dtm(reading, log);
-    const GridSpec all = gis::working_grid(dtm.file, dtm.working_crs, std::nullopt, reading.scene.terrain.cell_size);
+    const GridSpec all = reading.session.read(gis::working_grid, dtm.file, dtm.working_crs, std::nullopt,
+                                              reading.scene.terrain.cell_size);
     const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer, false).bounds;
     if (are_apart(all.bounds(), box))
         throw Error(ErrorKind::input,

@@ -379,7 +379,8 @@ StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, 
     input.level_draws = std::move(texts.level_draws);
     input.slopes = std::move(texts.slopes);
     input.central = std::move(texts.central);
-    const gis::UseRemembered remember(*input.files);
+    // Whatever several members need is read once.
+    input.reading.session.reads = input.central.session.reads = std::make_shared<RememberedReads>();
     Problems problems;
     if (input.reading.study.region) {
         prepare_region(input, place, log);

@@ -14,7 +14,6 @@
 #include "app/study/plan/sampling.h"
 #include "app/text/run_log.h"
 #include "core/geometry.h"
-#include "gis/access/remembered_reads.h"
 #include "params/scene/read_scene.h"
 
 namespace frana::app::study {
@@ -61,8 +60,6 @@ struct StudyInput {
     /// identity give the same bits.
     std::string identity;
     std::vector<LevelCells> levels;  ///< of a multilevel study, the coarsest first
-    /// The files read so far, for the members: whatever several of them need is read once.
-    std::shared_ptr<gis::RememberedReads> files = std::make_shared<gis::RememberedReads>();
     bool keeps_final_depth = false;  ///< of the members' records
 
     /// Returns the scene of a member, as `frana run` with its values reads it.

@@ -18,9 +18,8 @@ namespace {
 /// The slopes of a region have none in common but small ones, and their terrains together are too much to keep.
 /// @param log of its own: its warnings are the member's
 Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog& log) {
-    gis::RememberedReads own;
-    const gis::UseRemembered remember(input.reading.study.region ? own : *input.files);
     SceneReading reading = input.scene_with(task.overrides);
+    if (input.reading.study.region) reading.session.reads = std::make_shared<RememberedReads>();
     reading.scene.observed = {};  // read once, for the maps
     reading.scene.output.profiles.reset();
     reading.scene.output.exposure.reset();

@@ -203,6 +203,7 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
     const CellWindow window{reached.row - k_margin, reached.column - k_margin, reached.rows + 2 * k_margin,
                             reached.columns + 2 * k_margin};
     SceneReading reading = input.central;
+    reading.session.reads.reset();  // nobody reads this part again
     const Bounds part = part_of(grid, window).bounds(), file = input.base.ground.file.bounds;
     const bool same_crs = input.base.ground.file.crs_wkt == grid.crs_wkt;  // then no more than there is
     reading.scene.terrain.bounds = !same_crs ? part
