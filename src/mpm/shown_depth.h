@@ -26,23 +26,30 @@ inline double full_claim(const NodeGrid&, const NodeMotion*) noexcept {
     return 1;
 }
 
+/// Returns what is claimed in the cell at a distance along rows and columns from a node's.
+template <class Node>
+auto claims_around(const Node* node, std::int64_t stride) noexcept {
+    return [node, stride](std::int64_t a, std::int64_t b) { return claimed(node[b * stride + a]); };
+}
+
 /// Fraction of the cells around a node that particles claim, itself included, with binomial weights over (2 Reach +
 /// 1)^2 nodes. All of them must exist.
-template <std::int64_t Reach, class Node>
-double mean_fraction(const Node* node, std::int64_t stride, double full) noexcept {
+/// @param claim returns what is claimed in a cell, by its distance along rows and columns from the node's
+/// @param full claim of a full cell
+template <std::int64_t Reach, class Number, class Claim>
+[[gnu::always_inline]] inline Number mean_fraction(const Claim& claim, double full) noexcept {
     static_assert(Reach >= 1 && Reach <= 3);
     constexpr std::array<double, 4> weights = Reach == 1   ? std::array<double, 4>{2, 1}
                                               : Reach == 2 ? std::array<double, 4>{6, 4, 1}
                                                            : std::array<double, 4>{20, 15, 6, 1};
     // In pairs, so that a mirrored arrangement has the same sum.
-    const auto row = [&](std::int64_t b) {
-        const Node* n = node + b * stride;
-        double sum = weights[0] * claimed(*n);
+    const auto row = [&](std::int64_t b) __attribute__((always_inline)) {
+        Number sum = weights[0] * claim(0, b);
         for (std::int64_t a = 1; a <= Reach; ++a)
-            sum += weights[static_cast<std::size_t>(a)] * (claimed(n[-a]) + claimed(n[a]));
+            sum += weights[static_cast<std::size_t>(a)] * (claim(-a, b) + claim(a, b));
         return sum;
     };
-    double sum = weights[0] * row(0);
+    Number sum = weights[0] * row(0);
     for (std::int64_t b = 1; b <= Reach; ++b) sum += weights[static_cast<std::size_t>(b)] * (row(-b) + row(b));
     constexpr double all = 1 << (4 * Reach);
     return sum / (all * full);
@@ -55,18 +62,28 @@ inline constexpr double k_lasting_from = 1.015, k_lasting_full = 1.03;
 /// Returns the ratio of the area claimed by particles around a node to the available area, at least 1. It exceeds 1
 /// where flow converges, in deposits and in gullies; the flow is deeper there than each particle's own depth by that
 /// factor.
+/// @param near, wide mean fractions of 3 x 3 and of 7 x 7 nodes
+template <class Number>
+[[gnu::always_inline]] inline Number crowding_of(Number near, Number wide) noexcept {
+    using std::max;
+    using std::min;
+    const Number zero(0.0), one(1.0);
+    const Number lasting = (wide - k_lasting_from) / (k_lasting_full - k_lasting_from);
+    return select(near > 1, 1 + min(max(lasting, zero), one) * (near - 1), one);
+}
+
+/// Returns crowding_of a node.
 /// @param records of the grid  @param column, row padded indices of a node inside the ghosts
 template <class Node>
 double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, std::int64_t column,
                 std::int64_t row) noexcept {
-    const Node* const middle = records + node;
-    const double full = full_claim(nodes, records), near = mean_fraction<1>(middle, nodes.stride(), full);
+    const std::int64_t stride = nodes.stride();
+    const auto claim = claims_around(records + node, stride);
+    const double full = full_claim(nodes, records), near = mean_fraction<1, double>(claim, full);
     if (!(near > 1)) return 1;
-    const bool inner = std::min(column, row) >= 3 && column < nodes.stride() - 3 && row < nodes.padded_rows() - 3;
-    const double wide =
-        inner ? mean_fraction<3>(middle, nodes.stride(), full) : mean_fraction<2>(middle, nodes.stride(), full);
-    const double lasting = (wide - k_lasting_from) / (k_lasting_full - k_lasting_from);
-    return 1 + std::clamp(lasting, 0.0, 1.0) * (near - 1);
+    const bool inner = std::min(column, row) >= 3 && column < stride - 3 && row < nodes.padded_rows() - 3;
+    return crowding_of<double>(near,
+                               inner ? mean_fraction<3, double>(claim, full) : mean_fraction<2, double>(claim, full));
 }
 
 /// Returns the depth of a node for maps [m]: the mean depth of its particles times their crowding where the node and

@@ -51,14 +51,14 @@ NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const
 // The same by the fast kernels, where they compute a tile.
 NodeReport fast_update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
                                BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
-    if (!four_at_a_time(range, update, nodes))
+    if (!four_at_a_time(range, nodes))
         return update_uniform<Curved<NormalSlope>>(range, update, friction, states, time, nodes, maxima);
     return vector_node_kernels()->uniform(range, update, UniformFriction{friction.voellmy}, time, nodes, maxima);
 }
 
 NodeReport fast_update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
                               BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
-    if (!std::holds_alternative<NoExcess>(friction.excess) || !four_at_a_time(range, update, nodes))
+    if (!std::holds_alternative<NoExcess>(friction.excess) || !four_at_a_time(range, nodes))
         return update_summed<Curved<NormalSlope>>(range, update, friction, states, time, nodes, maxima);
     const NoExcess none;
     return vector_node_kernels()->summed(range, update, {none, states, friction.yields}, time, nodes, maxima);

@@ -79,13 +79,13 @@ TEST(ShownDepth, IsTheVolumesAtAFront) {
 TEST(MeanFraction, IsTheMeanByItsWeights) {
     NodeForces nodes[81] = {};
     for (NodeForces& node : nodes) node.area = k_cell;
-    const NodeForces* const middle = nodes + 40;
-    EXPECT_DOUBLE_EQ(mean_fraction<1>(middle, 9, k_cell), 1);
-    EXPECT_DOUBLE_EQ(mean_fraction<2>(middle, 9, k_cell), 1);
-    EXPECT_DOUBLE_EQ(mean_fraction<3>(middle, 9, k_cell), 1);
+    const auto claim = claims_around(nodes + 40, 9);
+    EXPECT_DOUBLE_EQ((mean_fraction<1, double>(claim, k_cell)), 1);
+    EXPECT_DOUBLE_EQ((mean_fraction<2, double>(claim, k_cell)), 1);
+    EXPECT_DOUBLE_EQ((mean_fraction<3, double>(claim, k_cell)), 1);
     nodes[40 + 3 * 9 - 2].area += k_cell;  // weight 1 of 64 times 6 of 64
-    EXPECT_DOUBLE_EQ(mean_fraction<2>(middle, 9, k_cell), 1);
-    EXPECT_DOUBLE_EQ(mean_fraction<3>(middle, 9, k_cell), 1 + 6.0 / 4096);
+    EXPECT_DOUBLE_EQ((mean_fraction<2, double>(claim, k_cell)), 1);
+    EXPECT_DOUBLE_EQ((mean_fraction<3, double>(claim, k_cell)), 1 + 6.0 / 4096);
 }
 
 }  // namespace

@@ -152,6 +152,51 @@ TEST_P(VectorKernelsTest, PressureToNodesOfParticlesFarApart) {
     compare_pressure<false>(bed_, particles, {0, GetParam(), 0});
 }
 
+// Every bit of records and levels after each sweep, at fronts, shores, walls, in crowds and where nothing is.
+void compare_sweeps(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile) {
+    Fields plain(bed), fast(bed);
+    const VectorNodeKernels& kernels = *vector_node_kernels();
+    int computed = 0;
+    const auto sweep = [&](auto rest, VectorNodeKernels::Sweep fast_sweep) {
+        for_all_nodes(plain.nodes, [&](const NodeRange& range) {
+            rest(range, plain.nodes);
+            const bool fours = four_at_a_time(range, fast.nodes);
+            computed += fours ? 1 : 0;
+            (fours ? fast_sweep : rest)(range, fast.nodes);
+        });
+        for (std::size_t i = 0; i < plain.nodes.size(); ++i) {
+            ASSERT_EQ(std::memcmp(&plain.nodes.records[i], &fast.nodes.records[i], sizeof(NodeRecord)), 0) << i;
+            ASSERT_EQ(std::memcmp(&plain.nodes.levels[i], &fast.nodes.levels[i], sizeof(NodeLevel)), 0) << i;
+        }
+    };
+    for (Fields* fields : {&plain, &fast}) particles_to_nodes<Shape, true, true>(tile, particles, fields->nodes);
+    sweep(mean_levels, kernels.mean_levels);
+    plain.nodes.phase = fast.nodes.phase = NodePhase::forces;
+    sweep(node_references, kernels.node_references);
+    sweep(momenta_to_map, kernels.momenta_to_map);
+    EXPECT_GT(computed, 0);
+    int partly = 0, ponding = 0, crowded = 0;
+    for (std::size_t i = 0; i < plain.nodes.size(); ++i) {
+        const NodeLevel& level = plain.nodes.levels[i];
+        partly += level.support > 0 && level.support < 1 ? 1 : 0;
+        ponding += level.ponding > 0 ? 1 : 0;
+        crowded += plain.nodes.forces()[i].crowding > 1 ? 1 : 0;
+    }
+    if (tile.end - tile.begin < 50) return;
+    EXPECT_GT(partly, 0);
+    EXPECT_GT(ponding, 0);
+    EXPECT_GT(crowded, 0);
+}
+
+TEST_P(VectorKernelsTest, SweepsOverNodes) {
+    ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    compare_sweeps(bed_, particles, {1, 1 + GetParam(), 0});
+    Raster pond = bed_;  // level beds have no shore
+    for (double& z : pond.values)
+        if (!std::isnan(z)) z = std::max(z, 12.0);
+    compare_sweeps(pond, particles, {1, 1 + GetParam(), 0});
+}
+
 // Nodes in the state before nodes_to_particles.
 template <bool FollowsBed>
 void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double dt, NodeGrid& nodes) {
@@ -197,7 +242,7 @@ void compare_nodes(const Raster& bed, const ParticleSet& particles, const Partic
         for_all_nodes(nodes, [&](const NodeRange& range) {
             if (fields == &plain) {
                 plain_report.merge(update(range, k, nodes, plain_maxima));
-            } else if (four_at_a_time(range, k, nodes)) {
+            } else if (four_at_a_time(range, nodes)) {
                 ++computed;
                 fast_report.merge(fast_update(range, k, nodes, fast_maxima));
             } else {

@@ -4,6 +4,7 @@
 #include "models/voellmy_bingham/state.h"
 #include "mpm/node_grid.h"
 #include "mpm/update_nodes.h"
+#include "mpm/vector/kernels.h"
 
 namespace frana::voellmy_bingham {
 
@@ -23,7 +24,8 @@ struct Stages {
                                     ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
     ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const PlaneStressLaw&,
                                          const NodeGrid&, ParticleSet&) = nullptr;
-    bool references = false;   ///< pressure is relative to a still level or mean depth per node
+    const VectorNodeKernels* fast_nodes = nullptr;  ///< for the tiles that they compute; null: this processor has none
+    bool references = false;                        ///< pressure is relative to a still level or mean depth per node
     bool leapfrog = false;     ///< velocities are half a step before the positions; otherwise at the same time
     bool resamples = false;    ///< particles split and merge
     bool flies = false;        ///< particles leave a bed that falls away faster than free fall (Flights)

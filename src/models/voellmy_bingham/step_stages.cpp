@@ -24,6 +24,21 @@ void for_node_tiles(const State& state, const std::vector<std::int64_t>& tiles, 
     pool.for_each(tiles.size(), [&](std::size_t t) { task(NodeRange(tiles[t], state.order.grid(), state.nodes)); });
 }
 
+// Runs a sweep over these tiles, by the fast kernel where it computes a tile.
+template <class Plain>
+void sweep_nodes(Step& now, const std::vector<std::int64_t>& tiles, VectorNodeKernels::Sweep VectorNodeKernels::*fast,
+                 const Plain& plain) {
+    const VectorNodeKernels* const kernels = now.stages.references ? now.stages.fast_nodes : nullptr;
+    NodeGrid& nodes = now.state.nodes;
+    for_node_tiles(now.state, tiles, now.pool, [&](const NodeRange& range) {
+        if (kernels != nullptr && four_at_a_time(range, nodes)) {
+            (kernels->*fast)(range, nodes);
+        } else {
+            plain(range, nodes);
+        }
+    });
+}
+
 // Whether material at rest stays unchanged while nothing near it moves: with friction that holds it, and without terms
 // that change with time or act across the edges.
 bool may_rest(const Laws& laws, const Stages& stages) {
@@ -77,12 +92,11 @@ void reference_levels(Step& now) {
         state.nodes.phase = NodePhase::forces;
         return;
     }
-    for_node_tiles(state, active.updated(), now.pool, [&](const NodeRange& range) { mean_levels(range, state.nodes); });
+    sweep_nodes(now, active.updated(), &VectorNodeKernels::mean_levels, mean_levels);
     for_node_tiles(state, active.gathered(), now.pool,
                    [&](const NodeRange& range) { clear_squares(range, state.nodes); });
     state.nodes.phase = NodePhase::forces;
-    for_node_tiles(state, active.updated(), now.pool,
-                   [&](const NodeRange& range) { node_references(range, state.nodes); });
+    sweep_nodes(now, active.updated(), &VectorNodeKernels::node_references, node_references);
     if (now.laws.wall) mirror_levels(state.nodes);
     now.watch.ends(Stage::levels);
 }
@@ -91,8 +105,7 @@ void forces_to_nodes(Step& now) {
     State& state = now.state;
     if (now.stages.follows_bed) {  // momenta in map view; levels show ponding
         for (const auto* tiles : {&state.active.updated(), &state.active.gathered()})
-            for_node_tiles(state, *tiles, now.pool,
-                           [&](const NodeRange& range) { momenta_to_map(range, state.nodes); });
+            sweep_nodes(now, *tiles, &VectorNodeKernels::momenta_to_map, momenta_to_map);
     }
     for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
         now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, state.nodes);

@@ -20,19 +20,21 @@ struct VectorKernels {
     NodesToParticles along_bed, along_bed_with_stress;  ///< the same, for velocities along the bed
 };
 
-/// update_nodes<Curved<NormalSlope>> of tiles that are four_at_a_time. Products and sums are not fused: a node has the
-/// same bits as by the plain formula, so that no frame's depth exceeds the greatest; only sums over nodes differ by
-/// rounding.
+/// The sweeps over nodes of tiles that are four_at_a_time; update_nodes<Curved<NormalSlope>>. Products and sums are not
+/// fused: a node has the same bits as by the plain formula, so that no frame's depth exceeds the greatest; only sums
+/// over nodes differ by rounding.
 struct VectorNodeKernels {
+    using Sweep = void (*)(const NodeRange&, NodeGrid&);
+    Sweep mean_levels, node_references, momenta_to_map;
     NodeReport (*uniform)(const NodeRange&, const NodeUpdate&, const UniformFriction&, double time, NodeGrid&, Maxima&);
     NodeReport (*summed)(const NodeRange&, const NodeUpdate&, const SummedFriction<NoExcess>&, double time, NodeGrid&,
                          Maxima&);
 };
 
-/// Returns whether VectorNodeKernels compute a tile: it has whole fours of nodes, none in the outermost ring
-/// or, with walls, among the ghosts.
-inline bool four_at_a_time(const NodeRange& range, const NodeUpdate& k, const NodeGrid& nodes) noexcept {
-    const std::int64_t ring = k.wall ? k_ghost : 1;
+/// Returns whether VectorNodeKernels compute a tile: it has whole fours of nodes, and three around it, as
+/// node_references needs: none in the outermost ring or among the ghosts.
+inline bool four_at_a_time(const NodeRange& range, const NodeGrid& nodes) noexcept {
+    constexpr std::int64_t ring = 3;
     return (range.i1 - range.i0) % 4 == 0 && range.i0 >= ring && range.j0 >= ring &&
            range.i1 <= nodes.stride() - ring && range.j1 <= nodes.padded_rows() - ring;
 }

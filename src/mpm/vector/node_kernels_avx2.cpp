@@ -11,7 +11,8 @@ namespace frana {
 
 namespace {
 
-constexpr VectorNodeKernels k_kernels{vector_update_nodes<Curved<NormalSlope>, UniformFriction>,
+constexpr VectorNodeKernels k_kernels{vector_mean_levels, vector_node_references, vector_momenta_to_map,
+                                      vector_update_nodes<Curved<NormalSlope>, UniformFriction>,
                                       vector_update_nodes<Curved<NormalSlope>, SummedFriction<NoExcess>>};
 
 }  // namespace

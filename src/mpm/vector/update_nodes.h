@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mpm/update_nodes.h"
-#include "mpm/vector/chunk_stencil.h"
+#include "mpm/vector/levels.h"
 
 namespace frana {
 namespace {
@@ -10,19 +10,14 @@ namespace {
 /// The input of four nodes of a row, none in the outermost ring.
 template <class Slope>
 FRANA_INLINE NodeInput<Quad> inputs_of(const NodeGrid& nodes, std::size_t i) {
-    constexpr std::size_t k_record = sizeof(NodeRecord) / sizeof(double);
     const double* const record = &nodes.records[i].forces.px;
     const double* const level = &nodes.levels[i].depth;
     const double* const z = nodes.bed.data() + i;
     const std::int64_t stride = nodes.stride();
-    const auto rows = [](const double* from, std::size_t step, Quad(&to)[4]) FRANA_INLINE_LAMBDA {
-        for (std::size_t l = 0; l < 4; ++l) to[l] = Quad::load(from + l * step);
-        transpose(to[0], to[1], to[2], to[3]);
-    };
     Quad first[4], second[4], levels[4];
-    rows(record, k_record, first);
-    rows(record + 4, k_record, second);
-    rows(level, sizeof(NodeLevel) / sizeof(double), levels);
+    load_rows(record, k_record_doubles, first);
+    load_rows(record + 4, k_record_doubles, second);
+    load_rows(level, sizeof(NodeLevel) / sizeof(double), levels);
     const double half_inverse_dx = 0.5 / nodes.cell_size();
     NodeBed<Quad> bed{(Quad::load(z + 1) - Quad::load(z - 1)) * half_inverse_dx,
                       (Quad::load(z + stride) - Quad::load(z - stride)) * half_inverse_dx,
