@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace frana {
@@ -59,6 +60,10 @@ struct Outline {
 
     explicit Outline(const ParticleRow& r)
         : place(get(r, Field::x), get(r, Field::y)), volume(get(r, Field::volume)), shape(shape_of(r)) {}
+    Outline(const ParticleSet& particles, std::size_t p)
+        : place(particles[Field::x][p], particles[Field::y][p]),
+          volume(particles[Field::volume][p]),
+          shape(shape_of(particles[Field::q_xx][p], particles[Field::q_xy][p], particles[Field::q_yy][p])) {}
 };
 
 // Returns the shape of two particles merged. The covariance of a uniform box of extents Q is Q / 12.
@@ -98,8 +103,10 @@ class TileResampler {
         const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
         const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
         std::array<double, k_cells> volumes{}, areas{};
+        cells_.resize(size_);
         for (std::size_t p = 0; p < size_; ++p) {
             const std::size_t cell = cell_of(x[p], y[p]);
+            cells_[p] = static_cast<std::uint8_t>(cell);
             ++counts_[cell];
             volumes[cell] += volume[p];
             areas[cell] += area[p];
@@ -122,6 +129,8 @@ class TileResampler {
 
   private:
     static constexpr std::size_t k_cells = k_tile * k_tile;
+    static_assert(k_cells <= 256);
+    static constexpr double k_merged_away = std::numeric_limits<double>::infinity();
 
     // Cell within the tile, for particles of the tile.
     [[nodiscard]] std::size_t cell_of(double x, double y) const {
@@ -137,22 +146,24 @@ class TileResampler {
         const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
         return limits_.marks[j * (grid_.columns + 2 * grid_.ghost) + i] == limits_.wall_mark;
     }
+    [[nodiscard]] Outline outline(std::size_t i) const {
+        return i < size_ ? Outline(particles_, begin_ + i) : Outline(change_.added[i - size_]);
+    }
     // Indices continue from the particles of the tile to those added.
     [[nodiscard]] ParticleRow row(std::size_t i) const {
         return i < size_ ? particles_.row(begin_ + i) : change_.added[i - size_];
     }
 
     void split() {
-        const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
         const double *q_xx = particles_[Field::q_xx] + begin_, *q_xy = particles_[Field::q_xy] + begin_;
         const double* q_yy = particles_[Field::q_yy] + begin_;
         const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
         for (std::size_t p = 0; p < size_; ++p) {
-            const std::size_t cell = cell_of(x[p], y[p]);
+            const std::size_t cell = cells_[p];
+            if (counts_[cell] >= wanted(cell).split_below) continue;
             const double limit = wanted(cell).split_extent * limits_.cell_size;
             if (!(largest_eigenvalue(shape_of(q_xx[p], q_xy[p], q_yy[p])) > limit * limit)) continue;
-            if (volume[p] <= limits_.minimum_depth * area[p]) continue;
-            if (counts_[cell] < wanted(cell).split_below) split_one(p);
+            if (volume[p] > limits_.minimum_depth * area[p]) split_one(p);
         }
     }
 
@@ -213,10 +224,7 @@ class TileResampler {
         constexpr std::size_t k_crowd = 8;  // times the allowed number
         while (cell.size() > k_crowd * most) {
             std::vector<std::pair<std::uint32_t, std::size_t>> along;
-            for (const std::size_t i : cell) {
-                const ParticleRow r = row(i);
-                along.emplace_back(place_on_curve(get(r, Field::x), get(r, Field::y)), i);
-            }
+            for (const std::size_t i : cell) along.emplace_back(place_on_curve(outline(i).place), i);
             std::sort(along.begin(), along.end());
             const std::size_t before = cell.size();
             cell.clear();
@@ -227,15 +235,14 @@ class TileResampler {
                     break;
                 }
                 const std::size_t other = along[k + 1].second;
-                const ParticleRow a = row(one), b = row(other);
-                if (largest_eigenvalue(merged_shape(Outline(a), Outline(b))) >= limit * limit) {
+                if (largest_eigenvalue(merged_shape(outline(one), outline(other))) >= limit * limit) {
                     cell.push_back(one);
                     continue;
                 }
                 drop(one);
                 drop(other);
                 cell.push_back(size_ + change_.added.size());
-                change_.added.push_back(merged(a, b));
+                change_.added.push_back(merged(row(one), row(other)));
                 dropped.push_back(0);
                 ++change_.counts.merged;
                 ++k;
@@ -245,13 +252,13 @@ class TileResampler {
     }
 
     // Returns the position of a point on Morton's curve through its cell.
-    [[nodiscard]] std::uint32_t place_on_curve(double x, double y) const {
+    [[nodiscard]] std::uint32_t place_on_curve(const Vector2d& place) const {
         constexpr std::uint32_t k_bits = 10;
         const auto within = [&](double at) {
             const double cells = at / limits_.cell_size;
             return static_cast<std::uint32_t>((cells - std::floor(cells)) * ((1U << k_bits) - 1));
         };
-        const std::uint32_t column = within(x), line = within(y);
+        const std::uint32_t column = within(place.x()), line = within(place.y());
         std::uint32_t code = 0;
         for (std::uint32_t bit = 0; bit < k_bits; ++bit)
             code |= ((column >> bit & 1U) << (2 * bit)) | ((line >> bit & 1U) << (2 * bit + 1));
@@ -262,7 +269,7 @@ class TileResampler {
         // Members of the cells that contain too many, in their order; none of them splits (ResampleLimits).
         std::array<std::vector<std::size_t>, k_cells> cells;
         for (std::size_t p = 0; p < size_; ++p) {
-            const std::size_t cell = cell_of(particles_[Field::x][begin_ + p], particles_[Field::y][begin_ + p]);
+            const std::size_t cell = cells_[p];
             if (counts_[cell] > wanted(cell).most) cells[cell].push_back(p);
         }
 
@@ -275,22 +282,32 @@ class TileResampler {
             }
         };
         std::vector<Outline> outlines;
+        std::vector<double> least;
         for (std::size_t at = 0; at < k_cells; ++at) {
             std::vector<std::size_t>& cell = cells[at];
             const double limit = wanted(at).merge_extent * limits_.cell_size;
             const auto most = static_cast<std::size_t>(wanted(at).most);
             thin_out(cell, most, limit, dropped, drop);
+            if (cell.size() <= most) continue;
             outlines.clear();
-            for (const std::size_t i : cell) outlines.emplace_back(row(i));
-            while (cell.size() > most) {
+            for (const std::size_t i : cell) outlines.push_back(outline(i));
+            // Half the trace of each pair merged: the least that its longest squared extent can be. Of particles that
+            // were merged away: infinite.
+            const std::size_t n = cell.size();
+            least.assign(n * n, k_merged_away);
+            const auto compare = [&](std::size_t a, std::size_t b) {
+                least[a * n + b] = 0.5 * merged_shape(outlines[a], outlines[b]).trace();
+            };
+            for (std::size_t a = 0; a < n; ++a)
+                for (std::size_t b = a + 1; b < n; ++b) compare(a, b);
+            for (std::size_t left = n; left > most; --left) {
                 // The pair whose union is shortest: it smooths least.
                 double best = limit * limit;
                 std::size_t best_a = 0, best_b = 0;
-                for (std::size_t a = 0; a < cell.size(); ++a) {
-                    for (std::size_t b = a + 1; b < cell.size(); ++b) {
-                        const Matrix2d shape = merged_shape(outlines[a], outlines[b]);
-                        if (0.5 * shape.trace() >= best) continue;  // the largest is at least the mean
-                        const double length2 = largest_eigenvalue(shape);
+                for (std::size_t a = 0; a < n; ++a) {
+                    for (std::size_t b = a + 1; b < n; ++b) {
+                        if (least[a * n + b] >= best) continue;
+                        const double length2 = largest_eigenvalue(merged_shape(outlines[a], outlines[b]));
                         if (length2 < best) {
                             best = length2;
                             best_a = a;
@@ -306,9 +323,13 @@ class TileResampler {
                 outlines[best_a] = Outline(both);
                 change_.added.push_back(both);
                 dropped.push_back(0);
-                cell.erase(cell.begin() + static_cast<std::ptrdiff_t>(best_b));
-                outlines.erase(outlines.begin() + static_cast<std::ptrdiff_t>(best_b));
                 ++change_.counts.merged;
+                for (std::size_t k = 0; k < n; ++k) {
+                    double &first = least[std::min(best_a, k) * n + std::max(best_a, k)],
+                           &second = least[std::min(best_b, k) * n + std::max(best_b, k)];
+                    second = k_merged_away;
+                    if (k != best_a && first < k_merged_away) compare(std::min(best_a, k), std::max(best_a, k));
+                }
             }
         }
         std::size_t kept = 0;
@@ -325,6 +346,7 @@ class TileResampler {
     // Of each cell before anything changes: halves may land in a neighbouring tile, and the result must not depend on
     // the position of tiles. Those landing in a cell count in the next pass.
     std::array<int, k_cells> counts_{};
+    std::vector<std::uint8_t> cells_;  // of each particle
     std::array<bool, k_cells> is_film_{};
     TileChange change_;
 };
