@@ -6,7 +6,6 @@
 #include "core/default_values.h"
 #include "physics/friction_herschel_bulkley.h"
 #include "physics/friction_sum.h"
-#include "physics/increasing_root.h"
 #include "physics/law.h"
 #include "physics/stress_bingham.h"
 #include "physics/yield_ratio.h"
@@ -31,23 +30,23 @@ struct BinghamQuadraticExcess {
 
     void operator()(BedState& bed, std::size_t) const noexcept { bed.yield += bound() / (density * bed.thickness); }
 
-    /// Returns the mean speed under a bed stress that exceeds the bound by x [Pa]: the quadratic, solved for a.
-    [[nodiscard]] double speed(double x, double thickness) const noexcept {
-        if (!(x > 0)) return 0;
-        const double zeta = yield_stress / (bound() + x);
+    /// Returns the mean speed under a bed stress that exceeds the bound by x [Pa], the quadratic solved for a, and its
+    /// derivative.
+    [[nodiscard]] ValueAndSlope speed(double x, double thickness) const noexcept {
+        if (!(x > 0)) return {0, 0};
+        const double zeta = yield_stress / (bound() + x), scale = thickness / (6 * viscosity);
         const double a = (48 * zeta * zeta - 114 * zeta + 65) / (32 * zeta);
-        return std::max(0.0, a) * yield_stress * thickness / (6 * viscosity);
+        return {std::max(0.0, a) * yield_stress * scale, (65 - 48 * zeta * zeta) / 32 * scale};
     }
 
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
         const double mass = density * bed.thickness;
-        const double x = increasing_root(
+        const double x = place_of_value(
             [&](double excess) {
-                const double s = speed(excess, bed.thickness);
-                return s + dt * (excess / mass + s * (bed.linear + s * bed.square)) - left;
+                return speed_balance(speed(excess, bed.thickness), {excess / mass, 1 / mass}, bed, dt);
             },
-            left * mass / dt, 3 * viscosity * left / bed.thickness);
-        return std::min(left, speed(x, bed.thickness));
+            left, left * mass / dt, 3 * viscosity * left / bed.thickness);
+        return std::min(left, speed(x, bed.thickness).value);
     }
 };
 

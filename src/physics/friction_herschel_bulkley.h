@@ -6,7 +6,6 @@
 
 #include "core/default_values.h"
 #include "physics/friction_sum.h"
-#include "physics/increasing_root.h"
 #include "physics/law.h"
 
 namespace frana {
@@ -55,24 +54,25 @@ struct HerschelBulkleyExcess {
         bed.yield += yield_stress / (density * bed.thickness);
     }
 
-    /// Returns the mean speed under a bed stress that exceeds the yield stress by x [Pa].
-    [[nodiscard]] double speed(double x, double thickness) const noexcept {
-        if (!(x > 0)) return 0;
-        const double p = 1 / flow_index, fraction = x / (yield_stress + x);
+    /// Returns the mean speed under a bed stress that exceeds the yield stress by x [Pa], and its derivative.
+    [[nodiscard]] ValueAndSlope speed(double x, double thickness) const noexcept {
+        if (!(x > 0)) return {0, 0};
+        const double p = 1 / flow_index, stress = yield_stress + x, fraction = x / stress;
         const double rate = flow_index == 1 ? x / consistency : std::pow(x / consistency, p);
-        return thickness * rate * fraction / (1 + p) * (1 - fraction / (2 + p));
+        const double s = thickness * rate * fraction / (1 + p) * (1 - fraction / (2 + p));
+        return {s, s * p / x + thickness * rate / (1 + p) * (1 - fraction) / stress * (1 - 2 * fraction / (2 + p))};
     }
 
     /// Backward Euler: the speed at excess x, plus the reductions by all parts, equals `left`.
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
         const double mass = density * bed.thickness;
-        const double x = increasing_root(
+        const double x = place_of_value(
             [&](double excess) {
-                const double s = speed(excess, bed.thickness);
-                return s + dt * (excess / mass + s * (bed.linear + s * bed.square)) - left;
+                return speed_balance(speed(excess, bed.thickness), {excess / mass, 1 / mass}, bed, dt);
             },
-            left * mass / dt, consistency * std::pow(2 * (1 + 1 / flow_index) * left / bed.thickness, flow_index));
-        return std::min(left, speed(x, bed.thickness));
+            left, left * mass / dt,
+            consistency * std::pow(2 * (1 + 1 / flow_index) * left / bed.thickness, flow_index));
+        return std::min(left, speed(x, bed.thickness).value);
     }
 };
 

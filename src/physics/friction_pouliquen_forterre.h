@@ -6,7 +6,6 @@
 
 #include "core/default_values.h"
 #include "physics/friction_sum.h"
-#include "physics/increasing_root.h"
 #include "physics/law.h"
 
 namespace frana {
@@ -64,14 +63,14 @@ struct PouliquenForterreExcess {
     /// beta d sqrt(g_n d) / L.
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t node, double left, double dt) const noexcept {
         const double difference = std::max(0.0, fast_coefficient - slow_coefficient.at(node));
-        const double most = dt * effective_fraction * bed.normal_gravity * difference;
+        const double most = effective_fraction * bed.normal_gravity * difference;
         const double s_c = beta * bed.thickness * std::sqrt(bed.normal_gravity * bed.thickness) / length;
-        return increasing_root(
+        return place_of_value(
             [&](double s) {
-                const double fraction = s > 0 ? s / (s + s_c) : 0;
-                return s + most * fraction + dt * s * (bed.linear + s * bed.square) - left;
+                const double fraction = s / (s + s_c);
+                return speed_balance({s, 1}, {most * fraction, most * (1 - fraction) / (s + s_c)}, bed, dt);
             },
-            left, left);
+            left, left, left);
     }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/bed_state.h"
+#include "physics/place_of_value.h"
 
 namespace frana {
 
@@ -19,6 +20,15 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline Number polynomial_speed(Number linear, Number square, Number left, double dt) {
     return left / implicit_divisor<Number>(left, 1 + dt * linear, dt * square);
+}
+
+/// Backward Euler of a law beside the polynomial parts, for place_of_value: s1 + dt (R + linear s1 + square s1^2),
+/// which must be the speed left by yield, and its derivative in any unknown of which the speed s1 and the resistance R
+/// [m/s2] are functions.
+inline ValueAndSlope speed_balance(const ValueAndSlope& s, const ValueAndSlope& resistance, const BedState& bed,
+                                   double dt) noexcept {
+    return {s.value + dt * (resistance.value + s.value * (bed.linear + s.value * bed.square)),
+            s.slope + dt * (resistance.slope + s.slope * (bed.linear + 2 * s.value * bed.square))};
 }
 
 struct NoExcess {

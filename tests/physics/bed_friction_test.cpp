@@ -127,7 +127,7 @@ TEST(HerschelBulkley, MeanSpeedIsTheIntegralOfTheProfile) {
         const HerschelBulkleyExcess law{k_density, 200, 60, index};
         const double exact = mean_speed_by_quadrature(650, 200, 60, index, k_thickness);
         // Simpson's rule at the end of the sheared zone, where the profile's slope varies as a power.
-        EXPECT_NEAR(law.speed(450, k_thickness), exact, 1e-6 * exact) << index;
+        EXPECT_NEAR(law.speed(450, k_thickness).value, exact, 1e-6 * exact) << index;
     }
 }
 
@@ -147,7 +147,7 @@ TEST(HerschelBulkley, WithIndexOneIsTheCubicOfBingham) {
 
 TEST(HerschelBulkley, WithoutYieldIsNewtonsFilm) {
     const HerschelBulkleyExcess law{k_density, 0, 25, 1};
-    EXPECT_NEAR(law.speed(500, k_thickness), 500 * k_thickness / (3 * 25), 1e-12);
+    EXPECT_NEAR(law.speed(500, k_thickness).value, 500 * k_thickness / (3 * 25), 1e-12);
 }
 
 TEST(BinghamQuadratic, IsThePapersRoot) {
@@ -155,7 +155,7 @@ TEST(BinghamQuadratic, IsThePapersRoot) {
     const BinghamQuadraticExcess law{k_density, yield, viscosity};
     EXPECT_NEAR(law.bound(), yield / 0.9510, 1e-3 * yield);
     for (const double x : {1.0, 50.0, 900.0}) {
-        const double s = law.speed(x, k_thickness);
+        const double s = law.speed(x, k_thickness).value;
         const double zeta = QuadraticYieldRatio{}(6 * viscosity * s / (yield * k_thickness));
         EXPECT_NEAR(yield / zeta, law.bound() + x, 1e-10 * (law.bound() + x));
     }
@@ -177,6 +177,39 @@ TEST(PouliquenForterre, IncreasesFromSlowToFastFriction) {
     const BedState thin = bed_under(law, 1e-6);
     double s = 0;
     EXPECT_NEAR(resistance_met(thin, law, 4, 0.02, &s), 0.64 * k_normal, 1e-5);
+}
+
+TEST(PlaceOfValue, IsFoundFromGuessesThatAreOffByOrdersOfMagnitude) {
+    for (const double power : {0.5, 1.0, 3.0, 10.0}) {
+        for (const double root : {1e-6, 0.3, 7e4}) {
+            for (const double guess : {1e-4, 0.5, 1.0, 2.0, 1e5}) {
+                int calls = 0;
+                const double found = place_of_value(
+                    [&](double x) -> ValueAndSlope {
+                        ++calls;
+                        const double there = std::pow(x / root, power), plus = 0.2 * x / root;
+                        return {there + plus, (power * there + plus) / x};
+                    },
+                    1.2, 1e9 * root, guess * root);
+                EXPECT_NEAR(found, root, 1e-14 * root) << power << ' ' << guess;
+                EXPECT_LE(calls, guess > 0.1 && guess < 10 ? 6 : 12) << power << ' ' << guess;
+            }
+        }
+    }
+    EXPECT_EQ(place_of_value([](double x) { return ValueAndSlope{x, 1}; }, 5, 3, 1), 3);
+}
+
+TEST(BedFriction, SlopesOfSpeedsAreDerivatives) {
+    const auto compare = [](const auto& law) {
+        for (const double x : {2.0, 90.0, 4000.0}) {
+            const double step = 1e-5 * x;
+            const double rise = law.speed(x + step, k_thickness).value - law.speed(x - step, k_thickness).value;
+            const double slope = law.speed(x, k_thickness).slope;
+            EXPECT_NEAR(rise / (2 * step), slope, 1e-8 * slope) << x;  // of second order in the step
+        }
+    };
+    for (const double index : {0.4, 1.0, 1.5}) compare(HerschelBulkleyExcess{k_density, 200, 60, index});
+    compare(BinghamQuadraticExcess{k_density, 300, 40});
 }
 
 template <class Law>
