@@ -117,6 +117,9 @@ struct LawList {
     /// One of them or `None`; a sweep visits it once, outside its loop.
     template <class None>
     using Chosen = std::variant<None, Laws...>;
+    /// One value for each of them and for `None`.
+    template <template <class> class For, class None>
+    using ForEach = std::tuple<For<None>, For<Laws>...>;
 
     /// Calls visit.operator()<Law>() for each.
     template <class Visit>

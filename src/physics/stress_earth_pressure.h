@@ -56,15 +56,19 @@ struct EarthPressureStress {
         return {gravity, 2 * (1 - root) * secant2 - 1, 2 * (1 + root) * secant2 - 1};
     }
 
-    [[nodiscard]] double coefficient(double divergence) const noexcept {
-        const double fraction = std::clamp(divergence / transition, -1.0, 1.0);
-        const double still = std::clamp(1.0, spreading, compressed);
-        return fraction > 0 ? still + fraction * (spreading - still) : still - fraction * (compressed - still);
+    template <class Number>
+    [[nodiscard, gnu::always_inline]] Number coefficient(Number divergence) const noexcept {
+        using std::max;
+        using std::min;
+        const Number fraction = min(max(divergence / transition, Number(-1.0)), Number(1.0));
+        const Number still(std::min(std::max(1.0, spreading), compressed));
+        return select(fraction > 0, still + fraction * (spreading - still), still - fraction * (compressed - still));
     }
 
-    [[nodiscard]] PlaneStress<double> operator()(const StrainRate<double>& rate) const noexcept {
-        const double stress = -0.5 * (coefficient(rate.xx + rate.yy) - 1) * gravity * rate.depth;
-        return {stress, 0, stress, 0};
+    template <class Number>
+    [[nodiscard, gnu::always_inline]] PlaneStress<Number> operator()(const StrainRate<Number>& rate) const noexcept {
+        const Number stress = -0.5 * (coefficient<Number>(rate.xx + rate.yy) - 1) * gravity * rate.depth;
+        return {stress, Number(0.0), stress, Number(0.0)};
     }
 };
 

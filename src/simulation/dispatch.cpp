@@ -78,13 +78,13 @@ void choose_scheme(Transfer transfer, const ChosenStress& law, Stages& stages) {
     }
 }
 
-// The fast kernels support no stress but Bingham's.
-template <VectorKernels::NodesToParticles VectorKernels::*Kernel>
+template <class Stress, bool FollowsBed>
 ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                              const PlaneStressLaw& stress, const NodeGrid& nodes,
                                              ParticleSet& particles) {
-    const auto* const bingham = std::get_if<BinghamStress>(&stress.law);
-    return (vector_kernels()->*Kernel)(tile, update, bingham ? *bingham : BinghamStress{}, nodes, particles);
+    const auto& kernels = std::get<VectorKernels::NodesToParticles<Stress>>(vector_kernels()->nodes_to_particles);
+    return (FollowsBed ? kernels.along_bed : kernels.in_map)(tile, update, std::get<Stress>(stress.law), nodes,
+                                                             particles);
 }
 
 // Selects the default scheme's kernels over particles for this processor.
@@ -92,14 +92,12 @@ void use_vector_kernels(const VectorKernels& kernels, const ChosenStress& law, S
     const bool stress = !std::holds_alternative<NoStress>(law);
     stages.particles_to_nodes = stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
     stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
-    using V = VectorKernels;
-    if (!stress)
-        stages.nodes_to_particles = stages.follows_bed ? fast_nodes_to_particles_stage<&V::along_bed>
-                                                       : fast_nodes_to_particles_stage<&V::nodes_to_particles>;
-    if (std::holds_alternative<BinghamStress>(law))
-        stages.nodes_to_particles = stages.follows_bed
-                                        ? fast_nodes_to_particles_stage<&V::along_bed_with_stress>
-                                        : fast_nodes_to_particles_stage<&V::nodes_to_particles_with_stress>;
+    std::visit(
+        [&]<class Stress>(const Stress&) {
+            stages.nodes_to_particles = stages.follows_bed ? fast_nodes_to_particles_stage<Stress, true>
+                                                           : fast_nodes_to_particles_stage<Stress, false>;
+        },
+        law);
 }
 
 }  // namespace

@@ -318,13 +318,8 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
     const VectorKernels& kernels = *vector_kernels();
     const ParticleReport a =
         nodes_to_particles<Shape, ApicTransfer, Stress, true, FollowsBed>(tile, update, stress, nodes, particles);
-    ParticleReport b;
-    if constexpr (Stress::active) {
-        b = (FollowsBed ? kernels.along_bed_with_stress : kernels.nodes_to_particles_with_stress)(tile, update, stress,
-                                                                                                  nodes, fast);
-    } else {
-        b = (FollowsBed ? kernels.along_bed : kernels.nodes_to_particles)(tile, update, {}, nodes, fast);
-    }
+    const auto& updates = std::get<VectorKernels::NodesToParticles<Stress>>(kernels.nodes_to_particles);
+    const ParticleReport b = (FollowsBed ? updates.along_bed : updates.in_map)(tile, update, stress, nodes, fast);
     expect_same_particles(particles, fast);
     EXPECT_NEAR(a.speeds.wave, b.speeds.wave, k_rounding * a.speeds.wave);
     EXPECT_NEAR(a.speeds.carried_wave, b.speeds.carried_wave, k_rounding * a.speeds.wave);
@@ -350,6 +345,9 @@ TEST_P(VectorKernelsTest, NodesToParticles) {
     compare_update<true>(bed_, particles, tile, BinghamStress{0.5, 0.25, 0.01, true}, false);
     compare_update<false>(bed_, particles, tile, BinghamStress{0.5, 0, 0.01, true}, false);
     compare_update<false>(bed_, particles, tile, BinghamStress{0, 0.25, 0.01, true}, false);
+    const auto earth_pressure = EarthPressureStress::of(0.7, 0.3, 9.81);
+    compare_update<false>(bed_, particles, tile, earth_pressure, false);
+    compare_update<true>(bed_, particles, tile, earth_pressure, true);
 }
 
 // Small ones, of which 15 000 claim 22 x 22 cells about once: overlapping particles are not shifted, nor isolated ones.
@@ -369,6 +367,7 @@ TEST_P(VectorKernelsTest, NodesToParticlesThatShift) {
     compare_update<false>(bed_, particles, tile, NoStress{}, false, k_shift);
     compare_update<true>(bed_, particles, tile, NoStress{}, true, k_shift);
     compare_update<true>(bed_, particles, tile, BinghamStress{0.5, 0.25, 0.01, true}, false, k_shift);
+    compare_update<true>(bed_, particles, tile, EarthPressureStress::of(0.7, 0.3, 9.81), false, k_shift);
 }
 
 // Shifting moves particles and changes their areas; volume, momentum and kinetic energy keep every bit, particle by

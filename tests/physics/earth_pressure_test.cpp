@@ -27,9 +27,9 @@ TEST(EarthPressure, BothAreOneWhereTheBedIsAsRoughAsTheInside) {
 
 TEST(EarthPressure, ChangesWithoutAJump) {
     const auto law = EarthPressureStress::of(tangent(35), tangent(20), 9.81);
-    EXPECT_EQ(law.coefficient(1), law.spreading);
-    EXPECT_EQ(law.coefficient(-1), law.compressed);
-    EXPECT_EQ(law.coefficient(0), 1);
+    EXPECT_EQ(law.coefficient(1.0), law.spreading);
+    EXPECT_EQ(law.coefficient(-1.0), law.compressed);
+    EXPECT_EQ(law.coefficient(0.0), 1);
     const double step = 0.01 * law.transition;
     for (int i = -200; i < 200; ++i) {
         EXPECT_LT(std::abs(law.coefficient((i + 1) * step) - law.coefficient(i * step)),

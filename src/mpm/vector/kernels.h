@@ -3,6 +3,7 @@
 
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
+#include "physics/laws.h"
 
 namespace frana {
 
@@ -14,10 +15,13 @@ struct VectorKernels {
     void (*particles_and_levels_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
     void (*pressure_and_stress_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
-    using NodesToParticles = ParticleReport (*)(const ParticleTile&, const ParticleUpdate&, const BinghamStress&,
-                                                const NodeGrid&, ParticleSet&);
-    NodesToParticles nodes_to_particles, nodes_to_particles_with_stress;
-    NodesToParticles along_bed, along_bed_with_stress;  ///< the same, for velocities along the bed
+    template <class Stress>
+    struct NodesToParticles {
+        using Stage = ParticleReport (*)(const ParticleTile&, const ParticleUpdate&, const Stress&, const NodeGrid&,
+                                         ParticleSet&);
+        Stage in_map, along_bed;  ///< for velocities in map view, along the bed
+    };
+    StressLaws::ForEach<NodesToParticles, NoStress> nodes_to_particles;
 };
 
 /// The sweeps over nodes of tiles that are four_at_a_time; update_nodes<Curved<NormalSlope>>. Products and sums are not

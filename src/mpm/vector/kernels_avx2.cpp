@@ -21,25 +21,15 @@ ParticleReport shifting_or_not(const ParticleTile& tile, const ParticleUpdate& u
     return vector_nodes_to_particles<FollowsBed, false>(tile, update, stress, nodes, particles);
 }
 
-template <bool FollowsBed, bool Stress>
-ParticleReport vector_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                               const BinghamStress& stress, const NodeGrid& nodes,
-                                               ParticleSet& particles) {
-    if constexpr (Stress) {
-        return shifting_or_not<FollowsBed>(tile, update, stress, nodes, particles);
-    } else {
-        return shifting_or_not<FollowsBed>(tile, update, NoStress{}, nodes, particles);
-    }
-}
+template <class Stress>
+struct BothVelocities : VectorKernels::NodesToParticles<Stress> {
+    constexpr BothVelocities()
+        : VectorKernels::NodesToParticles<Stress>{shifting_or_not<false, Stress>, shifting_or_not<true, Stress>} {}
+};
 
-constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>,
-                                  vector_particles_to_nodes<true>,
-                                  vector_pressure_to_nodes<false>,
-                                  vector_pressure_to_nodes<true>,
-                                  vector_nodes_to_particles_stage<false, false>,
-                                  vector_nodes_to_particles_stage<false, true>,
-                                  vector_nodes_to_particles_stage<true, false>,
-                                  vector_nodes_to_particles_stage<true, true>};
+constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>, vector_particles_to_nodes<true>,
+                                  vector_pressure_to_nodes<false>, vector_pressure_to_nodes<true>,
+                                  StressLaws::ForEach<BothVelocities, NoStress>{}};
 
 }  // namespace
 
