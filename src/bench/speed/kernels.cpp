@@ -90,23 +90,29 @@ std::vector<KernelCase> kernel_cases() {
                      }});
     const VectorKernels* fast = vector_kernels();
     if (!fast) return cases;
+    using Plain = VectorKernels::NodesToParticles<NoStress>;
+    using Stressed = VectorKernels::NodesToParticles<BinghamStress>;
     cases.push_back(
         {"particles to nodes, fast", [=] { fast->particles_and_levels_to_nodes(t->run, t->particles, t->gathered); }});
     cases.push_back({"pressure, fast", [=] { fast->pressure_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
     cases.push_back({"pressure and stress, fast",
                      [=] { fast->pressure_and_stress_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
-    cases.push_back({"nodes to particles, fast",
-                     [=] { fast->nodes_to_particles(t->run, t->update, t->stress, t->moved, t->particles); }});
-    cases.push_back({"nodes to particles along the bed, fast",
-                     [=] { fast->along_bed(t->run, t->update, t->stress, t->moved, t->particles); }});
-    cases.push_back({"nodes to particles along the bed, shifting, fast", [=] {
-                         ParticleUpdate shifting = t->update;
-                         shifting.shift = k_shift;
-                         fast->along_bed(t->run, shifting, t->stress, t->moved, t->particles);
-                     }});
-    cases.push_back({"nodes to particles with stress, fast", [=] {
-                         fast->nodes_to_particles_with_stress(t->run, t->update, t->stress, t->moved, t->particles);
-                     }});
+    cases.push_back(
+        {"nodes to particles, fast",
+         [=] { std::get<Plain>(fast->nodes_to_particles).in_map(t->run, t->update, {}, t->moved, t->particles); }});
+    cases.push_back(
+        {"nodes to particles along the bed, fast",
+         [=] { std::get<Plain>(fast->nodes_to_particles).along_bed(t->run, t->update, {}, t->moved, t->particles); }});
+    cases.push_back(
+        {"nodes to particles along the bed, shifting, fast", [=] {
+             ParticleUpdate shifting = t->update;
+             shifting.shift = k_shift;
+             std::get<Plain>(fast->nodes_to_particles).along_bed(t->run, shifting, {}, t->moved, t->particles);
+         }});
+    cases.push_back(
+        {"nodes to particles with stress, fast", [=] {
+             std::get<Stressed>(fast->nodes_to_particles).in_map(t->run, t->update, t->stress, t->moved, t->particles);
+         }});
     return cases;
 }
 
