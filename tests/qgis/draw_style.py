@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws a file of a result with QGIS's own engine and compares every cell's colour with its class's.
+"""Draws files of a result with QGIS's own engine and compares every cell's colour with its class's.
 
-draw_style.py NAME RESULT: once as it looks when dropped into QGIS (which finds the .qml by itself), once with the .sld.
+draw_style.py RESULT NAME...: each once as it looks when dropped into QGIS (which finds the .qml by itself), once with the .sld.
 What a colour must be is worked out here from the values and the style's text, without QGIS. Writes NAME_qml.png and
 NAME_sld.png into RESULT, to look at."""
 import find_qgis  # noqa: F401
+from judge import judge_each
 import os
 import sys
 import xml.etree.ElementTree as xml
@@ -86,9 +87,7 @@ def values_of(path):
     return lambda row, column: None if block.isNoData(row, column) else block.value(row, column)
 
 
-def main(name, result):
-    application = QgsApplication([], False)
-    application.initQgis()
+def check_styles(result, name):
     zones = name == "hazard_zones"
     grid = QgsRasterLayer(os.path.join(result, ("hazard" if zones else name) + ".tif"), "grid")
     assert grid.isValid(), "the raster does not open"
@@ -122,11 +121,12 @@ def main(name, result):
         print("%s, %s: %d cells coloured, %d wrong" % (name, style, coloured, len(wrong)))
         assert coloured > 0, "no cell has a colour"
         assert not wrong, "\n".join(wrong[:10])
-    with open(os.path.join(result, name + ".verdict"), "w") as verdict:  # for judge.py
-        verdict.write("good")
-    # Layers that outlive QGIS's own clean-up crash it; everything is reported and written by now.
-    sys.stdout.flush()
-    os._exit(0)
+
+
+def main(result, *names):
+    application = QgsApplication([], False)
+    application.initQgis()
+    judge_each(result, names, check_styles)
 
 
 if __name__ == "__main__":

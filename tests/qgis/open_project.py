@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Opens result.qgz as a user does, in a copy of the result in another place: open_project.py NAME RESULT.
+"""Opens result.qgz as a user does, in a copy of the result in another place: open_project.py RESULT NAME...
 
-NAME is "project" (every layer is valid, in order, styled, frames with their times) or "outlines" (layers of extent.gpkg
+A NAME is "project" (every layer is valid, in order, styled, frames with their times) or "outlines" (layers of extent.gpkg
 opened alone take their styles from the file). Writes NAME.png into RESULT, to look at, and NAME.verdict."""
 import find_qgis  # noqa: F401
+from judge import judge_each
 import csv
 import os
 import shutil
@@ -145,18 +146,19 @@ def check_outlines(folder, picture):
     assert inside > 0.8 * (image.width() // 4) * (image.height() // 4), "areas are covered"
 
 
-def main(name, result):
-    application = QgsApplication([], False)
-    application.initQgis()
+def check_moved(result, name):
+    QgsProject.instance().clear()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as elsewhere:
         moved = os.path.join(elsewhere, "moved result")
         shutil.copytree(result, moved)
         {"project": check_project, "outlines": check_outlines}[name](moved, os.path.join(result, name + ".png"))
         shutil.rmtree(elsewhere, ignore_errors=True)
-    with open(os.path.join(result, name + ".verdict"), "w") as verdict:  # for judge.py
-        verdict.write("good")
-    sys.stdout.flush()
-    os._exit(0)  # as in draw_style.py
+
+
+def main(result, *names):
+    application = QgsApplication([], False)
+    application.initQgis()
+    judge_each(result, names, check_moved)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Outputs, models, loading, keys that the plugin does not know: plugin_chains.py TEST FRANA SAMPLE PLUGINS."""
-from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, drawn, folder, main, polygons, processing, provider, run, scene)
+"""Outputs, models, loading, keys that the plugin does not know: plugin_chains.py TESTS FRANA SAMPLE PLUGINS."""
+from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, drawn, folder, main, polygons, processing, provider, run, scene,
+                          use_program)
 import json
 import os
 import stat
@@ -12,7 +13,7 @@ from qgis.core import (QgsLayerTreeGroup, QgsProcessingFeatureSourceDefinition, 
                        QgsProcessingModelOutput, QgsProcessingModelParameter, QgsProcessingParameterDefinition,
                        QgsProcessingParameterFeatureSource, QgsProcessingParameterFolderDestination,
                        QgsProcessingParameterNumber, QgsProcessingParameterRasterLayer, QgsProject, QgsRasterLayer,
-                       QgsSettings, QgsVectorLayer)
+                       QgsVectorLayer)
 
 OBSERVED = {"observed_perimeter": SCAR, "hazard_scheme": "swiss-flood", "output_report": True}
 
@@ -185,7 +186,6 @@ def load(name, parameters):
 def test_loading():
     """The result's layers come in one group, styled, in order, the frames with their times."""
     project = QgsProject.instance()
-    project.removeAllMapLayers()
     found = load("run", scene("loaded", **OBSERVED, output_title="My slope"))
     root = project.layerTreeRoot()
     groups = [child for child in root.children() if isinstance(child, QgsLayerTreeGroup)]
@@ -236,8 +236,7 @@ sys.exit(answer.returncode)
 """)
     os.chmod(program, os.stat(program).st_mode | stat.S_IXUSR)
     assert provider.algorithm("calibrate") is not None
-    QgsSettings().setValue("Processing/Configuration/FRANA_PROGRAM", program)
-    provider.refreshAlgorithms()
+    use_program(program)
     assert provider.algorithm("calibrate") is None and provider.algorithm("run") is not None
     algorithm = provider.algorithm("run")
     number = algorithm.parameterDefinition("material_stickiness")
@@ -252,8 +251,7 @@ sys.exit(answer.returncode)
     from qgis.core import QgsProcessingContext
     values = Values(algorithm, {"material_stickiness": 2.5, "novel_colour": "dark-blue"}, QgsProcessingContext())
     assert fields["material.stickiness"].value(values) == "2.5" and fields["novel.colour"].value(values) == "dark-blue"
-    QgsSettings().setValue("Processing/Configuration/FRANA_PROGRAM", "/nowhere/frana")
-    provider.refreshAlgorithms()
+    use_program("/nowhere/frana")
     assert not provider.algorithms() and "/nowhere/frana" in provider.warningMessage(), provider.warningMessage()
 
 

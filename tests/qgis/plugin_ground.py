@@ -2,8 +2,10 @@
 """QGIS with the plugin's provider, on a profile of its own, and a small scene: the sample on coarse cells."""
 import find_qgis  # noqa: F401 (first: it sets the environment)
 import os
+import shutil
 import sys
 import tempfile
+import traceback
 
 sys.dont_write_bytecode = True
 os.environ["LC_ALL"] = "C.UTF-8"  # maps and projects in English
@@ -20,12 +22,21 @@ from processing.core.Processing import Processing  # noqa: E402
 import processing  # noqa: E402
 
 Processing.initialize()
-QgsSettings().setValue("Processing/Configuration/FRANA_PROGRAM", FRANA)
+PROGRAM_SETTING = "Processing/Configuration/FRANA_PROGRAM"
+QgsSettings().setValue(PROGRAM_SETTING, FRANA)
 from frana.provider import FranaProvider  # noqa: E402
 
 provider = FranaProvider()
 QgsApplication.processingRegistry().addProvider(provider)
 folder = tempfile.mkdtemp(prefix="frana_qgis_test_")
+
+
+def use_program(program):
+    """Sets the program; the provider asks another one for its keys and commands."""
+    if QgsSettings().value(PROGRAM_SETTING) != program:
+        QgsSettings().setValue(PROGRAM_SETTING, program)
+        provider.refreshAlgorithms()
+
 
 DTM, SCAR = os.path.join(SAMPLE, "dtm.tif"), os.path.join(SAMPLE, "scar.shp")
 # In EPSG:32632, on the sample's slope.
@@ -101,11 +112,24 @@ def refusal(name, parameters):
 
 
 def main(tests):
-    """Runs the test that the first argument names. QGIS may crash while it leaves: the verdict is given before."""
-    tests[sys.argv[1]]()
-    print("good:", sys.argv[1])
+    """Runs the tests that the first argument names, separated by commas, or all of them, each with an empty project, and
+    goes on after one that fails. QGIS may crash while it leaves: the verdict is given before."""
+    names = list(tests) if sys.argv[1] == "all" else sys.argv[1].split(",")
+    failed = []
+    for name in names:
+        QgsProject.instance().clear()
+        use_program(FRANA)
+        os.chdir("/")
+        try:
+            tests[name]()
+            print("good:", name, flush=True)
+        except Exception:
+            traceback.print_exc()
+            print("FAILED:", name, flush=True)
+            failed.append(name)
+    print(len(names) - len(failed), "of", len(names), "good; failed:", ", ".join(failed) or "none")
     sys.stdout.flush()
-    import shutil
+    sys.stderr.flush()
     shutil.rmtree(folder, ignore_errors=True)
     shutil.rmtree(os.environ["QGIS_CUSTOM_CONFIG_PATH"], ignore_errors=True)
-    os._exit(0)
+    os._exit(1 if failed or not names else 0)

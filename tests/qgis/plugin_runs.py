@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs through the plugin: plugin_runs.py TEST FRANA SAMPLE PLUGINS."""
+"""Runs through the plugin: plugin_runs.py TESTS FRANA SAMPLE PLUGINS."""
 from plugin_ground import (DTM, LOWER, SCAR, UPPER, Told, folder, main, polygons, processing, provider, refusal, run, scene)
 import os
 
@@ -12,10 +12,13 @@ def values(path):
     return gdal.Open(path).ReadAsArray()
 
 
-def test_cancel():
-    """A cancelled run is resumed and gives the bits of an undisturbed one."""
+def test_progress_and_cancel():
+    """Progress is told; a cancelled run is resumed and gives the bits of an undisturbed one."""
     parameters = dict(terrain_cell_size=5, time_end=60, release_thickness="8")
-    straight = run("run", scene("straight", **parameters))
+    told = Told()
+    straight = run("run", scene("straight", **parameters), told)
+    assert len(told.seen) >= 3 and told.seen == sorted(told.seen), told.seen
+    assert all(0 <= percent <= 100 for percent in told.seen)
     feedback = Told()
     feedback.progressChanged.connect(lambda percent: feedback.cancel() if percent > 20 else None)
     stopped = scene("stopped", **parameters)
@@ -32,13 +35,6 @@ def test_cancel():
     assert any("resum" in line for line in told.infos), told.infos
     assert resumed["SIMULATED_SECONDS"] == straight["SIMULATED_SECONDS"]
     assert (values(resumed["MAX_DEPTH"]) == values(straight["MAX_DEPTH"])).all()
-
-
-def test_progress():
-    told = Told()
-    run("run", scene("progress", terrain_cell_size=5, time_end=60), told)
-    assert len(told.seen) >= 3 and told.seen == sorted(told.seen), told.seen
-    assert all(0 <= percent <= 100 for percent in told.seen)
 
 
 def test_other_crs():
