@@ -47,8 +47,6 @@ TEST_F(OnDisk, IsEveryFileOfAResultBeforeItHasItsName) {
 
 TEST_F(OnDisk, IsAPictureBeforeTheResultListsIt) {
     if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
-    (void)commands();
-    if (HasFatalFailure()) return;
     restore("older");
     const Ending ending = run({{"render", "out/r", "--map", "max_velocity", "--size", "640x480"}}, {},
                               [](const SystemCall&) { return Answer{}; });

@@ -60,12 +60,12 @@ SystemCall random_call(const std::vector<SystemCall>& calls, RandomNumbers& rand
     return {which.first, which.second, static_cast<int>(random.below(static_cast<std::size_t>(count)))};
 }
 
-TrialGround::TrialGround() {
+TrialGround::TrialGround(const std::string& maps) {
     write_dtm([](int, int column) { return 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); });
     write_scene(
-        "stop-when-still = off\nframe-interval = 1\n[output]\nmaps = max_depth\nmap-size = 640x480\ncharts = "
-        "off\n"
-        "animation = off\ncheckpoint-interval = 0.02\n");
+        "stop-when-still = off\nframe-interval = 1\n[output]\nmap-size = 640x480\ncharts = off\nanimation = off\n"
+        "checkpoint-interval = 0.02\nmaps = " +
+        maps + "\n");
     write("region.ini", "[region]\nscene = scene.ini\nwindow = 100\n");
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 6\n[set]\ntime.end = 2\noutput.depth-thresholds = 0.5\n"
@@ -86,6 +86,7 @@ void TrialGround::keep(const std::string& name) const {
 }
 
 void TrialGround::restore(const std::string& name) const {
+    if (!fs::exists(path("kept_" + name))) name == "killed" ? keep_killed_run() : keep_older_result();
     fs::remove_all(place());
     fs::copy(path("kept_" + name), place(), fs::copy_options::recursive | fs::copy_options::copy_symlinks);
 }
@@ -136,9 +137,7 @@ void TrialGround::measure(TriedCommand& command, const Watch& watch) const {
               command.begins_in.starts_with("older") ? 1U : 0U);  // the user's file is no raster
 }
 
-std::vector<TriedCommand> TrialGround::commands() const {
-    keep_older_result();
-    keep_killed_run();
+std::vector<TriedCommand> TrialGround::commands() {
     const std::vector<std::string> run_it{"run", "in/scene.ini", "--out", "out/r", "--quiet"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), run_it.begin(), run_it.end());

@@ -30,21 +30,22 @@ enum class Disturbance { error, kill, removal, memory };
 /// them. Every trial begins from one of its saved states, always under the same path.
 class TrialGround : public TinyScene {
   protected:
-    TrialGround();
+    /// @param maps output.maps of the scene; off where no picture matters, which takes a third of the time
+    explicit TrialGround(const std::string& maps = "max_depth");
 
     [[nodiscard]] std::string place() const { return (folder_ / "place").string(); }
     [[nodiscard]] std::string at(const std::string& name) const { return place() + "/" + name; }
-    /// Saves the present state under a name, and restores it.
+    /// Saves the present state under a name.
     void keep(const std::string& name) const;
+    /// Restores a saved state, or one of those in which commands() begin, each of which is made when first needed.
     void restore(const std::string& name) const;
     [[nodiscard]] FolderState state() const { return state_of(place()); }
 
     [[nodiscard]] Ending run(const Launch& launch, const Watch& watch = {}, const Judge& judge = {}) const;
     [[nodiscard]] Ending run(const std::vector<std::string>& arguments) const { return run(Launch{arguments}); }
 
-    /// Returns run, run --overwrite, run --resume, render, compare, converge, ensemble, qgis-plugin and check; their
-    /// initial states are saved.
-    [[nodiscard]] std::vector<TriedCommand> commands() const;
+    /// Returns run, run --overwrite, run --resume, render, compare, converge, ensemble, qgis-plugin and check.
+    [[nodiscard]] static std::vector<TriedCommand> commands();
     /// Runs a command undisturbed, unless that was done before.
     void measure(TriedCommand& command, const Watch& watch = {}) const;
 
