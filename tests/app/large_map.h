@@ -51,17 +51,16 @@ class LargeMap : public TinyScene {
                 CE_None);
         }
     }
-    // Squares of 100 m on the hills' tops.
-    void write_releases(const std::vector<Place>& hills) const {
+    // Squares on the hills' tops.
+    void write_releases(const std::vector<Place>& hills, double half_side = 50) const {
         std::string parts;
         for (const Place& hill : hills) {
-            const double x = k_map_west + hill.column, y = k_map_north - hill.row;
+            const double x = k_map_west + hill.column, y = k_map_north - hill.row, h = half_side;
             const auto corner = [](double a, double b) {
                 return "[" + std::to_string(a) + "," + std::to_string(b) + "]";
             };
-            parts += std::string(parts.empty() ? "" : ",") + "[[" + corner(x - 50, y - 50) + "," +
-                     corner(x + 50, y - 50) + "," + corner(x + 50, y + 50) + "," + corner(x - 50, y + 50) + "," +
-                     corner(x - 50, y - 50) + "]]";
+            parts += std::string(parts.empty() ? "" : ",") + "[[" + corner(x - h, y - h) + "," + corner(x + h, y - h) +
+                     "," + corner(x + h, y + h) + "," + corner(x - h, y + h) + "," + corner(x - h, y - h) + "]]";
         }
         write("perimeter.geojson",
               R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:32632"}},"features":[)"
@@ -90,12 +89,14 @@ class SameBits : public LargeMap {
   protected:
     static constexpr int k_small = 1200, k_column = 8423, k_row = 6821;  // of the small map in the large one
     static constexpr Place k_top{9123, 7321};
+    static constexpr double k_half_side = 18;      // of the release [m]
+    static constexpr std::int64_t k_least = 1000;  // cells with values
 
     void write_maps() const {
         write_map("large.tif", 20'000, k_map_west, k_map_north, {k_top});
         write_map("small.tif", k_small, k_map_west + k_column, k_map_north - k_row,
                   {{k_top.column - k_column, k_top.row - k_row}});
-        write_releases({k_top});
+        write_releases({k_top}, k_half_side);
     }
     void write_fluid_scene(const std::string& release, const std::string& more = "") const {
         write("scene.ini", "[terrain]\ndtm = dtm.asc\n[release]\n" + release +
@@ -129,6 +130,7 @@ class SameBits : public LargeMap {
                                                    GDT_Float32, 0, 0),
                   CE_None);
     }
+    static double dome(double cells) { return std::max(0.0, 3 - 0.125 * cells); }
     void run_both(double end) const {
         for (const char* name : {"large", "small"}) {
             const Outcome outcome = run(std::string(name) + ".tif", name, "map", end);
@@ -139,7 +141,7 @@ class SameBits : public LargeMap {
         }
         EXPECT_EQ(read_text(path("large/timeseries.csv")), read_text(path("small/timeseries.csv")));
     }
-    void expect_same(const std::string& raster, std::int64_t least = 5000) const {
+    void expect_same(const std::string& raster, std::int64_t least = k_least) const {
         const Raster large = gis::read_result_raster(path("large/" + raster + ".tif")),
                      part = gis::read_result_raster(path("small/" + raster + ".tif"));
         ASSERT_EQ(part.grid.columns, k_small);
@@ -162,9 +164,5 @@ class SameBits : public LargeMap {
             expect_same(raster);
     }
 };
-
-inline double dome(double cells) {
-    return std::max(0.0, 3 - 0.05 * cells);
-}
 
 }  // namespace frana::test

@@ -14,7 +14,7 @@ constexpr const char* k_blocks =
 TEST_F(LargeMap, TwoStructuredFlowsFarApartTakeLessThanAGigabyte) {
     const std::vector<Place> hills{{4000, 4000}, {12485, 12485}};  // 12.0 km
     write_map("large.tif", 20'000, k_map_west, k_map_north, hills);
-    write_releases(hills);
+    write_releases(hills, 18);
     write("scene.ini",
           "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n"
           "[material]\nmodel = structured\n[structured]\n" +
@@ -25,7 +25,7 @@ TEST_F(LargeMap, TwoStructuredFlowsFarApartTakeLessThanAGigabyte) {
         EXPECT_LT(outcome.peak_memory_bytes, 1e9);
     }
     const std::string summary = read_text(path("result/summary.json"));
-    EXPECT_NEAR(json_number(summary, "initial_m3"), 40'000, 40);
+    EXPECT_NEAR(json_number(summary, "initial_m3"), 2 * 2 * 36 * 36, 0.001 * 2 * 2 * 36 * 36);
     EXPECT_EQ(Json::parse(summary)["flows"].size(), 2);
     const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
     std::int64_t reached[2] = {0, 0}, all = 0;
@@ -36,7 +36,7 @@ TEST_F(LargeMap, TwoStructuredFlowsFarApartTakeLessThanAGigabyte) {
         for (int k = 0; k < 2; ++k) reached[k] += std::hypot(row - hills[k].row, column - hills[k].column) < k_hill;
     });
     EXPECT_EQ(reached[0] + reached[1], all);
-    EXPECT_GT(reached[0], 10'000);
+    EXPECT_GT(reached[0], 36 * 36);
     EXPECT_NEAR(static_cast<double>(reached[0]), static_cast<double>(reached[1]),
                 0.01 * static_cast<double>(reached[0]));
 }
@@ -45,7 +45,7 @@ class SameBitsStructured : public SameBits {};
 
 TEST_F(SameBitsStructured, FluidThatFallsIntoAPond) {
     write_maps();
-    write_round_top("pond.tif", [](double cells) { return cells > 60 && cells < 90 ? 0.3 : 0.0; });
+    write_round_top("pond.tif", [](double cells) { return cells > 22 && cells < 45 ? 0.3 : 0.0; });
     write_structured_scene("perimeter = perimeter.geojson\nthickness = 2",
                            "phases = fluid\nmanning = 0.05\ninitial-fluid-depth = raster:pond.tif");
     expect_same_flow();
@@ -60,8 +60,8 @@ TEST_F(SameBitsStructured, BlocksWithValuesByPlace) {
                            blocks.substr(0, blocks.find("cohesion")) + "cohesion = raster:cohesion.tif\n" +
                                blocks.substr(blocks.find("internal")));
     expect_same_flow(k_end);
-    expect_same("cohesion_ratio", 3000);
-    expect_same("solid_velocity", 3000);
+    expect_same("cohesion_ratio");
+    expect_same("solid_velocity");
 }
 
 TEST_F(SameBitsStructured, DepthsOfBothPhases) {

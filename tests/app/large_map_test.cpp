@@ -53,7 +53,7 @@ TEST_F(LargeMap, TwoFlowsFarApartTakeLessThanAGigabyte) {
 TEST_F(LargeMap, AStudyOfTwoFlowsFarApartTakesLessThanAGigabyte) {
     const std::vector<Place> hills{{4000, 4000}, {12485, 12485}};
     write_map("dtm.tif", 20'000, k_map_west, k_map_north, hills);
-    write_releases(hills);
+    write_releases(hills, 18);
     write("scene.ini",
           "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
           "friction-angle = 8\nturbulence = 500\n[time]\nend = 3\n" +
@@ -79,7 +79,7 @@ TEST_F(LargeMap, AStudyOfTwoFlowsFarApartTakesLessThanAGigabyte) {
 TEST_F(LargeMap, ShowsWhatWasReachedUnlessAskedForTheMap) {
     const std::vector<Place> hill{{9123, 7321}};
     write_map("large.tif", 20'000, k_map_west, k_map_north, hill);
-    write_releases(hill);
+    write_releases(hill, 18);
     write("scene.ini",
           "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
           "bed-friction = manning\nmanning = 0.1\n[time]\nend = 3\n[output]\nanimation = off\nmaps = off\n");
@@ -102,7 +102,7 @@ TEST_F(LargeMap, ShowsWhatWasReachedUnlessAskedForTheMap) {
                 ASSERT_TRUE(a == b || std::isnan(b)) << file << " " << row << " " << column;
             }
         }
-        EXPECT_GT(values, 5000) << file;
+        EXPECT_GT(values, 1000) << file;
     }
 }
 
@@ -160,7 +160,7 @@ TEST_F(SameBits, WithValuesByPlaceAndAnErodibleBed) {
           "erosion = growth\ngrowth-rate = 0.02\nerodible-depth = 0.1\n[time]\nend = 3\n" +
               k_numbers_only);
     expect_same_flow();
-    expect_same("eroded_depth", 3000);
+    expect_same("eroded_depth");
 }
 
 // Holes in the hill, among them one wider than is filled.
@@ -178,7 +178,7 @@ TEST_F(SameBits, WithHolesThatAreFilled) {
                       row = k_top.row + south - (large ? 0 : k_row);
             return band->RasterIO(GF_Write, column, row, side, side, nothing.data(), side, side, GDT_Float32, 0, 0);
         };
-        ASSERT_EQ(hole(40, -20, 30), CE_None);
+        ASSERT_EQ(hole(15, -20, 30), CE_None);
         ASSERT_EQ(hole(-90, 10, 25), CE_None);
         ASSERT_EQ(hole(-30, 150, 130), CE_None);
     }
