@@ -15,6 +15,7 @@
 #include "params/scene/read_scene.h"
 #include "simulation/simulation.h"
 #include "small_scene.h"
+#include "support/problems.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -163,29 +164,40 @@ TEST(InflowAndRecordsRefused, InWords) {
     const std::vector<facade::Point> line{{600020, 5000040}, {600020, 5000080}};
     struct Wrong {
         facade::Inflow inflow;
-        std::string what;
+        std::string where, value, limit;  ///< of the problem
     };
-    for (const auto& [inflow, what] : std::vector<Wrong>{
-             {{.line = {{600020, 5000040}}, .hydrograph = {{0, 1}, {2, 1}}}, "has no line"},
-             {{.line = {{600020, NAN}, {600020, 5000080}}, .hydrograph = {{0, 1}, {2, 1}}}, "has no line"},
-             {{.line = line, .hydrograph = {{0, 1}}}, "the hydrograph has fewer than two rows"},
-             {{.line = line, .hydrograph = {{0, 1}, {2, -1}}}, "the hydrograph is out of range"},
-             {{.line = line, .hydrograph = {{0, 1}, {NAN, 1}}}, "the hydrograph is out of range"},
-             {{.line = line, .hydrograph = {{2, 1}, {1, 1}}}, "the times of the hydrograph fall"},
-             {{.line = line, .hydrograph = {{0, 1, 0}, {1, 1, 0}}}, "the hydrograph has a discharge without velocity"},
-             {{.line = line, .hydrograph = {{0, 0}, {1, 0}}}, "the hydrograph has no discharge"},
-             {{.line = line, .hydrograph = {{0, 1}, {1, 1}}, .direction = 400}, "is out of range"},
-             {{.line = line, .hydrograph = {{0, 1, 1e11}, {5, 1, 1e11}}},
-              "would need more particles than can be counted"},
+    const std::string range = "0 to 1e+12";
+    for (const auto& [inflow, where, value, limit] : std::vector<Wrong>{
+             {{.line = {{600020, 5000040}}, .hydrograph = {{0, 1}, {2, 1}}},
+              "inflow 1",
+              "1 points",
+              "2 or more, finite"},
+             {{.line = {{600020, NAN}, {600020, 5000080}}, .hydrograph = {{0, 1}, {2, 1}}},
+              "inflow 1",
+              "2 points",
+              "2 or more, finite"},
+             {{.line = line, .hydrograph = {{0, 1}}}, "inflow 1", "1", "2 or more"},
+             {{.line = line, .hydrograph = {{0, 1}, {2, -1}}}, "inflow 1", "", range},
+             {{.line = line, .hydrograph = {{0, 1}, {NAN, 1}}}, "inflow 1", "", range},
+             {{.line = line, .hydrograph = {{2, 1}, {1, 1}}}, "inflow 1", "1 s", "2 s or later"},
+             {{.line = line, .hydrograph = {{0, 1, 0}, {1, 1, 0}}}, "inflow 1", "at 0 s", "greater than 0 m/s"},
+             {{.line = line, .hydrograph = {{0, 0}, {1, 0}}}, "inflow 1", "", ""},
+             {{.line = line, .hydrograph = {{0, 1}, {1, 1}}, .direction = 400},
+              "inflow 1: direction",
+              "400 degrees",
+              "0 to 360"},
+             {{.line = line, .hydrograph = {{0, 1, 1e11}, {5, 1, 1e11}}}, "inflow 1", "5.25e+12", "at most 1e+09"},
              {{.line = {{600020, 5000040}, {600020, 5000400}}, .hydrograph = {{0, 1}, {1, 1}}},
-              "the inflow's line reaches beyond the working grid"}}) {
+              "inflow.line",
+              "(600020.0, 5000121.0)",
+              ""}}) {
         facade::Scene scene = small_scene(z);
         scene.add_inflow(inflow);
         const auto problems = problems_of(scene);
-        ASSERT_EQ(problems.size(), 1U) << what;
-        EXPECT_EQ(problems[0].what, what);
-        EXPECT_FALSE(problems[0].where.empty()) << what;
-        EXPECT_FALSE(problems[0].remedy.empty()) << what;
+        ASSERT_EQ(problems.size(), 1U) << where << value;
+        EXPECT_TRUE(has_problem(problems, where, value, limit));
+        EXPECT_EQ(problems[0].limit, limit) << where << value;
+        EXPECT_FALSE(problems[0].remedy.empty()) << where << value;
     }
     facade::Scene late = small_scene(z);
     late.set("material.pore-pressure-ratio", 0.3);
@@ -195,7 +207,7 @@ TEST(InflowAndRecordsRefused, InWords) {
     ASSERT_EQ(problems_of(late).size(), 1U) << "its pore pressure would be that of the start";
     facade::Scene marks = small_scene(z);
     marks.set("output.sample-interval", 1);
-    EXPECT_EQ(problems_of(marks).front().what, "has no effect: there are no gauges or cross-sections");
+    EXPECT_TRUE(has_problem(problems_of(marks), "output.sample-interval", "1"));
     marks.add_gauge({{600020, 5000040}, "a"});
     EXPECT_TRUE(problems_of(marks).empty());
     marks.add_gauge({{600021, 5000040}, "a"});
@@ -203,12 +215,13 @@ TEST(InflowAndRecordsRefused, InWords) {
     marks.add_section({{{600020, 5000040}}, "b"});
     marks.add_section({{{600020, 5000040}, {NAN, 0}}});
     marks.add_section({{{600020, 5000040}, {1, 5000040}}});
-    std::vector<std::string> whats;
-    for (const facade::Problem& problem : problems_of(marks)) whats.push_back(problem.where + ": " + problem.what);
-    EXPECT_EQ(whats,
-              (std::vector<std::string>{"gauges: two have the same name", "gauges: lies outside the working grid",
-                                        "cross-section b: has no line", "cross-section 2: has no line",
-                                        "cross-sections: lies outside the working grid"}));
+    const auto problems = problems_of(marks);
+    EXPECT_EQ(problems.size(), 5U);
+    EXPECT_TRUE(has_problem(problems, "gauges", "a"));
+    EXPECT_TRUE(has_problem(problems, "gauges", "gauge 3 at 1, 5000040"));
+    EXPECT_TRUE(has_problem(problems, "cross-section b", "1 points", "2 or more, finite"));
+    EXPECT_TRUE(has_problem(problems, "cross-section 2", "2 points", "2 or more, finite"));
+    EXPECT_TRUE(has_problem(problems, "cross-sections", "cross-section 3 at 1, 5000040"));
 }
 
 }  // namespace

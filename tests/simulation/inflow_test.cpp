@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "simulation/inflow.h"
 #include "simulation/simulation.h"
+#include "support/problems.h"
 
 namespace frana {
 namespace {
@@ -122,21 +123,24 @@ TEST(Inflow, SeriesAndThreadsAgree) {
 TEST(Inflow, RefusesAnUnusableLine) {
     Scene scene = channel_scene();
     const std::vector<HydrographPoint> hydrograph{{0, 10, 2}, {60, 10, 2}};
-    const auto message = [&](const Polyline& line, std::optional<double> azimuth) {
+    const auto refused = [&](const Polyline& line, std::optional<double> azimuth) {
         scene.inflows = {{line, hydrograph, azimuth}};
         try {
             run(scene, {});
         } catch (const Error& error) {
-            return std::string(error.what());
+            return error.problems();
         }
-        return std::string();
+        return std::vector<Problem>();
     };
     const Polyline across{{600010, 5000004}, {600010, 5000016}};
-    EXPECT_NE(message({{600010, 4999990}, {600010, 5000016}}, {}).find("beyond the working grid"), std::string::npos);
-    EXPECT_NE(message(across, 0).find("along its line"), std::string::npos);
-    EXPECT_NE(message({{600010, 5000010}, {600040, 5000010}}, {}).find("level across"), std::string::npos);
+    EXPECT_TRUE(
+        has_problem(refused({{600010, 4999990}, {600010, 5000016}}, {}), "inflow.line", "(600010.0, 4999990.5)"));
+    EXPECT_TRUE(has_problem(refused(across, 0), "inflow.direction"));
+    const auto level = refused({{600010, 5000010}, {600040, 5000010}}, {});
+    EXPECT_TRUE(has_problem(level, "inflow.line"));
+    EXPECT_NE(level.front().remedy.find("inflow.direction"), std::string::npos) << level.front().remedy;
     scene.terrain.at(5, 5) = k_no_data;
-    EXPECT_NE(message(across, {}).find("no data under the inflow"), std::string::npos);
+    EXPECT_TRUE(has_problem(refused(across, {}), "inflow.line", "(600010.0, 5000008.5)"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "particles/seeding.h"
 #include "simulation/release.h"
+#include "support/problems.h"
 
 namespace frana {
 namespace {
@@ -89,7 +90,8 @@ TEST(MakeRelease, NamesTheCellsWithoutTerrain) {
         FAIL() << "must refuse";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::input);
-        EXPECT_NE(std::string(error.what()).find("row 25 column 25"), std::string::npos) << error.what();
+        EXPECT_TRUE(
+            has_problem(error.problems(), "terrain.dtm", "1 cells, among them row 25 column 25 (500051.0, 5100049.0)"));
     }
 }
 

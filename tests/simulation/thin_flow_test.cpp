@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "simulation/simulation.h"
+#include "support/problems.h"
 
 namespace frana {
 namespace {
@@ -39,11 +40,10 @@ TEST_P(ThinFlow, AWideFilmIsRefusedWithTheKeyThatShowsIt) {
         run(scene, {});
         FAIL();
     } catch (const Error& error) {
-        const std::string messages = error.what();
-        EXPECT_NE(messages.find("release.thickness"), std::string::npos) << messages;
-        EXPECT_NE(messages.find("0.005 m at most"), std::string::npos) << messages;
-        EXPECT_NE(messages.find("numerics.minimum-depth = 0.01"), std::string::npos) << messages;
-        EXPECT_NE(messages.find("Set numerics.minimum-depth = 0.0005 or less"), std::string::npos) << messages;
+        EXPECT_TRUE(has_problem(error.problems(), "release.thickness", "0.005 m at most, mean over cells of 50 m",
+                                "at least numerics.minimum-depth = 0.01 m"));
+        const std::string& remedy = error.problems().front().remedy;
+        EXPECT_NE(remedy.find("numerics.minimum-depth = 0.0005 "), std::string::npos) << remedy;
     }
     EXPECT_THROW(estimate(scene, 1), Error);
     // Following the remedy: then the map shows it, far down the slope.

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -19,16 +18,20 @@ inline ::testing::AssertionResult no_problem(const std::vector<Problem>& problem
 
 /// Whether one of some problems is at a place (the end of `where`: a key, a file), has a value and a limit. Sentences
 /// are for people and may change. An empty text is any.
-inline ::testing::AssertionResult has_problem(const std::vector<Problem>& problems, const std::string& where,
-                                              const std::string& value = "", const std::string& limit = "") {
-    if (std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
-            return problem.where.ends_with(where) && (value.empty() || problem.value == value) &&
-                   (limit.empty() || problem.limit == limit);
-        }))
-        return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << "none at \"" << where << "\" of \"" << value << "\" allowed \"" << limit
-                                         << "\" among\n"
-                                         << no_problem(problems).message();
+/// @tparam AnyProblem the engine's, or that of the library's header
+template <class AnyProblem>
+::testing::AssertionResult has_problem(const std::vector<AnyProblem>& problems, const std::string& where,
+                                       const std::string& value = "", const std::string& limit = "") {
+    auto failure = ::testing::AssertionFailure();
+    failure << "none at \"" << where << "\" of \"" << value << "\" allowed \"" << limit << "\" among\n";
+    for (const AnyProblem& problem : problems) {
+        if (problem.where.ends_with(where) && (value.empty() || problem.value == value) &&
+            (limit.empty() || problem.limit == limit))
+            return ::testing::AssertionSuccess();
+        failure << '"' << problem.where << "\" of \"" << problem.value << "\" allowed \"" << problem.limit
+                << "\": " << problem.what << ". " << problem.remedy << '\n';
+    }
+    return failure;
 }
 
 }  // namespace frana

@@ -15,6 +15,7 @@
 #include "gis/raster/picture_out.h"
 #include "gis/raster/raster_out.h"
 #include "support/files.h"
+#include "support/problems.h"
 
 namespace frana::gis {
 namespace {
@@ -166,15 +167,17 @@ TEST(PictureIn, UnusableBackgroundsAreRefusedWithTheReason) {
     const test::Folder folder;
     const std::string utm = crs_from_user(k_utm, "");
     const auto reason = [&](const std::string& file) {
-        return std::string(test::error_of([&] { check_picture(file, utm, "output.map-background"); }).what());
+        return test::error_of([&] { check_picture(file, utm, "output.map-background"); }).problems();
     };
-    EXPECT_NE(reason(folder.file("none.tif")).find("does not exist"), std::string::npos);
+    const auto where = [&](const char* name) { return "output.map-background: " + folder.file(name); };
+    EXPECT_TRUE(has_problem(reason(folder.file("none.tif")), where("none.tif")));
     test::make_raster(folder.file("float.tif"), {10, 10, 0, 0, 1, 1, k_utm, std::vector<double>(100, 7), {}, ""});
-    EXPECT_NE(reason(folder.file("float.tif")).find("not bytes"), std::string::npos);
+    EXPECT_TRUE(has_problem(reason(folder.file("float.tif")), where("float.tif"), "Float64", "Byte"));
     test::TestRaster nowhere{10, 10, 527000, 5094100, 10, 10, "", std::vector<double>(100, 7), {}, ""};
     nowhere.bytes = true;
     test::make_raster(folder.file("nowhere.tif"), nowhere);
-    EXPECT_NE(reason(folder.file("nowhere.tif")).find("coordinate reference system"), std::string::npos);
+    EXPECT_TRUE(has_problem(reason(folder.file("nowhere.tif")), where("nowhere.tif")));
+    EXPECT_NE(reason(folder.file("nowhere.tif")).front().remedy.find("-a_srs"), std::string::npos);
 }
 
 TEST(RasterText, ClassesAndTextsAreReadBack) {

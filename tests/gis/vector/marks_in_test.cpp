@@ -5,6 +5,7 @@
 
 #include "gis/crs/crs.h"
 #include "support/files.h"
+#include "support/problems.h"
 
 namespace frana::gis {
 namespace {
@@ -48,18 +49,15 @@ TEST(ReadMarks, PlacesAreInTheTargetCrs) {
 
 TEST(ReadMarks, RefusesUnusableFiles) {
     const Folder folder;
-    EXPECT_NE(std::string(error_of([&] { read_marks(folder.file("none.shp"), "", "output.gauges"); }).what())
-                  .find("does not exist"),
-              std::string::npos);
+    const auto refused = [&](const std::string& name, const std::string& crs = "") {
+        const Error error = error_of([&] { read_marks(folder.file(name), crs, "output.gauges"); });
+        EXPECT_TRUE(has_problem(error.problems(), "output.gauges: " + folder.file(name)));
+        return error.problems().front().remedy;
+    };
     write_text(folder.file("text.shp"), "no vector");
-    EXPECT_NE(
-        std::string(error_of([&] { read_marks(folder.file("text.shp"), "", "k"); }).what()).find("not a vector file"),
-        std::string::npos);
+    EXPECT_NE(refused("none.shp"), refused("text.shp")) << "a file that does not exist needs another remedy";
     make_vector(folder.file("a.shp"), "ESRI Shapefile", "", {"POINT (1 2)"});
-    EXPECT_NE(
-        std::string(error_of([&] { read_marks(folder.file("a.shp"), crs_from_user("EPSG:32632", ""), "k"); }).what())
-            .find("coordinate reference system"),
-        std::string::npos);
+    EXPECT_NE(refused("a.shp", crs_from_user("EPSG:32632", "")).find(".prj"), std::string::npos);
     EXPECT_EQ(read_marks(folder.file("a.shp"), "", "k").points[0].place.y, 2);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "support/files.h"
+#include "support/problems.h"
 
 namespace frana::gis {
 namespace {
@@ -49,13 +50,9 @@ TEST(ValuedPoints, PlacesAndNumbersAreReadInTheRequestedOrder) {
 TEST(ValuedPoints, MissingAttributesAndFilesAreNamed) {
     const test::Folder folder;
     write_particles(folder.file("a.gpkg"));
-    try {
-        read_valued_points(folder.file("a.gpkg"), {"volume_m3"}, "particles");
-        FAIL() << "accepted";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::input);
-        EXPECT_NE(std::string(error.what()).find("volume_m3"), std::string::npos);
-    }
+    const Error error = test::error_of([&] { read_valued_points(folder.file("a.gpkg"), {"volume_m3"}, "particles"); });
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_TRUE(has_problem(error.problems(), "a.gpkg", "volume_m3"));
     EXPECT_THROW(read_valued_points(folder.file("b.gpkg"), {"depth_m"}, "particles"), Error);
 }
 

@@ -13,6 +13,7 @@
 #include "gis/vector/vector_source.h"
 #include "perimeter_layer.h"
 #include "support/files.h"
+#include "support/problems.h"
 
 namespace frana::gis {
 namespace {
@@ -169,9 +170,8 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
             "\n"
             R"({"type": "Feature", "properties": {}, "geometry": null})"
             "\n");
-    EXPECT_NE(std::string(error_of([&] { (void)read_polygons(folder.file("a.geojsonl"), utm(), k_where); }).what())
-                  .find("EPSG:4267"),
-              std::string::npos);
+    const Error of_line = error_of([&] { (void)read_polygons(folder.file("a.geojsonl"), utm(), k_where); });
+    EXPECT_NE(of_line.problems().front().value.find("EPSG:4267"), std::string::npos);
 }
 
 TEST(VectorFiles, ALayerAndAFilterChoose) {
@@ -184,14 +184,15 @@ TEST(VectorFiles, ALayerAndAFilterChoose) {
     EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "thick > 15", ""})), 900);
     EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "name = 'slope' AND thick = 10", ""})), 400);
     const Error none = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "thick > 99", ""}); });
-    EXPECT_NE(std::string(none.what()).find("no feature satisfies the filter"), std::string::npos);
-    EXPECT_NE(std::string(none.what()).find("thick, name"), std::string::npos);
+    EXPECT_TRUE(has_problem(none.problems(), path, "thick > 99"));
+    EXPECT_NE(none.problems().front().remedy.find("thick, name"), std::string::npos);
     const Error wrong = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "depth > 1", ""}); });
-    EXPECT_NE(std::string(wrong.what()).find("not understood"), std::string::npos) << wrong.what();
+    EXPECT_TRUE(has_problem(wrong.problems(), path, "depth > 1"));
+    EXPECT_NE(wrong.problems().front().remedy, none.problems().front().remedy) << "it is not understood";
     const Error twice = error_of([&] {
         (void)read_polygons(path + "|layer=first", utm(), k_where, {"second", "", ""});
     });
-    EXPECT_NE(std::string(twice.what()).find("two layers are named"), std::string::npos) << twice.what();
+    EXPECT_TRUE(has_problem(twice.problems(), path + "|layer=first", "first, second"));
 }
 
 TEST(VectorFiles, ArchivesAreReadInPlace) {
@@ -262,7 +263,7 @@ TEST(VectorFiles, AnEdgeAroundTheWholeEarthIsRefused) {
                 {"POLYGON((179.9 -16.5,-179.9 -16.5,-179.9 -16.4,179.9 -16.4,179.9 -16.5))"});
     const std::string fiji = crs_from_user("EPSG:32760", "");
     const Error error = error_of([&] { (void)read_polygons(folder.file("long.gpkg"), fiji, k_where); });
-    EXPECT_NE(std::string(error.what()).find("antimeridian"), std::string::npos) << error.what();
+    EXPECT_TRUE(has_problem(error.problems(), "long.gpkg", "from 179.9, -16.5 to -179.9, -16.5"));
     // Split there, or with longitudes beyond 180, it is one area of 21.4 km by 11.1 km.
     make_vector(folder.file("split.gpkg"), "GPKG", "EPSG:4326",
                 {"MULTIPOLYGON(((179.9 -16.5,180 -16.5,180 -16.4,179.9 -16.4,179.9 -16.5)),"

@@ -9,6 +9,7 @@
 #include "gis/vector/vector_in.h"
 #include "gis/vector/vector_style.h"
 #include "support/files.h"
+#include "support/problems.h"
 
 namespace frana::gis {
 namespace {
@@ -73,7 +74,8 @@ TEST(WriteOutlines, EveryLayerHasAStyleThatIsItsDefault) {
     for (const auto& [layer, qml] : styles)
         EXPECT_NE(qml.find("<prop k=\"style\" v=\"no\"/>"), std::string::npos) << layer << " is filled";
     const Error error = error_of([&] { (void)read_polygons(file + "|layer=other", "", ""); });
-    EXPECT_EQ(std::string(error.what()).find("layer_styles"), std::string::npos) << "it is no layer to choose";
+    EXPECT_TRUE(has_problem(error.problems(), "|layer=other", "other"));
+    EXPECT_EQ(error.problems().front().remedy.find("layer_styles"), std::string::npos) << "it is no layer to choose";
 }
 
 TEST(WriteOutlines, LocalCoordinatesHaveNoCrs) {
