@@ -42,7 +42,7 @@ TEST_F(HostileNames, ChartsOfAllProfilesAndNoFormulaInATable) {
                 {"a b", "a_b", "a/b", "=HYPERLINK(1)", longest, "<script>alert(1)</script>"});
     write_named("gauges.geojson", "Point", {"@SUM(1)", "-2+3", "plain"});
     write_scene(
-        "[output]\nmaps = max_depth\nmap-size = 800x600\nanimation = off\nframes = off\nprofiles = profiles.geojson\n"
+        "[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\nprofiles = profiles.geojson\n"
         "gauges = gauges.geojson\n");
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -59,7 +59,7 @@ TEST_F(HostileNames, ChartsOfAllProfilesAndNoFormulaInATable) {
     EXPECT_NE(gauges.find(",'-2+3,"), std::string::npos);
     EXPECT_NE(gauges.find(",plain,"), std::string::npos);
     // Drawn again they have the same names.
-    const Outcome again = frana({"render", "result", "--charts", "--size", "800x600", "--out", "again"});
+    const Outcome again = frana({"render", "result", "--charts", "--size", "640x480", "--out", "again"});
     ASSERT_EQ(again.exit_code, 0) << again.err;
     for (const std::string& chart : charts) EXPECT_TRUE(fs::exists(path("again/" + chart))) << chart;
     EXPECT_EQ(read_text(path("result/report.html")).find("<script"), std::string::npos);
@@ -71,7 +71,7 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
     for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
         fs::copy(path(file), path(folder + "/" + file));
     write(folder + "/scene.ini", read_text(path("scene.ini")) +
-                                     "frame-interval = 2\n[output]\nmaps = max_depth\nmap-size = 800x600\n"
+                                     "frame-interval = 2\n[output]\nmaps = max_depth\nmap-size = 640x480\n"
                                      "map-formats = png, pdf, tif\nanimation = off\nformats = netcdf, zarr\n"
                                      "[scar]\nperimeter = perimeter.geojson\n");
     const Outcome outcome = run(folder + "/scene.ini");
@@ -109,7 +109,7 @@ TEST_F(HostileNames, ControlCharactersAndMarksOfDirectionInNoPictureOrPage) {
     write_named("gauges.geojson", "Point", {R"(g\u001b[2Jh\u200fi)"});
     write_named("sections.geojson", "LineString", {R"(s\u0002t\u2067u)"});
     write_scene(
-        "[output]\nmaps = max_depth\nmap-size = 800x600\nmap-formats = png, svg\nanimation = off\nframes = off\n"
+        "[output]\nmaps = max_depth\nmap-size = 640x480\nmap-formats = png, svg\nanimation = off\nframes = off\n"
         "profiles = profiles.geojson\ngauges = gauges.geojson\ncross-sections = sections.geojson\n"
         "title = ev\u202Eent\n");
     const Outcome check = frana({"check", "scene.ini"});
@@ -169,7 +169,7 @@ TEST_F(HostileNames, LineEndsAreRefusedBeforeTheRun) {
 
 // Three thousand letters took half a minute.
 TEST_F(HostileNames, LongTitlesAreCutAndFast) {
-    write_scene("[output]\nmaps = max_depth\nanimation = off\nframes = off\n");
+    write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\n");
     ASSERT_EQ(run().exit_code, 0);
     const auto seconds = [&](const std::string& title) {
         const auto start = std::chrono::steady_clock::now();

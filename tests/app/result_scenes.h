@@ -52,12 +52,14 @@ class ResultScenes : public TinyScene {
     }
     /// Everything that can be drawn later.
     void render_all() const {
-        render({"--charts"});
-        render({"--animation", "old/film.gif"});
-        render({"--animation", "old/pictures/"});
-        render({"--map", "depth@1", "--map", "dtm", "--format", "tif"});
-        render({"--map", "max_depth", "--out", "old/more"});
-        ASSERT_EQ(frana({"compare", "old", "--scar", "scar.geojson", "--out", "old/compared"}).exit_code, 0);
+        render({"--charts", "--size", "640x480"});
+        render({"--animation", "old/film.gif", "--size", "640x480"});
+        render({"--animation", "old/pictures/", "--size", "640x480"});
+        render({"--map", "depth@1", "--map", "dtm", "--format", "tif", "--size", "640x480"});
+        render({"--map", "max_depth", "--out", "old/more", "--size", "640x480"});
+        ASSERT_EQ(
+            frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480", "--out", "old/compared"}).exit_code,
+            0);
     }
     void copy(const std::string& from, const std::string& to) const {
         std::filesystem::copy(path(from), path(to),

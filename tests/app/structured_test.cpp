@@ -25,7 +25,7 @@ class StructuredScene : public TinyScene {
 };
 
 TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
-    write_fluid("frame-interval = 5\n[output]\nmap-size = 800x600\n");
+    write_fluid("frame-interval = 5\n[output]\nmap-size = 640x480\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");

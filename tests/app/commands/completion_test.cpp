@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 
 #include "support/tiny_scene.h"
@@ -15,7 +16,9 @@ class Completion : public TinyScene {
         std::string line = FRANA_PROGRAM;
         for (const std::string& word : words) line += " '" + word + "'";
         const std::string last = std::to_string(words.size());
-        write("script", frana({"complete", shell}).out);
+        std::string& script = scripts_[shell];
+        if (script.empty()) script = frana({"complete", shell}).out;
+        write("script", script);
         // The builtins of zsh answer within an edited line only.
         write("ask",
               shell == "bash"
@@ -33,6 +36,9 @@ class Completion : public TinyScene {
     static bool has(const std::vector<std::string>& list, const std::string& word) {
         return std::find(list.begin(), list.end(), word) != list.end();
     }
+
+  private:
+    std::map<std::string, std::string> scripts_;  ///< by shell
 };
 
 TEST_F(Completion, OfBashKnowsCommandsOptionsKeysAndValues) {

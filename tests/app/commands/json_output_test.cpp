@@ -96,7 +96,7 @@ TEST_F(Document, OfCompareAndOfARanking) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet"}).exit_code, 0);
     const std::string trace = "a/extent.gpkg|layer=trace";
-    const std::vector<std::string> one{"compare", "a", "--observed", trace, "--out", "scores", "--size", "800x600"};
+    const std::vector<std::string> one{"compare", "a", "--observed", trace, "--out", "scores", "--size", "640x480"};
     std::vector<std::string> with_json = one;
     with_json.push_back("--json");
     const Json json = parse_json(frana(with_json).out);

@@ -27,7 +27,7 @@ using RunCommand = TinyScene;
 
 TEST_F(RunCommand, WritesEveryFileOfTheContract) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
-    write_scene("frame-interval = 1\n[output]\nmap-size = 800x600\n[scar]\nperimeter = scar.geojson\n");
+    write_scene("frame-interval = 1\n[output]\nmap-size = 640x480\n[scar]\nperimeter = scar.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
@@ -231,7 +231,7 @@ TEST_F(RunCommand, PlainMetresWithoutACrs) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json_text(read_text(path("result/summary.json")), "crs"), "local");
     EXPECT_EQ(gis::read_result_raster(path("result/max_depth.tif")).grid.crs_wkt, "");
-    const Outcome drawn = frana({"render", "result", "--map", "max_depth", "--size", "800x600"});
+    const Outcome drawn = frana({"render", "result", "--map", "max_depth", "--size", "640x480"});
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
 }
 

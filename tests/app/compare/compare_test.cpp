@@ -17,7 +17,7 @@ TEST_F(Compare, AForeignRasterAgainstAnOutline) {
               true, "depth.asc");
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});  // half of it, and as much outside
     const Outcome outcome = frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--threshold", "0.5",
-                                   "--out", "scores", "--size", "800x600"});
+                                   "--out", "scores", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(parse_json(outcome.out).at("comparison"), parse_json(read_text(path("scores/comparison.json"))));
     EXPECT_EQ(json_number(outcome.out, "hit_m2"), 1250);
@@ -35,7 +35,7 @@ TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
     write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
     write_polygon("scar", {{200, 0}, {400, 0}, {400, 150}, {200, 150}});  // 100 m on the grid, 100 m beyond
     const Outcome outcome =
-        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"});
+        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json_number(outcome.out, "observed_area_m2"), 200 * 150);
     EXPECT_EQ(json_number(outcome.out, "miss_m2"), 100 * 150);
@@ -54,7 +54,7 @@ TEST_F(Compare, ARunWhoseOutlineReachesBeyondItsGroundIsFinished) {
     for (const char* file : {"result/comparison.png", "result/report.html"})
         EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
     EXPECT_EQ(json_number(read_text(path("result/comparison.json")), "observed_area_m2"), 230 * 110);
-    EXPECT_EQ(frana({"render", "result", "--map", "comparison", "--out", "again", "--size", "800x600"}).exit_code, 0);
+    EXPECT_EQ(frana({"render", "result", "--map", "comparison", "--out", "again", "--size", "640x480"}).exit_code, 0);
 }
 
 TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
@@ -65,7 +65,7 @@ TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
     write("scar.geojson",
           R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
           R"([9.3485, 45.9995], [9.3525, 45.9995], [9.3525, 46.0025], [9.3485, 46.0025], [9.3485, 45.9995]]]}})");
-    const Outcome outcome = frana({"compare", "--json", "result", "--scar", "scar.geojson", "--size", "800x600"});
+    const Outcome outcome = frana({"compare", "--json", "result", "--scar", "scar.geojson", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_GT(json_number(outcome.out, "hit_m2"), 0);
     EXPECT_EQ(json_number(outcome.out, "threshold_m"), 0.1);  // the result's own trace threshold
@@ -76,7 +76,7 @@ TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
     write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
     write_polygon("scar", {{200, 0}, {280, 0}, {280, 150}, {200, 150}});
     ASSERT_EQ(
-        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"})
+        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "640x480"})
             .exit_code,
         0);
     const std::vector<gis::NamedClass> classes = gis::read_raster_text(path("scores/comparison.tif")).classes;
@@ -117,7 +117,7 @@ class CompareSquare : public TinyScene {
     }
     [[nodiscard]] Outcome compare(std::vector<std::string> more) const {
         std::vector<std::string> arguments{"compare", "--json", "depth.asc", "--overwrite",
-                                           "--out",   "scores", "--size",    "800x600"};
+                                           "--out",   "scores", "--size",    "640x480"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }
@@ -174,7 +174,7 @@ TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});   // better.asc itself
     write_polygon("other", {{20, 50}, {70, 50}, {70, 100}, {20, 100}});  // depth.asc itself
     const Outcome outcome = frana({"compare", "--json", "depth.asc", "better.asc", "--scar", "scar.geojson", "--out",
-                                   "rank", "--size", "800x600"});
+                                   "rank", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string csv = read_text(path("rank/ranking.csv"));
     const std::size_t first = csv.find("\n1,better_scar,better.asc,scar.geojson,1,1,0,"),
@@ -184,7 +184,7 @@ TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
     EXPECT_TRUE(std::filesystem::exists(path("rank/better_scar/comparison.json")));
     EXPECT_TRUE(std::filesystem::exists(path("rank/depth_scar/comparison.png")));
     const Outcome both = frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--scar", "other.geojson",
-                                "--out", "rank", "--size", "800x600"});
+                                "--out", "rank", "--size", "640x480"});
     ASSERT_EQ(both.exit_code, 0) << both.err;
     EXPECT_NE(read_text(path("rank/ranking.csv")).find("\n1,depth_other,"), std::string::npos);
 }
@@ -213,7 +213,7 @@ TEST_F(Compare, AResultAgainstItsOwnTraceIsPerfectAlongThePathToo) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const Outcome outcome =
-        frana({"compare", "--json", "result", "--scar", "result/extent.gpkg|layer=trace", "--size", "800x600"});
+        frana({"compare", "--json", "result", "--scar", "result/extent.gpkg|layer=trace", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json_number(outcome.out, "jaccard"), 1);
     EXPECT_EQ(json_number(outcome.out, "runout_difference_m"), 0);

@@ -40,7 +40,7 @@ TEST_F(ProbabilityCompare, OfAMapIsThatByHand) {
     write_map();
     write_polygon("scar", {{50, 85}, {75, 85}, {75, 95}, {50, 95}});
     const Outcome outcome =
-        frana({"compare", "--json", "p.tif", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"});
+        frana({"compare", "--json", "p.tif", "--scar", "scar.geojson", "--out", "scores", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(parse_json(outcome.out).at("comparison"), parse_json(read_text(path("scores/comparison.json"))));
     constexpr double k_float32 = 1e-7;  // of 0.8 and 0.4
@@ -62,7 +62,7 @@ TEST_F(ProbabilityCompare, OfAMapIsThatByHand) {
 
 TEST_F(ProbabilityCompare, OfAStudyTakesTheMapOfAThreshold) {
     write_polygon("scar", {{20, 40}, {180, 40}, {180, 110}, {20, 110}});
-    const Outcome least = frana({"compare", "--json", "out", "--scar", "scar.geojson", "--size", "800x600"});
+    const Outcome least = frana({"compare", "--json", "out", "--scar", "scar.geojson", "--size", "640x480"});
     ASSERT_EQ(least.exit_code, 0) << least.err;
     EXPECT_EQ(json_text(least.out, "map"), "probability_depth_0.1");
     // The report of the study's result has the scores, in its own language.
@@ -71,7 +71,7 @@ TEST_F(ProbabilityCompare, OfAStudyTakesTheMapOfAThreshold) {
     EXPECT_EQ(page.find("Not compared with an observed outline"), std::string::npos);
     EXPECT_NE(least.out.find("report.html"), std::string::npos) << "named among the files written";
     const Outcome other =
-        frana({"compare", "--json", "out", "--scar", "scar.geojson", "--threshold", "0.5", "--size", "800x600"});
+        frana({"compare", "--json", "out", "--scar", "scar.geojson", "--threshold", "0.5", "--size", "640x480"});
     ASSERT_EQ(other.exit_code, 0) << other.err;
     EXPECT_EQ(json_text(other.out, "map"), "probability_depth_0.5");
     EXPECT_EQ(parse_json(read_text(path("out/comparison.json"))), parse_json(other.out).at("comparison"));
@@ -96,7 +96,7 @@ TEST_F(ProbabilityCompare, IsInNoRankingAndTakesNoDeposit) {
 
 TEST_F(ProbabilityCompare, ARenamedMapIsDrawn) {
     write_map();
-    const Outcome outcome = frana({"render", "p.tif", "--dtm", "dtm.asc", "--out", "drawn", "--size", "800x600"});
+    const Outcome outcome = frana({"render", "p.tif", "--dtm", "dtm.asc", "--out", "drawn", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_TRUE(fs::exists(path("drawn/p.png")));
 }
@@ -126,7 +126,7 @@ TEST_F(ProbabilityCompare, AStudyOfASceneWithAnOutlineIsCompared) {
     EXPECT_GT(sizes, 10);
     // As the command gives them.
     const Outcome command =
-        frana({"compare", "--json", "out", "--scar", "scar.geojson", "--out", "again", "--size", "800x600"});
+        frana({"compare", "--json", "out", "--scar", "scar.geojson", "--out", "again", "--size", "640x480"});
     ASSERT_EQ(command.exit_code, 0) << command.err;
     const Json scores = parse_json(command.out).at("comparison");
     for (const char* key : {"brier", "auroc", "observed_area_m2", "brier_skill"})

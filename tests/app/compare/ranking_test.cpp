@@ -18,7 +18,7 @@ TEST_F(Ranking, ShowsWhatVariedBetweenTheResults) {
     run("a", {"--set", "material.friction-coefficient=0.1", "--set", "output.title=First"});
     run("deep/er/b", {"--set", "material.friction-coefficient=0.2", "--set", "release.thickness=3"});
     const std::vector<std::string> words{"compare", "a",      "deep/er/b", "--observed", "a/extent.gpkg|layer=trace",
-                                         "--out",   "ranked", "--size",    "800x600"};
+                                         "--out",   "ranked", "--size",    "640x480"};
     const Outcome table = frana(words);
     ASSERT_EQ(table.exit_code, 0) << table.err;
     EXPECT_NE(table.out.find("material.friction-coefficient"), std::string::npos) << table.out;
@@ -42,7 +42,7 @@ TEST_F(Ranking, IsBesideTheFirstResultWhereverItIsAskedFor) {
     for (const char* out : {"results/a", "results/b"})
         ASSERT_EQ(frana({"run", "scene.ini", "--out", out, "--quiet"}).exit_code, 0);
     const Outcome table = frana(
-        {"compare", "results/a", "results/b", "--observed", "results/a/extent.gpkg|layer=trace", "--size", "800x600"});
+        {"compare", "results/a", "results/b", "--observed", "results/a/extent.gpkg|layer=trace", "--size", "640x480"});
     ASSERT_EQ(table.exit_code, 0) << table.err;
     EXPECT_NE(table.out.find("\n  results/ranking.csv\n"), std::string::npos) << table.out;
     EXPECT_TRUE(std::filesystem::exists(path("results/ranking.csv")));
@@ -55,12 +55,12 @@ TEST_F(Ranking, AnotherSurveyReplacesNoComparisonUnasked) {
     write_scene(k_numbers_only + "[observed]\nperimeter = first.geojson\n");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet"}).exit_code, 0);
     const std::string before = read_text(path("a/comparison.json"));
-    std::vector<std::string> words{"compare", "a", "--observed", "second.geojson", "--size", "800x600"};
+    std::vector<std::string> words{"compare", "a", "--observed", "second.geojson", "--size", "640x480"};
     const Outcome refused = frana(words);
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_NE(refused.err.find("contains the comparison with another survey"), std::string::npos) << refused.err;
     EXPECT_EQ(read_text(path("a/comparison.json")), before);
-    EXPECT_EQ(frana({"compare", "a", "--observed", "first.geojson", "--size", "800x600"}).exit_code, 0);
+    EXPECT_EQ(frana({"compare", "a", "--observed", "first.geojson", "--size", "640x480"}).exit_code, 0);
     words.insert(words.end(), {"--out", "b"});
     EXPECT_EQ(frana(words).exit_code, 0);
     EXPECT_EQ(read_text(path("a/comparison.json")).find("second"), std::string::npos);

@@ -116,7 +116,8 @@ TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const auto compare = [&](const std::string& outline) {
-        return frana({"compare", "result", "--observed", outline, "--out", "compared", "--overwrite", "--json"});
+        return frana({"compare", "result", "--observed", outline, "--out", "compared", "--overwrite", "--json",
+                      "--size", "640x480"});
     };
     const Outcome release = compare("perimeter.geojson");
     EXPECT_EQ(release.exit_code, 0) << release.err;
@@ -140,7 +141,8 @@ TEST_F(SuspiciousInput, ScarIsTheSameSectionAsObserved) {
     expect_words(frana({"check", "scene.ini", "--set", "scar.perimeter=none.shp"}).err, {"--set scar.perimeter"});
     expect_words(frana({"check", "scene.ini", "--set", "scar.threshold=-1"}).err, {"--set scar.threshold"});
     expect_words(frana({"check", "scene.ini", "--set", "observed.perimeter=none.shp"}).err, {"observed.perimeter"});
-    const Outcome compared = frana({"compare", "result", "--observed", "covered.geojson", "--out", "compared"});
+    const Outcome compared =
+        frana({"compare", "result", "--observed", "covered.geojson", "--out", "compared", "--size", "640x480"});
     EXPECT_EQ(compared.exit_code, 0) << compared.err;
     EXPECT_EQ(json_number(read_text(path("compared/comparison.json")), "threshold_m"), 0.2);
 }
@@ -217,7 +219,8 @@ TEST_F(SuspiciousInput, ANumberSignInAFolderIsNoComment) {
     for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
         std::filesystem::copy(folder_ / file, folder / file);
     const std::string scene = folder.string() + "/scene.ini";
-    const Outcome run = frana({"run", scene, "--out", "out#1/result", "--quiet", "--set", "output.animation=off"});
+    const Outcome run = frana({"run", scene, "--out", "out#1/result", "--quiet", "--set", "output.animation=off",
+                               "--set", "output.maps=max_depth", "--set", "output.map-size=640x480"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     // The echo repeats it, a page is drawn from it, and a comment is still one.
     EXPECT_EQ(frana({"run", "out#1/result/scene.ini", "--out", "again", "--quiet"}).exit_code, 0);
@@ -228,7 +231,7 @@ TEST_F(SuspiciousInput, ANumberSignInAFolderIsNoComment) {
         return values;
     };
     EXPECT_EQ(depths("again"), depths("out#1/result"));
-    EXPECT_EQ(frana({"render", "out#1/result"}).exit_code, 0);
+    EXPECT_EQ(frana({"render", "out#1/result", "--map", "max_depth", "--size", "640x480"}).exit_code, 0);
     write_scene("#[time]\n[output]\ntitle = Slope#2 # and more\nmaps = off\nanimation = off\n");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "titled", "--quiet"}).exit_code, 0);
     EXPECT_NE(read_text(path("titled/scene.ini")).find("\ntitle = Slope#2\n"), std::string::npos);

@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
 const std::map<std::string, Arguments> k_commands{
-    {"maps", {"render", "broken", "--size", "800x600", "--out", "drawn"}},
-    {"view", {"render", "broken", "--view", "3d", "--map", "depth@2", "--size", "800x600", "--out", "drawn"}},
-    {"film", {"render", "broken", "--animation", "drawn/film.gif", "--size", "800x600"}},
-    {"speeds", {"render", "broken", "--animation", "drawn/film.gif", "--map", "velocity", "--size", "800x600"}},
-    {"particles", {"render", "broken", "--animation", "drawn/", "--map", "particles", "--size", "800x600"}},
-    {"charts", {"render", "broken", "--charts", "--size", "800x600", "--out", "drawn"}},
-    {"compare", {"compare", "broken", "--scar", "scar.geojson", "--out", "drawn", "--size", "800x600"}}};
+    {"maps", {"render", "broken", "--size", "640x480", "--out", "drawn"}},
+    {"view", {"render", "broken", "--view", "3d", "--map", "depth@2", "--size", "640x480", "--out", "drawn"}},
+    {"film", {"render", "broken", "--animation", "drawn/film.gif", "--size", "640x480"}},
+    {"speeds", {"render", "broken", "--animation", "drawn/film.gif", "--map", "velocity", "--size", "640x480"}},
+    {"particles", {"render", "broken", "--animation", "drawn/", "--map", "particles", "--size", "640x480"}},
+    {"charts", {"render", "broken", "--charts", "--size", "640x480", "--out", "drawn"}},
+    {"compare", {"compare", "broken", "--scar", "scar.geojson", "--out", "drawn", "--size", "640x480"}}};
 
 enum class Damage { missing, empty, half, garbage, other };
 
@@ -69,7 +69,8 @@ class BrokenResult : public TinyScene {
     void SetUp() override {
         write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
         write_scene(
-            "frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n"
+            "frame-interval = 1\n[output]\nmaps = off\nanimation = off\ncharts = off\nreport = off\nformats = geotiff, "
+            "particles-gpkg\n"
             "[scar]\nperimeter = scar.geojson\n");
         const Outcome run = frana({"run", "scene.ini", "--out", "result", "--quiet"});
         ASSERT_EQ(run.exit_code, 0) << run.err;

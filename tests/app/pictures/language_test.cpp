@@ -15,7 +15,9 @@ namespace {
 class Languages : public TinyScene {
   protected:
     void run(const std::string& language) {
-        write_scene("[output]\nmaps = max_depth\nmap-formats = svg\nanimation = off\nframes = off\n" + language);
+        write_scene(
+            "[output]\nmaps = max_depth\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nframes = off\n" +
+            language);
         const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--overwrite"});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }

@@ -185,18 +185,12 @@ TEST_F(MapSheet, AllPagesOfAResultShareTheFrame) {
     write_polygon("seen", {{20, 50}, {160, 50}, {160, 100}, {20, 100}});
     run("[hazard]\nscheme = custom\ndepth-limits = 0.5, 2\nvelocity-limits = 3\n[observed]\nperimeter = "
         "seen.geojson\n");
-    for (const char* size : {"1600x1200", "A4-portrait"}) {
-        const Outcome outcome = render({"--map",    "max_depth",
-                                        "--map",    "max_velocity",
-                                        "--map",    "arrival_time",
-                                        "--map",    "hazard",
-                                        "--map",    "comparison",
-                                        "--map",    "depth@2",
-                                        "--map",    "release",
-                                        "--format", "tif",
-                                        "--format", "svg",
-                                        "--size",   size,
-                                        "--out",    std::string("pages") + size});
+    for (const char* size : {"800x600", "A4-portrait"}) {
+        const Outcome outcome =
+            render({"--map",        "max_depth", "--map",  "max_velocity", "--map",
+                    "arrival_time", "--map",     "hazard", "--map",        "comparison",
+                    "--map",        "depth@2",   "--map",  "release",      "--format",
+                    "tif",          "--size",    size,     "--out",        std::string("pages") + size});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         std::optional<Placed> first;
         for (const std::string& file : files()) {

@@ -26,7 +26,7 @@ class Pdf : public TinyScene {
 TEST_F(Pdf, OfEveryKindShowsWhatItsPngShows) {
     write_polygon("scar", {{20, 50}, {120, 50}, {120, 100}, {20, 100}});
     write_scene(
-        "[scar]\nperimeter = scar.geojson\n[output]\nmap-formats = png, pdf\nmap-size = 800x600\n"
+        "[scar]\nperimeter = scar.geojson\n[output]\nmap-formats = png, pdf\nmap-size = 640x480\n"
         "maps = max_depth, max_depth_3d\nanimation = off\n[time]\nframe-interval = 1\n");
     const Outcome run = frana({"run", "scene.ini", "--out", "result", "--threads", "2"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -34,7 +34,7 @@ TEST_F(Pdf, OfEveryKindShowsWhatItsPngShows) {
               (std::vector<std::string>{"charts/profile_flow_path.pdf", "charts/scores.pdf", "charts/timeseries.pdf",
                                         "comparison.pdf", "maps/max_depth.pdf", "maps/max_depth_3d.pdf"}));
     const Outcome foreign = frana({"render", "result/max_depth.tif", "--dtm", "result/dtm.tif", "--format", "png",
-                                   "--format", "pdf", "--size", "800x600", "--out", "foreign"});
+                                   "--format", "pdf", "--size", "640x480", "--out", "foreign"});
     ASSERT_EQ(foreign.exit_code, 0) << foreign.err;
     EXPECT_EQ(good_pdfs("foreign/"), std::vector<std::string>{"max_depth.pdf"});
 }

@@ -32,16 +32,16 @@ class Render : public TinyScene {
 
 TEST_F(Render, MapsOfAnExistingResult) {
     const Outcome outcome =
-        frana({"render", "result", "--map", "max_depth", "--map", "max_velocity", "--size", "800x600"});
+        frana({"render", "result", "--map", "max_depth", "--map", "max_velocity", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "result/maps/max_depth.png\nresult/maps/max_velocity.png\n");
-    EXPECT_EQ(png_size(path("result/maps/max_depth.png")), (std::pair{800, 600}));
+    EXPECT_EQ(png_size(path("result/maps/max_depth.png")), (std::pair{640, 480}));
     EXPECT_FALSE(fs::exists(path("result/maps/final_depth.png")));
 }
 
 TEST_F(Render, ViewAndAnimation) {
-    EXPECT_EQ(frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "800x600"}).exit_code, 0);
-    EXPECT_EQ(png_size(path("result/maps/max_depth_3d.png")), (std::pair{800, 600}));
+    EXPECT_EQ(frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "640x480"}).exit_code, 0);
+    EXPECT_EQ(png_size(path("result/maps/max_depth_3d.png")), (std::pair{640, 480}));
     EXPECT_EQ(frana({"render", "result", "--animation", "film.gif", "--size", "640x480"}).exit_code, 0);
     EXPECT_EQ(read_text(path("film.gif")).substr(0, 3), "GIF");
 }
@@ -78,7 +78,7 @@ TEST_F(Render, AFrameShowsItsOwnFigures) {
 }
 
 TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
-    const Outcome outcome = frana({"render", "result", "--map", "release", "--map", "depth@2.1", "--size", "800x600"});
+    const Outcome outcome = frana({"render", "result", "--map", "release", "--map", "depth@2.1", "--size", "640x480"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     // The first state at or after 2 s, with its true time.
     EXPECT_TRUE(std::regex_match(outcome.out,
@@ -117,7 +117,7 @@ TEST_F(Render, PagesAndFormats) {
 }
 
 TEST_F(Render, Charts) {
-    const Outcome charts = frana({"render", "result", "--charts", "--size", "800x600"});
+    const Outcome charts = frana({"render", "result", "--charts", "--size", "640x480"});
     ASSERT_EQ(charts.exit_code, 0) << charts.err;
     EXPECT_NE(charts.out.find("result/charts/profile_flow_path.png"), std::string::npos) << charts.out;
     EXPECT_NE(charts.out.find("result/charts/timeseries.png"), std::string::npos);
@@ -137,7 +137,7 @@ TEST_F(Render, AnimationsBesideEachOtherInFlightAndAsPictures) {
 
 TEST_F(Render, RastersOfOtherProgramsOverATerrain) {
     const Outcome outcome =
-        frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "800x600", "--out", "foreign"});
+        frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "640x480", "--out", "foreign"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "foreign/max_velocity.png\n");
     EXPECT_EQ(frana({"render", "result/max_velocity.tif", "--view", "3d"}).exit_code, 2);
@@ -178,12 +178,12 @@ TEST_F(Render, ResultsInDifferentCrsAreNotDrawnBesideEachOther) {
 
 TEST_F(Render, MapsOfOneResultShareTheirWindow) {
     // A map drawn alone or in a series is the same, byte for byte.
-    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "max_depth", "--map", "max_velocity", "--map",
+    ASSERT_EQ(frana({"render", "result", "--size", "640x480", "--map", "max_depth", "--map", "max_velocity", "--map",
                      "depth@1", "--out", "series"})
                   .exit_code,
               0);
-    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "max_velocity", "--out", "alone"}).exit_code, 0);
-    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "depth@1", "--out", "alone"}).exit_code, 0);
+    ASSERT_EQ(frana({"render", "result", "--size", "640x480", "--map", "max_velocity", "--out", "alone"}).exit_code, 0);
+    ASSERT_EQ(frana({"render", "result", "--size", "640x480", "--map", "depth@1", "--out", "alone"}).exit_code, 0);
     EXPECT_EQ(read_text(path("series/max_velocity.png")), read_text(path("alone/max_velocity.png")));
     EXPECT_EQ(read_text(path("series/depth_t1.png")), read_text(path("alone/depth_t1.png")));
 }

@@ -111,7 +111,7 @@ class PrintedReport : public TinyScene {
 TEST_F(PrintedReport, OfTheSampleFillsItsFewPages) {
     const Outcome outcome =
         frana({"run", FRANA_SOURCE_DIR "/sample_data/bindo/scene.ini", "--out", "result", "--quiet", "--set",
-               "output.animation=off", "--set", "terrain.cell-size=10", "--set", "output.charts=off"});
+               "output.animation=off", "--set", "terrain.cell-size=20", "--set", "output.charts=off"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_good_pages("result/report.html", 10);
     EXPECT_LT(fs::file_size(path("result/report.html")), 4'000'000U);

@@ -2,11 +2,13 @@
 // Rasters of what was reached, or of the whole map: the same values at the same coordinates, all rasters of a result on
 // the same cells, and every command works with them.
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "core/json.h"
 #include "core/raster.h"
 #include "gis/raster/raster_in.h"
+#include "started_program.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -19,11 +21,12 @@ class ResultExtent : public TinyScene {
     ResultExtent() {
         write_polygon("scar", {{20, 60}, {150, 60}, {150, 90}, {20, 90}});
         write_scene(
-            "[output]\nmaps = max_depth\nanimation = off\nformats = geotiff netcdf\n[scar]\nperimeter = "
+            "[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nformats = geotiff "
+            "netcdf\n[scar]\nperimeter = "
             "scar.geojson\n[entrainment]\nerosion = growth\ngrowth-rate = 0.02\nerodible-depth = 1\n");
     }
-    [[nodiscard]] Outcome run(const std::string& extent, const std::string& result,
-                              const std::vector<std::string>& more = {}, int signal_after_ms = 0) const {
+    [[nodiscard]] static std::vector<std::string> command(const std::string& extent, const std::string& result,
+                                                          const std::vector<std::string>& more = {}) {
         std::vector<std::string> words{"run",
                                        "scene.ini",
                                        "--out",
@@ -32,13 +35,17 @@ class ResultExtent : public TinyScene {
                                        "--set",
                                        "output.extent=" + extent,
                                        "--set",
-                                       "terrain.cell-size=1",
+                                       "terrain.cell-size=2.5",
                                        "--set",
                                        "time.end=1.5",
                                        "--set",
                                        "time.frame-interval=0.5"};
         words.insert(words.end(), more.begin(), more.end());
-        return frana(words, signal_after_ms);
+        return words;
+    }
+    [[nodiscard]] Outcome run(const std::string& extent, const std::string& result,
+                              const std::vector<std::string>& more = {}) const {
+        return frana(command(extent, result, more));
     }
     /// The GeoTIFFs of a result that the run writes, relative to it.
     [[nodiscard]] std::vector<std::string> rasters(const std::string& result) const {
@@ -82,8 +89,8 @@ TEST_F(ResultExtent, HoldsTheValuesOfTheWholeMap) {
     }
     const Raster whole = gis::read_result_raster(path("map/max_depth.tif")),
                  part = gis::read_result_raster(path("reached/max_depth.tif"));
-    EXPECT_EQ(whole.grid.columns, 300);
-    EXPECT_LT(part.grid.columns, 250);
+    EXPECT_EQ(whole.grid.columns, 120);
+    EXPECT_LT(part.grid.columns, 100);
     expect_same_at_coordinates("reached", "map");
     for (const char* name : {"reached/frames.whole", "reached/frames.cut"})
         EXPECT_FALSE(fs::exists(path(name))) << name;
@@ -92,19 +99,20 @@ TEST_F(ResultExtent, HoldsTheValuesOfTheWholeMap) {
         EXPECT_EQ(read_text(path("map/" + std::string(file))), read_text(path("reached/" + std::string(file)))) << file;
     const Json of_map = Json::parse(read_text(path("map/summary.json"))),
                of_part = Json::parse(read_text(path("reached/summary.json")));
-    EXPECT_EQ(of_map["grid"]["columns"], 300);
+    EXPECT_EQ(of_map["grid"]["columns"], 120);
     EXPECT_EQ(of_part["grid"]["columns"], part.grid.columns);
-    EXPECT_EQ(of_part["map"]["columns"], 300);
+    EXPECT_EQ(of_part["map"]["columns"], 120);
     EXPECT_FALSE(of_map.contains("map"));
     for (const char* key : {"runout", "flows", "covered_area_m2", "volume", "max_depth_m", "max_velocity_p99_ms"})
         EXPECT_EQ(of_map[key], of_part[key]) << key;
     for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"render", "reached", "--map", "max_velocity", "--map", "depth@1"},
-          {"render", "reached", "--view", "3d", "--out", "view"},
-          {"render", "reached", "--animation", "film.gif"},
-          {"compare", "reached", "--scar", "scar.geojson", "--out", "again"},
+         {std::vector<std::string>{"render", "reached", "--map", "max_velocity", "--map", "depth@1", "--size",
+                                   "640x480"},
+          {"render", "reached", "--view", "3d", "--size", "640x480", "--out", "view"},
+          {"render", "reached", "--animation", "film.gif", "--size", "640x480"},
+          {"compare", "reached", "--scar", "scar.geojson", "--size", "640x480", "--out", "again"},
           {"run", "scene.ini", "--out", "reached", "--resume", "--set", "output.extent=reached", "--set",
-           "terrain.cell-size=1", "--set", "time.end=1.5", "--set", "time.frame-interval=0.5"}}) {
+           "terrain.cell-size=2.5", "--set", "time.end=1.5", "--set", "time.frame-interval=0.5"}}) {
         const Outcome outcome = frana(words);
         EXPECT_EQ(outcome.exit_code, 0) << words[0] << ": " << outcome.err;
     }
@@ -116,13 +124,20 @@ TEST_F(ResultExtent, HoldsTheValuesOfTheWholeMap) {
 TEST_F(ResultExtent, OfAResumedRunIsThatOfAStraightOne) {
     const Outcome straight = run("reached", "straight");
     ASSERT_EQ(straight.exit_code, 0) << straight.err;
-    Outcome stopped = run("reached", "resumed", {}, 400);
-    for (int k = 0; stopped.exit_code != 0 && k < 50; ++k) {
-        // Negative: killed before it could take the signal.
-        ASSERT_TRUE(stopped.exit_code == 130 || stopped.exit_code == 143 || stopped.exit_code < 0) << stopped.err;
-        stopped = run("reached", "resumed", {"--resume"}, 400 + 100 * k);
-    }
-    ASSERT_EQ(stopped.exit_code, 0) << stopped.err;
+    // Stopped after its first frames, and killed where the frames are cut, if it is seen there.
+    StartedProgram first(folder_.string(), command("reached", "resumed"));
+    ASSERT_TRUE(first.wait_until([&] { return fs::exists(path("resumed.partial/frames/depth_0001.tif")); }));
+    first.send(SIGINT);
+    ASSERT_EQ(first.wait().exit_code, 130);
+    StartedProgram second(folder_.string(), command("reached", "resumed", {"--resume"}));
+    if (second.wait_until([&] {
+            return fs::exists(path("resumed.partial/frames.whole")) || fs::exists(path("resumed/frames.whole"));
+        }))
+        second.send(SIGKILL);
+    const int killed = second.wait().exit_code;
+    ASSERT_TRUE(killed == 0 || killed == -SIGKILL) << killed;
+    const Outcome last = run("reached", "resumed", {"--resume"});
+    ASSERT_EQ(last.exit_code, 0) << last.err;
     expect_same_at_coordinates("resumed", "straight");
     EXPECT_EQ(gis::read_result_raster(path("resumed/max_depth.tif")).grid.columns,
               gis::read_result_raster(path("straight/max_depth.tif")).grid.columns);

@@ -28,17 +28,20 @@ const std::string k_two_keys =
     "[vary]\nmaterial.friction-angle = uniform(10, 26)\nmaterial.turbulence = log-uniform(200, 2000)\n";
 const std::string k_jaccard = "[objective]\njaccard = 1\n";
 
-/// A folder with a tiny scene whose scar was drawn by frana: the run with a friction angle of 17 degrees.
+/// A folder with a tiny scene and a scar, about that of a run with a friction angle of 17 degrees.
 class Calibrate : public TinyScene {
   protected:
     Calibrate() {
-        write_event("slope.ini", "truth", 17);
+        write_scene("stop-when-still = off\n" + k_numbers_only + "charts = off\n");
+        write_polygon("scar", {{15, 50}, {40, 40}, {150, 38}, {155, 75}, {150, 112}, {40, 110}, {15, 100}});
+        write("slope.ini", read_text(path("scene.ini")) + "[scar]\nperimeter = scar.geojson\n");
         write_study("samples = 24\nrefine = 16\n", k_jaccard + k_two_keys);
     }
 
+    /// A scene whose scar was drawn by frana.
     void write_event(const std::string& scene, const std::string& scar, double angle,
                      const std::string& more = "") const {
-        write_scene("stop-when-still = off\n" + k_numbers_only + more);
+        write_scene("stop-when-still = off\n" + k_numbers_only + "charts = off\n" + more);
         const Outcome outcome = frana({"run", "scene.ini", "--out", scar, "--quiet", "--set", "time.end=12", "--set",
                                        "material.friction-angle=" + std::to_string(angle)});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -170,6 +173,7 @@ TEST_F(Calibrate, SaysThatItsRunsLeftTheGround) {
 }
 
 TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
+    write_event("slope.ini", "truth", 17);
     write_study("samples = 256\nrefine = 192\n", k_jaccard + k_two_keys);
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -271,7 +275,6 @@ TEST_F(Calibrate, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
 TEST_F(Calibrate, AnEventWithoutAScarIsRefused) {
     write_scene(k_numbers_only);
     write("bare.ini", read_text(path("scene.ini")));
-    write_event("slope.ini", "truth2", 15);
     write("study.ini", "[study]\nscene = slope.ini, bare.ini\nsamples = 4\n" + k_jaccard + k_two_keys);
     expect_refused({"event bare", "has nothing that [objective] compares: jaccard", "observed.perimeter in the scene"});
     write_study("samples = 4\n", "[objective]\njaccard = 1\narrival = 1\n" + k_two_keys);
@@ -385,8 +388,8 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
 TEST_F(Calibrate, ChartsAndReportAreDrawn) {
     write("slope.ini", [&] {
         std::string text = read_text(path("slope.ini"));
-        const std::string off = "maps = off\n";
-        return text.replace(text.find(off), off.size(), "map-size = 800x600\n");
+        for (const std::string off : {"maps = off\n", "charts = off\n"}) text.erase(text.find(off), off.size());
+        return text.insert(text.find("[output]\n") + 9, "map-size = 640x480\n");
     }());
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -29,7 +29,7 @@ class Region : public Ensemble {
         write("scene.ini",
               "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = slopes.geojson\nthickness = 1\n[material]\n"
               "friction-angle = 18\nturbulence = 500\n[time]\nend = 20\nstop-when-still = off\n" +
-                  k_numbers_only);
+                  k_numbers_only + "charts = off\n");
     }
     void write_slopes(const std::vector<TestSlope>& slopes) const {
         std::string features;

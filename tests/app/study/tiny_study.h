@@ -17,7 +17,7 @@ using Rows = std::vector<std::map<std::string, std::string>>;
 
 class Ensemble : public TinyScene {
   protected:
-    Ensemble() { write_scene("stop-when-still = off\n" + k_numbers_only); }
+    Ensemble() { write_scene("stop-when-still = off\n" + k_numbers_only + "charts = off\n"); }
 
     void write_study(const std::string& head, const std::string& rest) const {
         write("study.ini", "[study]\nscene = scene.ini\n" + head + rest);
