@@ -38,7 +38,7 @@ void mean_levels(const NodeRange& range, NodeGrid& nodes) {
         if (!(s.area > 0)) return;
         const auto mean =
             mean_level<double>(s.mass, s.area, s.area_bed, s.bed_squares, s.surface_squares, nodes.bed[n], flat);
-        nodes.levels[n] = {mean.depth, mean.level, mean.ponding, 0};
+        nodes.levels[n] = {mean.depth, mean.level, mean.ponding, 0, mean.held, 0};
         s.bed_squares = s.surface_squares = 0;
     });
 }

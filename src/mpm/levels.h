@@ -10,7 +10,7 @@
 namespace frana {
 
 /// Computes each node's mean depth and free surface, and how level that surface is. Reads NodeSums and clears its
-/// squares, since forces are summed in the same slots; writes NodeLevel depth, level, ponding.
+/// squares, since forces are summed in the same slots; writes NodeLevel depth, level, ponding, held.
 ///
 /// Ponding distinguishes a pool from flow on a slope by comparing the spread of the particles' free surface around the
 /// node with the spread of the bed below them: 1 where the surface spreads less than a fifth of the bed, 0 where more
@@ -26,10 +26,10 @@ void node_references(const NodeRange& range, NodeGrid& nodes);
 
 // Formulas for one node (double) and for four in a row (Quad), always inlined as those of mpm/curvature.h.
 
-/// NodeLevel without its support.
+/// NodeLevel without its support and share.
 template <class Number>
 struct MeanLevel {
-    Number depth, level, ponding;
+    Number depth, level, ponding, held;
 };
 
 inline constexpr double k_level_ratio = 0.2 * 0.2, k_sloping_ratio = 0.5 * 0.5;
@@ -51,7 +51,8 @@ template <class Number>
     const Number surface_spread = max(zero, surface_squares / area - (depth + above) * (depth + above));
     const Number t =
         min(max((surface_spread / (bed_spread + flat) - k_level_ratio) / (k_sloping_ratio - k_level_ratio), zero), one);
-    return {depth, bed + above + depth, 1 - t * t * (3 - 2 * t)};
+    const Number ponding = 1 - t * t * (3 - 2 * t);
+    return {depth, bed + above + depth, ponding, ponding * (above + depth) + (1 - ponding) * depth};
 }
 
 /// Returns the rise of a bed over half a cell on either side [m], from the differences of its neighbours.

@@ -69,6 +69,8 @@ struct NodeLevel {
     double ponding;  ///< 1: the surface is level (still-water reference); 0: it follows the bed (thickness
                      ///< reference)
     double support;  ///< 1: filled all round; 0: a free front
+    double held;     ///< depth of the state held on the grid (mpm/held_state.h) [m]
+    double share;    ///< fraction of the reference that this state is
 };
 
 /// Fraction of a cell from which it counts as filled (share/doc/numerics.md, "Reference level").

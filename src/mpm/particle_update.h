@@ -23,6 +23,10 @@ namespace frana {
 /// ritter-irregular would be worse by 1/3.
 inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxation_limit = 0.2;
 
+/// Gain of the same per compression by a shock in a step; weaker below a compression of 1 / k_shock_threshold, since a
+/// gain proportional to the motion alone would set still water with irregular particles in motion.
+inline constexpr double k_shock_gain = 3, k_shock_threshold = 30;
+
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
 inline constexpr double k_least_growth = 0.1;
 
@@ -121,17 +125,20 @@ template <class Number>
 }
 
 /// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with the fraction
-/// of each cell that particles claim, and only shrinks at a free front. A particle too thin to be split claims at most
-/// a few cells: beyond that its support would be meaningless.
+/// of each cell that particles claim, and only shrinks at a free front. A shock leaves particles that overlap: there it
+/// is as fast as the compression (k_shock_gain). A particle too thin to be split claims at most a few cells: beyond
+/// that its support would be meaningless.
 /// @param grown area after deformation by the flow  @param area before the step  @param courant |v| dt/dx
+/// @param squeezed shock_compression times dt
 template <class Number>
 [[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number fraction, Number support,
-                                                  Number speed, double courant, double cell_area) {
+                                                  Number speed, double courant, double cell_area, Number squeezed) {
     using std::max;
     using std::min;
     const Number gain = select(fraction > k_crowded_fraction, Number(k_crowded_gain), Number(k_relaxation_gain));
     const Number limit(k_relaxation_limit), largest(k_largest_claim * cell_area);
-    const Number beta = min(limit, gain * speed * courant);
+    const Number shocked = min(Number(1.0), k_shock_threshold * squeezed) * k_shock_gain * squeezed;
+    const Number beta = min(limit, gain * speed * courant + shocked);
     const Number relaxed = grown * (1 + beta * (1 / fraction - 1));
     return min(select((fraction > 1) | (support > 0.999), relaxed, grown), max(area, largest));
 }
@@ -330,7 +337,12 @@ struct ParticleSweep {
 
         // Equation (38) in two dimensions: the area follows the map x -> x + dt v(x), whose determinant this is.
         const Number div = g.u_x + g.v_y;
-        if constexpr (Relaxed) L::store(shock_compression(div, g.bend), compression + p, n);
+        Number squeezed = 0.0;
+        if constexpr (Relaxed) {
+            const Number rate = shock_compression(div, g.bend);
+            L::store(rate, compression + p, n);
+            squeezed = k.dt * rate;
+        }
         const Number determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
         Number growth = determinant;
         if constexpr (Relaxed)
@@ -354,7 +366,7 @@ struct ParticleSweep {
         }
         const Number speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
         if constexpr (Relaxed)
-            new_area = relaxed_area(new_area, old_area, g.fraction, g.support, speed, courant, cell_area);
+            new_area = relaxed_area(new_area, old_area, g.fraction, g.support, speed, courant, cell_area, squeezed);
         const Number depth = mass / new_area;
         if constexpr (Stress::active) {
             const auto t = stress(StrainRate<Number>{g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth});

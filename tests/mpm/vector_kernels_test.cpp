@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "mpm/held_state.h"
 #include "mpm/levels.h"
 #include "mpm/node_grid.h"
 #include "mpm/particles_to_nodes.h"
@@ -75,6 +76,7 @@ void work_out_levels(NodeGrid& nodes) {
     for_all_nodes(nodes, [&](const NodeRange& range) { mean_levels(range, nodes); });
     nodes.phase = NodePhase::forces;
     for_all_nodes(nodes, [&](const NodeRange& range) { node_references(range, nodes); });
+    for_all_nodes(nodes, [&](const NodeRange& range) { hold_on_grid(range, 9.81, false, nodes); });
 }
 
 // Every double of the nodes' records, against the largest of its kind.
@@ -144,6 +146,36 @@ TEST_P(VectorKernelsTest, PressureToNodes) {
     const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
     compare_pressure<false>(bed_, particles, {1, 1 + GetParam(), 0});
     compare_pressure<true>(bed_, particles, {1, 1 + GetParam(), 0});
+}
+
+// Over nearly level ground, where the state held on the grid has any share.
+TEST_P(VectorKernelsTest, PressureToNodesOfStateHeldOnGrid) {
+    Raster bed = bed_;
+    for (double& z : bed.values) z *= 0.01;
+    std::uniform_real_distribution<double> sign(-1, 1), depth(4, 6);
+    ParticleSet particles(k_all_fields);
+    for (int i = 0; i < 42 * 42; ++i) {
+        ParticleRow r = ParticleSet::initial_row();
+        get(r, Field::x) = (13 + 0.5 * (i % 42 + 0.5 + 0.4 * sign(random_))) * k_cell;
+        get(r, Field::y) = (13 + 0.5 * (static_cast<double>(i / 42) + 0.5 + 0.4 * sign(random_))) * k_cell;
+        get(r, Field::area) = 0.25 * k_cell * k_cell;
+        get(r, Field::volume) = get(r, Field::area) * depth(random_);
+        get(r, Field::compression) = sign(random_);
+        particles.push_back(r);
+    }
+    const ParticleTile tile{0, particles.size(), 0};
+    Fields fields(bed);
+    particles_to_nodes<Shape, true, true>(tile, particles, fields.nodes);
+    work_out_levels(fields.nodes);
+    int full = 0, part = 0;
+    for (std::size_t i = 0; i < fields.nodes.size(); ++i) {
+        full += fields.nodes.levels[i].share == 1;
+        part += fields.nodes.levels[i].share > 0 && fields.nodes.levels[i].share < 1;
+    }
+    EXPECT_GT(full, 50);
+    EXPECT_GT(part, 20);
+    compare_pressure<false>(bed, particles, tile);
+    compare_pressure<true>(bed, particles, tile);
 }
 
 // Particles over more nodes than a local copy contains, and over the whole grid with its edges.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bench/set_up/lattice.h"
+#include "mpm/held_state.h"
 #include "mpm/levels.h"
 #include "mpm/node_grid.h"
 #include "mpm/particles_to_nodes.h"
@@ -52,6 +53,7 @@ struct Tile {
             };
             for_all([&](const NodeRange& range) { mean_levels(range, *nodes); });
             for_all([&](const NodeRange& range) { node_references(range, *nodes); });
+            for_all([&](const NodeRange& range) { hold_on_grid(range, k_fall, false, *nodes); });
             if (nodes == &gathered) continue;
             const VoellmyFriction frictionless;
             Maxima maxima(nodes->size());

@@ -4,6 +4,7 @@
 
 #include "models/voellmy_bingham/step_stages.h"
 #include "mpm/boundary.h"
+#include "mpm/held_state.h"
 #include "mpm/levels.h"
 #include "mpm/shifting.h"
 #include "mpm/update_nodes.h"
@@ -97,6 +98,8 @@ void reference_levels(Step& now) {
                    [&](const NodeRange& range) { clear_squares(range, state.nodes); });
     state.nodes.phase = NodePhase::forces;
     sweep_nodes(now, active.updated(), &VectorNodeKernels::node_references, node_references);
+    for_node_tiles(state, active.updated(), now.pool,
+                   [&](const NodeRange& range) { hold_on_grid(range, now.laws.gravity, now.laws.wall, state.nodes); });
     if (now.laws.wall) mirror_levels(state.nodes);
     now.watch.ends(Stage::levels);
 }

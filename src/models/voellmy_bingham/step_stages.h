@@ -38,7 +38,7 @@ void choose_length(Step& now, double dt_limit);
 void choose_active_tiles(Step& now);
 /// Reads the particles; clears the records and writes NodeSums.
 void particles_to_nodes(Step& now);
-/// Reads the squares; writes NodeLevel; momenta become those in map view.
+/// Reads the squares; writes NodeLevel; adds the force of the state held on the grid to NodeForces fx, fy.
 void reference_levels(Step& now);
 /// Reads particles and NodeLevel; adds NodeForces fx, fy.
 void forces_to_nodes(Step& now);

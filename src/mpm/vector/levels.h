@@ -26,7 +26,7 @@ void vector_mean_levels(const NodeRange& range, NodeGrid& nodes) {
             const auto i = static_cast<std::size_t>(j * nodes.stride() + column);
             NodeSums* const sums = &nodes.records[i].sums;
             double* const to = &nodes.levels[i].depth;
-            Quad first[4], second[4], rows[4] = {zero, zero, zero, zero};
+            Quad first[4], second[4], rows[4] = {zero, zero, zero, zero}, held = zero;
             load_rows(&sums->mass, k_record_doubles, second);
             const Quad area = second[1];
             const Quad::Mask real = area > 0;
@@ -37,10 +37,15 @@ void vector_mean_levels(const NodeRange& range, NodeGrid& nodes) {
                 rows[0] = select(real, mean.depth, zero);
                 rows[1] = select(real, mean.level, zero);
                 rows[2] = select(real, mean.ponding, zero);
+                held = select(real, mean.held, zero);
                 transpose(rows[0], rows[1], rows[2], rows[3]);
                 for (std::size_t l = 0; l < 4; ++l) sums[l].bed_squares = sums[l].surface_squares = 0;
             }
-            for (std::size_t l = 0; l < 4; ++l) rows[l].store(to + l * sizeof(NodeLevel) / sizeof(double));
+            for (std::size_t l = 0; l < 4; ++l) {
+                rows[l].store(to + l * sizeof(NodeLevel) / sizeof(double));
+                nodes.levels[i + l].held = held[static_cast<int>(l)];
+                nodes.levels[i + l].share = 0;
+            }
         }
     }
 }

@@ -37,10 +37,13 @@ struct NodeBox {
 struct LevelBox {
     static constexpr std::size_t k_size = NodeBox::k_columns * NodeBox::k_rows + 4;
     alignas(32) double thickness[k_size];  // (1 - ponding) depth
-    alignas(32) double level[k_size], ponding[k_size], support[k_size], fx[k_size], fy[k_size];
+    alignas(32) double level[k_size], ponding[k_size], support[k_size], held[k_size], share[k_size];
+    alignas(32) double fx[k_size], fy[k_size];
+    Shares shares = Shares::none;
 
     LevelBox(const NodeBox& box, const NodeGrid& nodes) {
         const std::int64_t last = nodes.stride() - 1;
+        double least = 1, most = 0;
         for (std::int64_t j = 0; j < box.rows; ++j) {
             const NodeLevel* row = nodes.levels.data() + (box.j0 + j) * nodes.stride();
             const std::int64_t to = j * NodeBox::k_columns;
@@ -50,9 +53,14 @@ struct LevelBox {
                 level[to + i] = from.level;
                 ponding[to + i] = from.ponding;
                 support[to + i] = from.support;
+                held[to + i] = from.held;
+                share[to + i] = from.share;
+                least = from.share < least ? from.share : least;
+                most = from.share > most ? from.share : most;
                 fx[to + i] = fy[to + i] = 0;
             }
         }
+        shares = !(most > 0) ? Shares::none : least < 1 ? Shares::any : Shares::all;
     }
     void add_forces_to(const NodeBox& box, NodeGrid& nodes) const {
         for (std::int64_t j = 0; j < box.rows; ++j) {
@@ -66,25 +74,16 @@ struct LevelBox {
     }
 };
 
-/// pressure_to_nodes<QuadraticSplineShape, true, Stress>, a row of three nodes at a time (the fourth lane has weight
-/// zero), on a copy of the nodes in which each row is contiguous.
-template <bool Stress>
-void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
-    if (tile.begin == tile.end) return;
+/// Adds the forces of a tile's particles to the copy of their nodes.
+template <bool Stress, Shares Held>
+void push_in_box(const ParticleTile& tile, const ParticleSet& particles, double gravity, const NodeGrid& nodes,
+                 const NodeBox& box, LevelBox& local) {
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const double *const volume = particles[Field::volume], *const area = particles[Field::area];
     const double* const compression = particles[Field::compression];
     const double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
     const double* const s_yy = particles[Field::s_yy];
     const NodeScale grid = nodes.scale();
-    const NodeBox box(x, y, tile.begin, tile.end, grid);
-    if (!box.fits()) {  // particles far apart: two runs
-        const std::size_t middle = (tile.begin + tile.end) / 2;
-        vector_pressure_to_nodes<Stress>({tile.begin, middle, tile.tile}, particles, gravity, nodes);
-        vector_pressure_to_nodes<Stress>({middle, tile.end, tile.tile}, particles, gravity, nodes);
-        return;
-    }
-    LevelBox local(box, nodes);
     const double* const bed = nodes.bed.data();
     const Quad shift{-0.5, 0, 0.5, 0}, square{0.5, -1, 0.5, 0}, constant{0, 0.75, 0, 0};
     const Quad linear = Quad{1, -2, 1, 0} * grid.inverse_dx, slope_constant = shift * grid.inverse_dx;
@@ -131,6 +130,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
                                     weight[k] * sum_everywhere(wx * along),
                                     0.0,
                                     0.0,
+                                    0.0,
                                     0.0};
             if constexpr (Stress) {
                 push.xx = volume[p + k] * s_xx[p + k];
@@ -138,19 +138,45 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
                 push.yy = volume[p + k] * s_yy[p + k];
             }
             const auto at = static_cast<std::int64_t>(box_first[k]);
+            if constexpr (Held != Shares::none) {
+                const double* const held = local.held + at;
+                push.held = sum_everywhere(wx * (weight_y[0][k] * Quad::load(held) +
+                                                 weight_y[1][k] * Quad::load(held + NodeBox::k_columns) +
+                                                 weight_y[2][k] * Quad::load(held + 2 * NodeBox::k_columns)));
+            }
             for (int b = 0; b < 3; ++b) {
                 const std::int64_t i = at + b * NodeBox::k_columns;
                 const Quad wy(weight_y[b][k]), gy(slope_y[b][k]);
-                const Quad reference = reference_depth(Quad::load(local.ponding + i), Quad::load(local.level + i),
-                                                       Quad::load(local.thickness + i), z);
-                const Quad supported = Quad::load(local.support + i) * reference;
+                const Quad share = Held == Shares::any ? Quad::load(local.share + i) : Quad(0.0);
+                const auto reference = reference_of<Held, Quad>(
+                    Quad::load(local.ponding + i), Quad::load(local.level + i), Quad::load(local.thickness + i),
+                    Quad::load(local.support + i), share, z, push.held);
                 const auto [force_x, force_y] =
-                    push_on_node<true, Stress, Quad>(push, supported, reference, wx * wy, gx * wy, wx * gy);
+                    push_on_node<true, Stress, Quad>(push, reference, wx * wy, gx * wy, wx * gy);
                 (Quad::load(local.fx + i) + force_x).store(local.fx + i);
                 (Quad::load(local.fy + i) + force_y).store(local.fy + i);
             }
         }
     });
+}
+
+/// pressure_to_nodes<QuadraticSplineShape, true, Stress>, a row of three nodes at a time (the fourth lane has weight
+/// zero), on a copy of the nodes in which each row is contiguous.
+template <bool Stress>
+void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
+    if (tile.begin == tile.end) return;
+    const NodeBox box(particles[Field::x], particles[Field::y], tile.begin, tile.end, nodes.scale());
+    if (!box.fits()) {  // particles far apart: two runs
+        const std::size_t middle = (tile.begin + tile.end) / 2;
+        vector_pressure_to_nodes<Stress>({tile.begin, middle, tile.tile}, particles, gravity, nodes);
+        vector_pressure_to_nodes<Stress>({middle, tile.end, tile.tile}, particles, gravity, nodes);
+        return;
+    }
+    LevelBox local(box, nodes);
+    const auto push = local.shares == Shares::none  ? push_in_box<Stress, Shares::none>
+                      : local.shares == Shares::any ? push_in_box<Stress, Shares::any>
+                                                    : push_in_box<Stress, Shares::all>;
+    push(tile, particles, gravity, nodes, box, local);
     local.add_forces_to(box, nodes);
 }
 
