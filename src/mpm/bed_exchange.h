@@ -78,15 +78,13 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
                        double dt, double least_depth, const BedState* states, const NodeGrid& nodes,
                        ErodibleBed* beds) {
     const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
-    const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
+    const std::int64_t stride = nodes.stride();
     const std::uint8_t* solid = nodes.solid();
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         const NodeMotion& node = nodes.motion()[i];
         ErodibleBed& erodible_bed = beds[i];
         erodible_bed.gain = erodible_bed.loss = erodible_bed.change = 0;
-        if (!(node.mass > 0) || column < k_ghost || row < k_ghost || column >= stride - k_ghost ||
-            row >= rows - k_ghost || (solid && solid[i]))
-            return;
+        if (!(node.mass > 0) || nodes.is_ghost(column, row) || (solid && solid[i])) return;
         const double climb = Metric ? climb_at(nodes.bed.data() + i, stride, half_inverse_dx, node.u, node.v) : 0;
         const double speed = speed_along_bed(node.u, node.v, climb);
         const BedState& bed = states[i];

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/quad.h"
+#include "mpm/levels.h"
+#include "mpm/shifting.h"
 
 namespace frana {
 namespace {
@@ -17,8 +19,6 @@ constexpr double k_front = k_filled_fraction, k_inside = 0.9;
 // Least depth of the nodes used over the greatest: no share, full share. A film beside deep water has too little mass
 // to carry the difference between the water's force on the grid and that of the particles.
 constexpr double k_film = 0.02, k_comparable = 0.1;
-// Crowding: full share, none; as in shifting.h.
-constexpr double k_apart = k_crowded_fraction, k_piled = 1.2;
 
 // The nodes of a tile and two more on each side, an array per quantity, in rows that whole fours can read.
 struct Patch {
@@ -88,23 +88,12 @@ FRANA_INLINE void for_fours(const NodeRange& range, std::int64_t round, const Vi
         for (std::int64_t i = -round; i < range.i1 - range.i0 + round; i += 4) visit(Patch::at(i, j));
 }
 
-// 0 at `none`, 1 at `all`, smooth between.
-FRANA_INLINE Quad smooth(Quad none, Quad all, Quad value) {
-    const Quad t = max(Quad(0.0), min(Quad(1.0), (value - none) / (all - none)));
-    return t * t * (3 - 2 * t);
-}
-
-bool is_ghost(std::int64_t column, std::int64_t row, const NodeGrid& nodes) {
-    return column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||
-           row >= nodes.padded_rows() - k_ghost;
-}
-
 // Folds a quantity of the 13 nodes that a node uses.
 template <class Fold>
 FRANA_INLINE Quad fold_round(const double* at, const Fold& fold) {
     constexpr std::int64_t row = Patch::k_columns;
     Quad all = Quad::load(at);
-    for (const std::int64_t to : {std::int64_t{1}, row, 2 * std::int64_t{1}, 2 * row, row + 1, row - 1})
+    for (const std::int64_t to : {std::int64_t{1}, row, std::int64_t{2}, 2 * row, row + 1, row - 1})
         all = fold(all, fold(Quad::load(at - to), Quad::load(at + to)));
     return all;
 }
@@ -116,11 +105,11 @@ FRANA_INLINE Quad share_of(const Patch& patch, std::int64_t n) {
     const Quad uneven = fold_round(patch.bed + n, most) - fold_round(patch.bed + n, least);
     const Quad::Mask deep = uneven < k_uneven_bed * depth;
     if (!any(deep)) return 0.0;
-    const Quad level = smooth(k_uneven_bed * depth, k_level_bed * depth, uneven);
-    const Quad filled = smooth(k_front, k_inside, fold_round(patch.fraction + n, least));
-    const Quad apart = smooth(k_piled, k_apart, Quad::load(patch.crowding + n));
+    const Quad level = smooth_step<Quad>(k_uneven_bed * depth, k_level_bed * depth, uneven);
+    const Quad filled = smooth_step<Quad>(k_front, k_inside, fold_round(patch.fraction + n, least));
+    const Quad apart = smooth_step<Quad>(k_shift_none, k_shift_until, Quad::load(patch.crowding + n));
     const Quad shallow = fold_round(patch.depth + n, least), deepest = fold_round(patch.depth + n, most);
-    const Quad comparable = smooth(k_film * deepest, k_comparable * deepest, shallow);
+    const Quad comparable = smooth_step<Quad>(k_film * deepest, k_comparable * deepest, shallow);
     return select(deep, level * filled * apart * comparable, Quad(0.0));
 }
 
@@ -176,7 +165,7 @@ void hold_on_grid(const NodeRange& range, double gravity, bool wall, NodeGrid& n
                 const auto node = static_cast<std::size_t>(j * nodes.stride() + i + lane);
                 if (!(share[lane] > 0)) continue;
                 nodes.levels[node].share = share[lane];
-                if (wall && is_ghost(i + lane, j, nodes)) continue;
+                if (wall && nodes.is_ghost(i + lane, j)) continue;
                 nodes.forces()[node].fx += x[lane];
                 nodes.forces()[node].fy += y[lane];
             }

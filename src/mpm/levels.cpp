@@ -56,8 +56,7 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
     const double inverse_dx2 = 1 / (nodes.cell_size() * nodes.cell_size());
     range.for_each(stride, [&](std::size_t n, std::int64_t i, std::int64_t j) {
         if (!(forces[n].area > 0)) return;
-        const bool ghost = i < k_ghost || j < k_ghost || i >= stride - k_ghost || j >= rows - k_ghost;
-        forces[n].crowding = ghost ? 1 : crowding(nodes, forces, n, i, j);
+        forces[n].crowding = nodes.is_ghost(i, j) ? 1 : crowding(nodes, forces, n, i, j);
         if (i == 0 || j == 0 || i == stride - 1 || j == rows - 1) return;  // outermost ghosts: never read
         double least = forces[n].area;
         for (std::int64_t b = -1; b <= 1; ++b) {

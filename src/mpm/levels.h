@@ -38,6 +38,15 @@ inline constexpr double k_flat = 1e-6;
 /// Accuracy of the area flooded by a level, as a fraction of a cell: a smaller area does not make a shore a front.
 inline constexpr double k_known_fraction = 0.06;
 
+/// 0 up to `from`, 1 beyond `to`, smooth between; or falling, if `to` is the lesser.
+template <class Number>
+[[gnu::always_inline]] inline Number smooth_step(Number from, Number to, Number value) {
+    using std::max;
+    using std::min;
+    const Number t = min(max((value - from) / (to - from), Number(0.0)), Number(1.0));
+    return t * t * (3 - 2 * t);
+}
+
 /// See mean_levels.
 /// @param area more than 0  @param flat k_flat in m2
 template <class Number>
@@ -46,12 +55,11 @@ template <class Number>
                                                            double flat) {
     using std::max;
     using std::min;
-    const Number zero(0.0), one(1.0), depth = mass / area, above = area_bed / area;
+    const Number zero(0.0), depth = mass / area, above = area_bed / area;
     const Number bed_spread = max(zero, bed_squares / area - above * above);
     const Number surface_spread = max(zero, surface_squares / area - (depth + above) * (depth + above));
-    const Number t =
-        min(max((surface_spread / (bed_spread + flat) - k_level_ratio) / (k_sloping_ratio - k_level_ratio), zero), one);
-    const Number ponding = 1 - t * t * (3 - 2 * t);
+    const Number ponding =
+        1 - smooth_step<Number>(k_level_ratio, k_sloping_ratio, surface_spread / (bed_spread + flat));
     return {depth, bed + above + depth, ponding, ponding * (above + depth) + (1 - ponding) * depth};
 }
 

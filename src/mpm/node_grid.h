@@ -199,6 +199,10 @@ class NodeGrid {
     /// Whether a node of the terrain has no elevation and is not a wall either.
     [[nodiscard]] bool is_gap(std::size_t node) const noexcept { return any_solid() && solid_[node] == k_gap; }
     [[nodiscard]] bool is_wall(std::size_t node) const noexcept { return any_solid() && solid_[node] == k_wall; }
+    /// Whether a node lies outside the terrain, by its padded numbers.
+    [[nodiscard]] bool is_ghost(std::int64_t i, std::int64_t j) const noexcept {
+        return i < k_ghost || j < k_ghost || i >= stride() - k_ghost || j >= padded_rows() - k_ghost;
+    }
     [[nodiscard]] bool any_solid() const noexcept { return solid_.size() != 0; }
     [[nodiscard]] const std::uint8_t* solid() const noexcept { return any_solid() ? solid_.data() : nullptr; }
 

@@ -59,8 +59,7 @@ template <Shares Held, class Number>
     return {rest * own * own + share * held * held, rest * own + share * (support * following + ponding * held)};
 }
 
-/// Returns a particle's force on a node, over density; relative to the node's reference if
-/// Referenced.
+/// Returns a particle's force on a node, over density; relative to the node's reference if Referenced.
 template <bool Referenced, bool Stress, class Number>
 [[gnu::always_inline]] inline MapVector<Number> push_on_node(const ParticlePush<Number>& p,
                                                              const Reference<Number>& reference, Number weight,
@@ -80,8 +79,8 @@ template <bool Referenced, bool Stress, class Number>
 /// (share/doc/numerics.md, "Reference level"; NodeLevel): h^2 and h are relative to the node's own still level or mean
 /// depth, which integrates to zero in the continuum, or to the state held on the grid, whose force hold_on_grid adds;
 /// so that a uniform state exerts exactly no force for any arrangement of particles; update_nodes adds the weight of a
-/// reference that follows the bed. Reads x, y, volume,
-/// area, s_* if Stress, compression if Referenced; reads NodeLevel; adds to NodeForces fx, fy.
+/// reference that follows the bed. Reads x, y, volume, area, s_* if Stress, compression if Referenced; reads NodeLevel;
+/// adds to NodeForces fx, fy.
 template <class Shape, bool Referenced, bool Stress>
 void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     const double* x = particles[Field::x];

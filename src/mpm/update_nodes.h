@@ -412,8 +412,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
     NodeSweep<double, Slope, Friction> sweep{k, friction, nodes, maxima, time};
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
         if (!(nodes.mass(i) > 0)) return;
-        const bool ghost = k.wall && (column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||
-                                      row >= nodes.padded_rows() - k_ghost);
+        const bool ghost = k.wall && nodes.is_ghost(column, row);
         const NodeInput<double> in = input_of<Slope>(nodes, i, column, row);
         const bool held = (nodes.any_solid() && nodes.solid()[i] != 0) || (friction.keeps_rest() && in.held != 0);
         sweep(i, 1, true, held, ghost, in);

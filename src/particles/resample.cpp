@@ -146,10 +146,10 @@ class TileResampler {
         const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
         return limits_.marks[j * (grid_.columns + 2 * grid_.ghost) + i] == limits_.wall_mark;
     }
+    // Indices continue from the particles of the tile to those added.
     [[nodiscard]] Outline outline(std::size_t i) const {
         return i < size_ ? Outline(particles_, begin_ + i) : Outline(change_.added[i - size_]);
     }
-    // Indices continue from the particles of the tile to those added.
     [[nodiscard]] ParticleRow row(std::size_t i) const {
         return i < size_ ? particles_.row(begin_ + i) : change_.added[i - size_];
     }

@@ -125,8 +125,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
     const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
     if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
         use_vector_kernels(*fast, stress, stages);
-        stages.fast_nodes = vector_node_kernels();
-        use_fast_node_stages(numerics, summed, stages);
+        if (stages.references) use_fast_node_stages(numerics, summed, stages);
     }
     return stages;
 }

@@ -194,7 +194,8 @@ void choose_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
 }
 
 void use_fast_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
-    if (!stages.references || !curvature(numerics) || slope_correction(numerics) != SlopeCorrection::normal) return;
+    stages.fast_nodes = vector_node_kernels();
+    if (!curvature(numerics) || slope_correction(numerics) != SlopeCorrection::normal) return;
     stages.update_nodes = summed ? fast_update_summed : fast_update_uniform;
 }
 

@@ -15,7 +15,7 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
 
 /// Sets the nodes' stages for the slope correction, the curvature and the friction of a scene.
 void choose_node_stages(const Numerics& numerics, bool summed, voellmy_bingham::Stages& stages);
-/// Replaces them by the fast kernels where these compute the same.
+/// With reference levels: sets the fast kernels, and replaces the stages by them where these compute the same.
 void use_fast_node_stages(const Numerics& numerics, bool summed, voellmy_bingham::Stages& stages);
 /// Sets the stages of erosion and deposition, if any.
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, voellmy_bingham::Stages& stages);

@@ -88,6 +88,7 @@ std::vector<AccuracyCase> channel_dam_breaks() {
             irregular_case("stoker-irregular", "the same with irregular particles", 2),
             channel_case("stoker-weak", "dam break, 10 m over 5 m of water, 20 s", 5),
             irregular_case("stoker-weak-irregular", "the same with irregular particles", 5),
+            channel_case("stoker-thin", "dam break, 10 m over 0.1 m of water, 20 s", 0.1),
             channel_case("ritter", "dam break, 10 m over dry ground, 20 s", 0, Marks{2.5, 0.0105}),
             irregular_case("ritter-irregular", "the same with irregular particles", 0)};
 }

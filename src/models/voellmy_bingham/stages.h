@@ -24,7 +24,7 @@ struct Stages {
                                     ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
     ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const PlaneStressLaw&,
                                          const NodeGrid&, ParticleSet&) = nullptr;
-    const VectorNodeKernels* fast_nodes = nullptr;  ///< for the tiles that they compute; null: this processor has none
+    const VectorNodeKernels* fast_nodes = nullptr;  ///< for tiles that they compute; null: none
     bool references = false;                        ///< pressure is relative to a still level or mean depth per node
     bool leapfrog = false;     ///< velocities are half a step before the positions; otherwise at the same time
     bool resamples = false;    ///< particles split and merge

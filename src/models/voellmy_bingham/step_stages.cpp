@@ -29,7 +29,7 @@ void for_node_tiles(const State& state, const std::vector<std::int64_t>& tiles, 
 template <class Plain>
 void sweep_nodes(Step& now, const std::vector<std::int64_t>& tiles, VectorNodeKernels::Sweep VectorNodeKernels::*fast,
                  const Plain& plain) {
-    const VectorNodeKernels* const kernels = now.stages.references ? now.stages.fast_nodes : nullptr;
+    const VectorNodeKernels* const kernels = now.stages.fast_nodes;
     NodeGrid& nodes = now.state.nodes;
     for_node_tiles(now.state, tiles, now.pool, [&](const NodeRange& range) {
         if (kernels != nullptr && four_at_a_time(range, nodes)) {
