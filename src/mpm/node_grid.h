@@ -47,7 +47,7 @@ struct alignas(64) NodeMotion {
     double mass;            ///< [m3]
     double fraction;        ///< of the cell that the particles claim, phi [-]
     double climb;           ///< v . grad Z [m/s], only with curvature
-    double support;         ///< NodeLevel::support
+    double support;         ///< NodeLevel::support + share, which is 0 unless support is 1
 };
 
 /// The phase of the records of a grid.

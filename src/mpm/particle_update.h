@@ -125,11 +125,11 @@ template <class Number>
 }
 
 /// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with the fraction
-/// of each cell that particles claim, and only shrinks at a free front. A shock leaves particles that overlap: there it
-/// is as fast as the compression (k_shock_gain). A particle too thin to be split claims at most a few cells: beyond
-/// that its support would be meaningless.
+/// of each cell that particles claim, and only shrinks at a free front. A shock leaves particles that overlap: where
+/// its state is held on the grid, the relaxation is as fast as the compression (k_shock_gain). A particle too thin to
+/// be split claims at most a few cells: beyond that its support would be meaningless.
 /// @param grown area after deformation by the flow  @param area before the step  @param courant |v| dt/dx
-/// @param squeezed shock_compression times dt
+/// @param squeezed shock_compression times dt, and the share of the state held on the grid
 template <class Number>
 [[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number fraction, Number support,
                                                   Number speed, double courant, double cell_area, Number squeezed) {
@@ -196,7 +196,7 @@ struct ParticleReport {
 /// The values that one particle (double) or four (Quad) gather from their nodes.
 template <class Number>
 struct Gathered {
-    Number cell_depth, fraction, climb, support;
+    Number cell_depth, fraction, climb, support;  // as in NodeMotion
     Number depth_x, depth_y, fraction_x, fraction_y,
         least;                      // for shifting: gradients of the first two; least fraction of any node
     Number u, v, back_u, back_v;    // nodal velocity in map view; velocity that the particles take over
@@ -299,6 +299,7 @@ struct ParticleSweep {
         const Mask real = L::first(n);
         const Number mass = L::load(volume + p, n), old_area = L::load(area + p, n);
         const double cell_area = grid.dx * grid.dx, courant = k.dt * grid.inverse_dx;
+        const Number support = min(Number(1.0), g.support), held = max(Number(0.0), g.support - 1);
         if constexpr (Affine) {
             Gradient<Number> c{d * g.m_xx, d * g.m_xy, d * g.m_yx, d * g.m_yy};
             if constexpr (Relaxed) {
@@ -307,7 +308,7 @@ struct ParticleSweep {
                     const Number speed2 = g.u * g.u + g.v * g.v;
                     bound2 = select(speed2 > 0, bound2 * (g.back_u * g.back_u + g.back_v * g.back_v) / speed2, bound2);
                 }
-                c = bounded_at_front(c, g.support, grid.dx, bound2);
+                c = bounded_at_front(c, support, grid.dx, bound2);
             }
             L::store(c.xx, c_xx + p, n);
             L::store(c.xy, c_xy + p, n);
@@ -326,7 +327,7 @@ struct ParticleSweep {
             const double half = 0.5 * k.dt;
             const Number mean_u = g.u - half * (g.u_x * g.u + g.u_y * g.v - driven.x),
                          mean_v = g.v - half * (g.v_x * g.u + g.v_y * g.v - driven.y);
-            const Number work = k.pull * g.support * (g.climb - (mean_u * g.bed_x + mean_v * g.bed_y));
+            const Number work = k.pull * support * (g.climb - (mean_u * g.bed_x + mean_v * g.bed_y));
             const Number change =
                 change_by_work<Number>(work, back_u * back_u + back_v * back_v + k.gravity * mass / old_area);
             back_u += change * back_u;
@@ -341,7 +342,7 @@ struct ParticleSweep {
         if constexpr (Relaxed) {
             const Number rate = shock_compression(div, g.bend);
             L::store(rate, compression + p, n);
-            squeezed = k.dt * rate;
+            squeezed = held * k.dt * rate;
         }
         const Number determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
         Number growth = determinant;
@@ -366,7 +367,7 @@ struct ParticleSweep {
         }
         const Number speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
         if constexpr (Relaxed)
-            new_area = relaxed_area(new_area, old_area, g.fraction, g.support, speed, courant, cell_area, squeezed);
+            new_area = relaxed_area(new_area, old_area, g.fraction, support, speed, courant, cell_area, squeezed);
         const Number depth = mass / new_area;
         if constexpr (Stress::active) {
             const auto t = stress(StrainRate<Number>{g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth});
@@ -378,7 +379,7 @@ struct ParticleSweep {
         Number px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
         if constexpr (Shifts) {
             const Shift<Number> shift =
-                shift_of<Number>(k.shift, speed * courant, g.support, g.least, g.fraction, g.fraction_x, g.fraction_y,
+                shift_of<Number>(k.shift, speed * courant, support, g.least, g.fraction, g.fraction_x, g.fraction_y,
                                  g.cell_depth, g.depth_x, g.depth_y, grid.dx);
             px += shift.x;
             py += shift.y;

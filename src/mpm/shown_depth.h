@@ -104,7 +104,7 @@ inline double shown_depth(const NodeGrid& nodes, std::size_t node) noexcept {
     const NodeMotion& motion = nodes.motion()[node];
     const double cell_area = nodes.cell_size() * nodes.cell_size();
     const auto n = static_cast<std::int64_t>(node), stride = nodes.stride();
-    return shown_depth<double>(motion.mass, motion.fraction * cell_area, motion.support,
+    return shown_depth<double>(motion.mass, motion.fraction * cell_area, std::min(1.0, motion.support),
                                crowding(nodes, nodes.motion(), node, n % stride, n / stride), 1 / cell_area);
 }
 

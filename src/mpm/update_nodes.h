@@ -241,6 +241,7 @@ template <class Number>
 struct NodeInput {
     Number px, py, fx, fy, mass, area, crowding, held;
     Number ponding, support;  ///< NodeLevel; without reference levels 1, 0
+    Number share;             ///< the same; without reference levels 0
     Number follows;           ///< 1 - ponding; without reference levels 1
     Number height;            ///< of the bed [m]
     NodeBed<Number> bed;
@@ -331,7 +332,8 @@ struct NodeSweep {
             const auto lane = static_cast<int>(l);
             if (L::at(real, lane)) k.gathered[i + l] = {L::at(old.x, lane), L::at(old.y, lane)};
         }
-        store(i, count, real, {way.x, way.y, back.x, back.y}, {mass, in.area * inverse_area, climb, in.support});
+        store(i, count, real, {way.x, way.y, back.x, back.y},
+              {mass, in.area * inverse_area, climb, in.support + in.share});
     }
 
     [[nodiscard, gnu::always_inline]] NodeReport report() const {
@@ -398,6 +400,7 @@ template <class Slope>
             f.held,
             ponding,
             levels ? nodes.levels[i].support : 0,
+            levels ? nodes.levels[i].share : 0,
             levels ? 1 - ponding : 1,
             nodes.bed[i],
             bed_at<Slope>(nodes, i, column, row)};

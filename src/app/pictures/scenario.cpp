@@ -2,6 +2,7 @@
 #include "app/pictures/scenario.h"
 
 #include <cmath>
+#include <limits>
 
 #include "app/text/number_text.h"
 #include "core/text.h"
@@ -55,11 +56,12 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
     for (const Named& one : table) {
         const bool varies = *one.by_place != '\0' && facts.value(one.by_place);
         const auto text = facts.value(one.key);
-        const auto number = text ? number_from_text(*text) : std::nullopt;
-        if (varies || (text && !number))
+        constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
+        const double number = text ? number_from_text(*text).value_or(k_none) : k_none;
+        if (varies || (text && std::isnan(number)))
             parts.push_back(words("{1} by place", {words(one.words)}));
-        else if (number && !(one.not_if_zero && *number == 0))
-            parts.push_back(words(one.words) + " " + words.number(value_text(*number)) + one.unit);
+        else if (text && !(one.not_if_zero && number == 0))
+            parts.push_back(words(one.words) + " " + words.number(value_text(number)) + one.unit);
         else if (!text && one.absent != nullptr)
             parts.push_back(words(one.absent));
     }

@@ -23,8 +23,10 @@ FRANA_INLINE NodeInput<Quad> inputs_of(const NodeGrid& nodes, std::size_t i) {
                       (Quad::load(z + stride) - Quad::load(z - stride)) * half_inverse_dx,
                       {}};
     if constexpr (Slope::curved) bed.curvature = bed_curvature<Quad>(z, stride, nodes.cell_size());
-    return {first[0],  first[1],  first[2],  first[3],      second[0],     second[1], second[2],
-            second[3], levels[2], levels[3], 1 - levels[2], Quad::load(z), bed};
+    const NodeLevel* const l = &nodes.levels[i];
+    const Quad share(l[0].share, l[1].share, l[2].share, l[3].share);
+    return {first[0],  first[1],  first[2],  first[3], second[0],     second[1],     second[2],
+            second[3], levels[2], levels[3], share,    1 - levels[2], Quad::load(z), bed};
 }
 
 /// update_nodes, four nodes of a row at a time, for tiles of whole fours inside the outermost ring and, with walls, the
