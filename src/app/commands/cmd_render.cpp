@@ -154,6 +154,8 @@ void refuse_scale_that_does_not_fit(const MapSource& source, const MapLayer& lay
 }  // namespace
 
 CommandForm render_form() {
+    std::string codes;
+    for (const LanguageRow& row : languages()) codes += (codes.empty() ? "" : "|") + std::string(row.code);
     CommandForm form{
         "frana render RESULT_DIR|RASTER [options]",
         "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as "
@@ -173,10 +175,10 @@ CommandForm render_form() {
         "fly", "animation, 3d: the camera moves along the flow")("charts",
                                                                  "draw the charts of a result instead of maps")(
         "difference", one("RESULT_DIR"), "another result: draw the difference of --map, this result minus the other")(
-        "language", one("en|it|de|fr|es"),
-        "of the texts: en, it, de, fr, es (default: the result's output.language; for a RASTER the locale's)")(
-        "camera", one("ANGLES"), k_cameras)("exaggeration", one("FACTOR"),
-                                            "vertical exaggeration of views (default: 1)")(
+        "language", one(codes.c_str()),
+        ("of the texts: " + language_codes() + " (default: the result's output.language; for a RASTER the locale's)")
+            .c_str())("camera", one("ANGLES"), k_cameras)("exaggeration", one("FACTOR"),
+                                                          "vertical exaggeration of views (default: 1)")(
         "plain", "views: white background")("dtm", one("FILE"), "terrain under a RASTER")(
         "unit", one("UNIT"), "unit of the values of a RASTER, if the file does not state it")(
         "above", one("VALUE"), "draw only the values of a RASTER above this one")(

@@ -52,7 +52,7 @@ struct Origin {
 
 /// Height of the mass over the ground [m]; where a file or a volume gives it, more than any landslide's.
 double thickness_bound(const ReleaseSpec& release) {
-    const bool number = release.thickness && release.thickness->kind == ThicknessSpec::Kind::number;
+    const bool number = release.thickness && release.thickness->kind == nullptr;
     return number && !release.volume ? release.thickness->metres : 100;
 }
 
@@ -71,7 +71,7 @@ std::optional<Origin> release_origin(const SceneReading& reading, const std::str
     const auto& velocity = release.velocity;
     if (velocity && velocity->kind == SourceSpec::Kind::number) origin.head += velocity_head(velocity->number, gravity);
     if (!release.perimeter) {
-        if (!release.thickness || release.thickness->kind != ThicknessSpec::Kind::raster) return std::nullopt;
+        if (!release.thickness || !release.thickness->as_in_file()) return std::nullopt;
         return if_readable([&] {
             const gis::RasterInfo file = reading.session.read(gis::inspect_raster, release.thickness->names.front(),
                                                               reading.where("release.thickness"));

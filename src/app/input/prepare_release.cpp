@@ -148,7 +148,7 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
         ReleaseArea area;
         area.outline = layer.features[i].parts;
         area.thickness = spec.metres;
-        if (spec.kind == ThicknessSpec::Kind::attribute) {
+        if (spec.kind != nullptr) {
             const SourceSpec source{SourceSpec::Kind::attribute, 0, spec.names.front()};
             const auto thickness = value_of(reading, "release.thickness", source, layer, i, problems);
             if (!thickness) continue;
@@ -287,8 +287,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                                        const TerrainInput* ground, ReleaseInput& release, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems) {
     const std::string where = reading.where("release.thickness");
-    const ThicknessKind& kind = *thickness_kind(spec.kind);
-    const bool phases = spec.kind == ThicknessSpec::Kind::phases;
+    const ThicknessKind& kind = *spec.kind;
     // A thickness has its own unit.
     const std::string unit = kind.elevations ? reading.scene.terrain.vertical_unit : "auto";
     const std::optional<double> nodata = kind.elevations ? reading.scene.terrain.nodata_value : std::nullopt;
@@ -324,13 +323,13 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             release.rasters.push_back(info);
             files.push_back(used_raster(worded("Release thickness"), info, read));
             if (ground->on_demand) do_not_count_nodata(files.back());
-            if (ground->on_demand && phases)
+            if (ground->on_demand && kind.phases)
                 read.raster = phase_on_demand(ground->terrain.grid, unread.back(), info, where);
             rasters.push_back(std::move(read.raster));
         });
     }
     if (rasters.size() != spec.names.size()) return std::nullopt;
-    if (phases) {
+    if (kind.phases) {
         for (std::size_t i = 0; i < rasters.size() && !ground->on_demand; ++i) {
             const double least =
                 *std::min_element(rasters[i].values.begin(), rasters[i].values.end(),
@@ -352,7 +351,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             thickness.values[i] = kind.metres(ground->terrain.values[i], here);
         }
     }
-    if (spec.kind == ThicknessSpec::Kind::difference)
+    if (kind.elevations && !kind.below_dtm)  // both surfaces are files
         release.before = ground->on_demand
                              ? raster_values_on_demand(thickness.grid, unread[0], [](double z) { return z; })
                              : std::move(rasters[0]);
@@ -413,7 +412,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         if (ground->on_demand && spec.by_raster() && !release.areas.empty())
             files.back().checksum.add(*release.areas.front().thickness_raster);
         // Interpolated at its edge, a raster would lose volume; the released volume is that of the file.
-        if (problems.empty() && spec.kind == ThicknessSpec::Kind::raster && !reading.scene.release.volume)
+        if (problems.empty() && spec.as_in_file() && !reading.scene.release.volume)
             match_file_volume(release, ground->terrain.grid, reading.session, files.back());
     }
     return release;

@@ -203,7 +203,7 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
 void check_thickness(const ReleaseSpec& release, const std::string& file, Problems& problems) {
     if (!release.thickness) return;
     const ThicknessSpec& thickness = *release.thickness;
-    const ThicknessKind* const kind = thickness_kind(thickness.kind);
+    const ThicknessKind* const kind = thickness.kind;
     if (kind != nullptr && kind->below_dtm && !release.dtm_contains_release) {
         problems.add({std::string("contradicts release.thickness = ") + kind->word + ", which lies under the DTM",
                       file + ": release.dtm-contains-release", "off", "on", "Set it to on"});

@@ -42,7 +42,7 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
                       "Lower it or raise the bulk modulus"});
     }
     const auto& thickness = scene.release.thickness;
-    if (thickness && thickness->kind == ThicknessSpec::Kind::phases && given.count("structured.solid-fraction") > 0) {
+    if (thickness && thickness->in_phases() && given.count("structured.solid-fraction") > 0) {
         problems.add({"is given twice", file + ": structured.solid-fraction", "", "",
                       "Remove it: release.thickness = " + text_of(*thickness) + " determines it"});
     }
@@ -94,7 +94,7 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
     }
     if (structured) check_structured(scene, given, file, problems);
     const auto& thickness = scene.release.thickness;
-    if (thickness && thickness->kind == ThicknessSpec::Kind::phases && !(structured && has_solids(scene))) {
+    if (thickness && thickness->in_phases() && !(structured && has_solids(scene))) {
         problems.add({"gives solids and fluid separately, but the scene's material does not",
                       file + ": release.thickness", text_of(*thickness), "",
                       "Set structured.phases = solids-and-fluid, or give the sum as raster:FILE"});

@@ -14,8 +14,6 @@
 namespace frana {
 namespace {
 
-using Kind = ThicknessSpec::Kind;
-
 using Values = std::span<const double>;
 
 double lowered(double above, double below) {
@@ -23,31 +21,29 @@ double lowered(double above, double below) {
     return std::isnan(metres) ? k_no_data : std::max(metres, 0.0);
 }
 
-const ThicknessKind k_kinds[] = {
-    {.kind = Kind::attribute, .word = "attribute", .operands = "NAME", .from_files = false},
-    {.kind = Kind::raster, .word = "raster", .operands = "FILE", .metres = [](double, Values file) { return file[0]; }},
-    {.kind = Kind::difference,
-     .word = "difference",
+constexpr ThicknessKind k_kinds[] = {
+    {.word = "attribute", .operands = "NAME", .from_files = false},
+    {.word = "raster", .operands = "FILE", .as_in_file = true, .metres = [](double, Values file) { return file[0]; }},
+    {.word = "difference",
      .operands = "PRE,POST",
      .elevations = true,
      .metres = [](double, Values files) { return lowered(files[0], files[1]); }},
-    {.kind = Kind::slip_surface,
-     .word = "slip-surface",
+    {.word = "slip-surface",
      .operands = "FILE",
      .elevations = true,
      .below_dtm = true,
      .without_operands = true,
      .metres = [](double dtm, Values file) { return lowered(dtm, file[0]); }},
-    {.kind = Kind::phases, .word = "phases", .operands = "SOLIDS,FLUID"}};
+    {.word = "phases", .operands = "SOLIDS,FLUID", .phases = true}};
 
 std::optional<ThicknessSpec> thickness_from_text(const std::string& text) {
-    if (const auto number = number_from_text(text)) return ThicknessSpec{Kind::number, *number};
+    if (const auto number = number_from_text(text)) return ThicknessSpec{nullptr, *number};
     const auto colon = text.find(':');
     const std::string word = text.substr(0, colon);
     const auto* const kind = std::find_if(std::begin(k_kinds), std::end(k_kinds),
                                           [&](const ThicknessKind& one) { return one.word == word; });
     if (kind == std::end(k_kinds)) return std::nullopt;
-    ThicknessSpec spec{kind->kind};
+    ThicknessSpec spec{kind};
     if (colon == std::string::npos) return kind->without_operands ? std::optional(spec) : std::nullopt;
     std::string rest = text.substr(colon + 1);
     const std::string operands = kind->operands;
@@ -65,17 +61,6 @@ std::optional<ThicknessSpec> thickness_from_text(const std::string& text) {
 
 }  // namespace
 
-bool ThicknessSpec::by_raster() const {
-    const ThicknessKind* const row = thickness_kind(kind);
-    return row != nullptr && row->from_files && !names.empty();
-}
-
-const ThicknessKind* thickness_kind(ThicknessSpec::Kind kind) {
-    const auto* const found = std::find_if(std::begin(k_kinds), std::end(k_kinds),
-                                           [&](const ThicknessKind& one) { return one.kind == kind; });
-    return found == std::end(k_kinds) ? nullptr : found;
-}
-
 std::string thickness_forms() {
     std::string forms = "a number greater than 0";
     for (const ThicknessKind& kind : k_kinds) {
@@ -86,9 +71,8 @@ std::string thickness_forms() {
 }
 
 std::string text_of(const ThicknessSpec& thickness) {
-    const ThicknessKind* const kind = thickness_kind(thickness.kind);
-    if (kind == nullptr) return shortest_text(thickness.metres);
-    return kind->word + (thickness.names.empty() ? "" : ":" + joined(thickness.names, ","));
+    if (thickness.kind == nullptr) return shortest_text(thickness.metres);
+    return thickness.kind->word + (thickness.names.empty() ? "" : ":" + joined(thickness.names, ","));
 }
 
 Parameter thickness_parameter() {
@@ -97,7 +81,7 @@ Parameter thickness_parameter() {
         [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<ValueProblem> {
             const auto spec = thickness_from_text(value);
             if (!spec) return ValueProblem{"is not understood", ""};
-            if (spec->kind == Kind::number && !(spec->metres > 0))
+            if (spec->kind == nullptr && !(spec->metres > 0))
                 return ValueProblem{"is not a thickness", "It must be greater than 0 m"};
             target = spec;
             return std::nullopt;
