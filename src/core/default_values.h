@@ -11,7 +11,7 @@ inline constexpr double k_dry_depth = 1e-4;             ///< depth of fluid that
 inline constexpr double k_minimum_depth = 0.01;         ///< depth that counts as reached in maxima [m]
 inline constexpr double k_yield_regularisation = 0.01;  ///< shear rate below which the yield stress is softened [1/s]
 
-/// Courant number: of the default scheme without Bingham stress, where steps are of second order; of everything else.
+/// Courant number: of the default scheme, whose steps are of second order; of everything else.
 constexpr double default_courant(bool second_order) {
     return second_order ? 0.8 : 0.5;
 }

@@ -137,7 +137,7 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.stress.law = stress_law(material, gravity);
     laws.stress.wave_factor = std::visit([](const auto& law) { return law.wave_factor(); }, laws.stress.law);
     laws.step.cfl = courant_number(numerics, material);
-    laws.step.by_wave = numerics.scheme == Scheme::standard && !std::holds_alternative<BinghamStress>(laws.stress.law);
+    laws.step.by_wave = numerics.scheme == Scheme::standard;
     laws.minimum_depth = numerics.minimum_depth;
     laws.flight_slope = tangent_of(numerics.flight_slope);
     laws.wall = numerics.boundary == Boundary::wall;

@@ -49,6 +49,9 @@ TEST_F(SameBitsStructured, FluidThatFallsIntoAPond) {
     write_structured_scene("perimeter = perimeter.geojson\nthickness = 2",
                            "phases = fluid\nmanning = 0.05\ninitial-fluid-depth = raster:pond.tif");
     expect_same_flow();
+    // 24 m east of the top, 6 m from the release, water was 0.3 m deep.
+    const Raster depth = gis::read_result_raster(path("small/max_depth.tif"));
+    EXPECT_GT(depth.at(k_top.row - k_row, k_top.column - k_column + 24), 0.4);
 }
 
 TEST_F(SameBitsStructured, BlocksWithValuesByPlace) {

@@ -47,9 +47,7 @@ bool flight(const Numerics& numerics) {
 }
 
 double courant_number(const Numerics& numerics, const Material& material) {
-    const bool is_bingham = in_plane_stress(material) == BinghamStress::word && material.has_bingham_stress();
-    return numerics.cfl.value_or(
-        default_courant(numerics.scheme != Scheme::paper && material.model != "structured" && !is_bingham));
+    return numerics.cfl.value_or(default_courant(numerics.scheme != Scheme::paper && material.model != "structured"));
 }
 
 double frame_interval(const SceneSpec& scene) {
