@@ -8,6 +8,7 @@
 
 #include "core/zero_array.h"
 #include "mpm/curvature.h"
+#include "mpm/levels.h"
 #include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_report.h"
@@ -145,6 +146,18 @@ inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
 /// twice its weight.
 inline constexpr double k_least_bearing = 0.5;
 
+/// Squared Froude number along the fall line from which a flow begins to be a surge, and is one: there its pressure is
+/// that of a thin flow. Slower, waves outrun it and level its surface.
+inline constexpr double k_surge_from = 1, k_surge_full = 4;
+
+/// Depth of a node's flow, its motion up the bed and how far it follows the bed.
+template <class Number>
+struct NodeFlow {
+    Number depth;    ///< [m]
+    Number climb;    ///< v . grad Z [m/s]
+    Number follows;  ///< 1 - NodeLevel::ponding
+};
+
 /// Sets the acceleration of a node with mass. With S = grad(h + Z) and n = 1 + |grad Z|^2:
 ///     gentle   a = -g S
 ///     surface  a = -(g/n) S
@@ -153,12 +166,16 @@ inline constexpr double k_least_bearing = 0.5;
 /// Geophys. Res. 109, F01014). Uniform flow has g' = g / n, a level pool g' = g however steep its walls. Where the
 /// surface is steeper than the bed (fronts) only the linear terms in grad h are kept, as in Savage and Hutter (1989):
 ///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
-/// The load of the motion over the bed's curvature is not included: see turn_by_bed.
+/// and so they are in a surge, whose surface leans from the bed's slope towards level or beyond and that moves along
+/// the fall line faster than waves, F^2 = n (v . grad Z)^2 / (|grad Z|^2 g h) from k_surge_from to k_surge_full: on a
+/// plane only this form conserves momentum along the bed, as shocks must. With g' the side of a surge that leans up the
+/// slope is pushed several times as hard as the other, and the flow gains energy. The load of the motion over the bed's
+/// curvature is not included: see turn_by_bed.
 /// @param fx, fy force over mass [m/s2]  @param weight part of gravity that the reference state cancelled in the
 /// particles' sum [m/s2]  @param d of load_on
 template <class Slope, class Number>
-[[gnu::always_inline]] inline void accelerate(const NodeBed<Number>& bed, Number fx, Number fy, Number weight,
-                                              const NodeUpdate& k, NodeDrive<Number>& d) {
+[[gnu::always_inline]] inline void accelerate(const NodeBed<Number>& bed, const NodeFlow<Number>& flow, Number fx,
+                                              Number fy, Number weight, const NodeUpdate& k, NodeDrive<Number>& d) {
     using std::max;
     const Number fall_x = fx - weight * bed.slope_x, fall_y = fy - weight * bed.slope_y;  // -g S
     d.ax = fall_x / d.n;
@@ -168,8 +185,14 @@ template <class Slope, class Number>
         const Number divisor = max(Number(k_least_bearing), bearing);
         const Number along = k.gravity * (d.n - bearing) / (d.n * d.n);  // grad Z . (-g grad h) / n^2
         const auto bears = bearing < d.n;
-        d.ax = select(bears, fall_x / divisor, d.ax - bed.slope_x * along);
-        d.ay = select(bears, fall_y / divisor, d.ay - bed.slope_y * along);
+        const Number thin_x = d.ax - bed.slope_x * along, thin_y = d.ay - bed.slope_y * along;
+        const Number none(1e-300), steep = bed.slope_x * bed.slope_x + bed.slope_y * bed.slope_y;
+        const Number lean = (d.n - bearing) / max(none, steep);  // 0: parallel to the bed, 1: level
+        const Number froude = d.n * flow.climb * flow.climb / max(none, steep * k.gravity * flow.depth);
+        const Number surge =
+            flow.follows * smooth_step<Number>(0, 1, lean) * smooth_step<Number>(k_surge_from, k_surge_full, froude);
+        d.ax = select(bears, surge * thin_x + (1 - surge) * (fall_x / divisor), thin_x);
+        d.ay = select(bears, surge * thin_y + (1 - surge) * (fall_y / divisor), thin_y);
     }
     d.ax += k.gravity_x;
     d.ay += k.gravity_y;
@@ -183,8 +206,11 @@ NodeDrive<double> drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size
     const NodeBed<double> bed = bed_at<Slope>(nodes, i, column, row);
     NodeDrive<double> d = load_on<Slope, double>(bed, node.px / node.mass, node.py / node.mass, k.gravity);
     const bool levels = nodes.levels.size() != 0;
-    const double weight = levels ? k.gravity * nodes.levels[i].support * (1 - nodes.levels[i].ponding) : 0;
-    accelerate<Slope, double>(bed, node.fx / node.mass, node.fy / node.mass, weight, k, d);
+    const double follows = levels ? 1 - nodes.levels[i].ponding : 1;
+    const double weight = levels ? k.gravity * nodes.levels[i].support * follows : 0;
+    const NodeFlow<double> flow{node.mass / node.area, (node.px * bed.slope_x + node.py * bed.slope_y) / node.mass,
+                                follows};
+    accelerate<Slope, double>(bed, flow, node.fx / node.mass, node.fy / node.mass, weight, k, d);
     return d;
 }
 
@@ -273,7 +299,9 @@ struct NodeSweep {
         const Number zero(0.0), mass = select(real, in.mass, Number(1.0));
         const MapVector<Number> old{in.px / mass, in.py / mass};
         NodeDrive<Number> drive = load_on<Slope, Number>(in.bed, old.x, old.y, k.gravity);
-        accelerate<Slope, Number>(in.bed, in.fx / mass, in.fy / mass, k.gravity * in.support * in.follows, k, drive);
+        const NodeFlow<Number> flow{mass / in.area, old.x * in.bed.slope_x + old.y * in.bed.slope_y, in.follows};
+        accelerate<Slope, Number>(in.bed, flow, in.fx / mass, in.fy / mass, k.gravity * in.support * in.follows, k,
+                                  drive);
         AlongBedOf<Number> bed{zero, zero};
         if constexpr (Slope::metric) bed = {in.bed.slope_x, in.bed.slope_y};
         BedFrameOf<Number> frame;

@@ -41,7 +41,7 @@ struct Room {
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
     {"src/core", 3350},         {"src/params", 4650},       {"src/physics", 1450},
-    {"src/particles", 1550},    {"src/mpm", 4700},          {"src/models", 4700},
+    {"src/particles", 1550},    {"src/mpm", 4750},          {"src/models", 4700},
     {"src/simulation", 6150},   {"src/analysis", 2900},     {"src/facade", 1400},
     {"src/python", 500},        {"src/bench", 6150},        {"src/app/process", 350},
     {"src/app/text", 700},      {"src/app/input", 4250},    {"src/app/store", 4000},

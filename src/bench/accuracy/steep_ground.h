@@ -15,6 +15,7 @@ namespace frana::bench {
 ///   valley      down one side of a V and up the other; own values: height climbed over height fallen (200 m),
 ///               minus 1, for five pairs of slopes; measured half-way up, before the foremost turn and meet
 ///               those behind
+///   valley-surge  the same from rest on half of a face: climb less that of the exact flow, for four pairs
 ///   profile     down and up a smooth profile; greatest change of the energy over the greatest fall
 ///   bowl        around a paraboloid; the same for energy and for angular momentum about its axis
 ///   slope-step  from 40 to 10 degrees; the same for energy
