@@ -146,15 +146,15 @@ inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
 /// twice its weight.
 inline constexpr double k_least_bearing = 0.5;
 
-/// Squared Froude number along the fall line from which a flow begins to be a surge, and is one: there its pressure is
-/// that of a thin flow. Slower, waves outrun it and level its surface.
+/// Squared Froude number of the motion up the fall line from which a flow begins to be a surge, and is one: there its
+/// pressure is that of a thin flow. Slower, waves outrun it and level its surface.
 inline constexpr double k_surge_from = 1, k_surge_full = 4;
 
 /// Depth of a node's flow, its motion up the bed and how far it follows the bed.
 template <class Number>
 struct NodeFlow {
     Number depth;    ///< [m]
-    Number climb;    ///< v . grad Z [m/s]
+    Number climb;    ///< v . grad Z [m/s]; less than 0 downhill
     Number follows;  ///< 1 - NodeLevel::ponding
 };
 
@@ -166,11 +166,11 @@ struct NodeFlow {
 /// Geophys. Res. 109, F01014). Uniform flow has g' = g / n, a level pool g' = g however steep its walls. Where the
 /// surface is steeper than the bed (fronts) only the linear terms in grad h are kept, as in Savage and Hutter (1989):
 ///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
-/// and so they are in a surge, whose surface leans from the bed's slope towards level or beyond and that moves along
-/// the fall line faster than waves, F^2 = n (v . grad Z)^2 / (|grad Z|^2 g h) from k_surge_from to k_surge_full: on a
-/// plane only this form conserves momentum along the bed, as shocks must. With g' the side of a surge that leans up the
-/// slope is pushed several times as hard as the other, and the flow gains energy. The load of the motion over the bed's
-/// curvature is not included: see turn_by_bed.
+/// and so they are in a surge, whose surface leans from the bed's slope towards level or beyond and that climbs the
+/// slope faster than waves, F^2 = n (v . grad Z)^2 / (|grad Z|^2 g h) from k_surge_from to k_surge_full: on a plane
+/// only this form conserves momentum along the bed, as shocks must. With g' the side of a surge that leans up the slope
+/// is pushed several times as hard as the other, and the flow gains energy. Downhill it would let flow stand too deep
+/// in gullies. The load of the motion over the bed's curvature is not included: see turn_by_bed.
 /// @param fx, fy force over mass [m/s2]  @param weight part of gravity that the reference state cancelled in the
 /// particles' sum [m/s2]  @param d of load_on
 template <class Slope, class Number>
@@ -188,7 +188,8 @@ template <class Slope, class Number>
         const Number thin_x = d.ax - bed.slope_x * along, thin_y = d.ay - bed.slope_y * along;
         const Number none(1e-300), steep = bed.slope_x * bed.slope_x + bed.slope_y * bed.slope_y;
         const Number lean = (d.n - bearing) / max(none, steep);  // 0: parallel to the bed, 1: level
-        const Number froude = d.n * flow.climb * flow.climb / max(none, steep * k.gravity * flow.depth);
+        const Number up = max(Number(0.0), flow.climb);
+        const Number froude = d.n * up * up / max(none, steep * k.gravity * flow.depth);
         const Number surge =
             flow.follows * smooth_step<Number>(0, 1, lean) * smooth_step<Number>(k_surge_from, k_surge_full, froude);
         d.ax = select(bears, surge * thin_x + (1 - surge) * (fall_x / divisor), thin_x);
