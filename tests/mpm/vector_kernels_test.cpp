@@ -105,11 +105,15 @@ void expect_same_particles(const ParticleSet& plain, const ParticleSet& fast) {
     }
 }
 
-class VectorKernelsTest : public testing::TestWithParam<std::size_t> {
+Instructions tested = Instructions::avx2;  // of the kernels in the test that runs
+
+class VectorKernelsTest : public testing::TestWithParam<std::tuple<std::size_t, Instructions>> {
   protected:
     void SetUp() override {
-        if (!vector_kernels()) GTEST_SKIP() << "this processor has no AVX2 and FMA: the plain kernels run";
+        tested = std::get<Instructions>(GetParam());
+        if (!vector_kernels(tested)) GTEST_SKIP() << "this processor has not the instructions of these kernels";
     }
+    static std::size_t count() { return std::get<std::size_t>(GetParam()); }
     std::mt19937 random_{20240517};
     Raster bed_ = rough_bed(random_);
 };
@@ -117,22 +121,22 @@ class VectorKernelsTest : public testing::TestWithParam<std::size_t> {
 template <bool Levels>
 void compare_gather(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile) {
     Fields plain(bed), fast(bed);
-    const VectorKernels& kernels = *vector_kernels();
+    const VectorKernels& kernels = *vector_kernels(tested);
     particles_to_nodes<Shape, true, Levels>(tile, particles, plain.nodes);
     (Levels ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes)(tile, particles, fast.nodes);
     expect_same_nodes(plain.nodes, fast.nodes);
 }
 
 TEST_P(VectorKernelsTest, ParticlesToNodes) {
-    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
-    compare_gather<true>(bed_, particles, {1, 1 + GetParam(), 0});
-    compare_gather<false>(bed_, particles, {1, 1 + GetParam(), 0});
+    const ParticleSet particles = random_particles(count() + 2, 13, 35, random_);
+    compare_gather<true>(bed_, particles, {1, 1 + count(), 0});
+    compare_gather<false>(bed_, particles, {1, 1 + count(), 0});
 }
 
 template <bool Stress>
 void compare_pressure(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile) {
     Fields plain(bed), fast(bed);
-    const VectorKernels& kernels = *vector_kernels();
+    const VectorKernels& kernels = *vector_kernels(tested);
     for (Fields* fields : {&plain, &fast}) {
         particles_to_nodes<Shape, true, true>(tile, particles, fields->nodes);
         work_out_levels(fields->nodes);
@@ -143,9 +147,9 @@ void compare_pressure(const Raster& bed, const ParticleSet& particles, const Par
 }
 
 TEST_P(VectorKernelsTest, PressureToNodes) {
-    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
-    compare_pressure<false>(bed_, particles, {1, 1 + GetParam(), 0});
-    compare_pressure<true>(bed_, particles, {1, 1 + GetParam(), 0});
+    const ParticleSet particles = random_particles(count() + 2, 13, 35, random_);
+    compare_pressure<false>(bed_, particles, {1, 1 + count(), 0});
+    compare_pressure<true>(bed_, particles, {1, 1 + count(), 0});
 }
 
 // Over nearly level ground, where the state held on the grid has any share.
@@ -180,14 +184,14 @@ TEST_P(VectorKernelsTest, PressureToNodesOfStateHeldOnGrid) {
 
 // Particles over more nodes than a local copy contains, and over the whole grid with its edges.
 TEST_P(VectorKernelsTest, PressureToNodesOfParticlesFarApart) {
-    const ParticleSet particles = random_particles(GetParam(), 0, 40, random_);
-    compare_pressure<false>(bed_, particles, {0, GetParam(), 0});
+    const ParticleSet particles = random_particles(count(), 0, 40, random_);
+    compare_pressure<false>(bed_, particles, {0, count(), 0});
 }
 
 // Every bit of records and levels after each sweep, at fronts, shores, walls, in crowds and where nothing is.
 void compare_sweeps(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile) {
     Fields plain(bed), fast(bed);
-    const VectorNodeKernels& kernels = *vector_node_kernels();
+    const VectorNodeKernels& kernels = *vector_node_kernels(tested);
     int computed = 0;
     const auto sweep = [&](auto rest, VectorNodeKernels::Sweep fast_sweep) {
         for_all_nodes(plain.nodes, [&](const NodeRange& range) {
@@ -221,12 +225,12 @@ void compare_sweeps(const Raster& bed, const ParticleSet& particles, const Parti
 }
 
 TEST_P(VectorKernelsTest, SweepsOverNodes) {
-    ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
-    compare_sweeps(bed_, particles, {1, 1 + GetParam(), 0});
+    ParticleSet particles = random_particles(count() + 2, 13, 35, random_);
+    compare_sweeps(bed_, particles, {1, 1 + count(), 0});
     Raster pond = bed_;  // level beds have no shore
     for (double& z : pond.values)
         if (!std::isnan(z)) z = std::max(z, 12.0);
-    compare_sweeps(pond, particles, {1, 1 + GetParam(), 0});
+    compare_sweeps(pond, particles, {1, 1 + count(), 0});
 }
 
 // Nodes in the state before nodes_to_particles.
@@ -300,10 +304,10 @@ void compare_nodes(const Raster& bed, const ParticleSet& particles, const Partic
 
 TEST_P(VectorKernelsTest, UpdateNodes) {
     using Slope = Curved<NormalSlope>;
-    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
-    const ParticleTile tile{1, 1 + GetParam(), 0};
+    const ParticleSet particles = random_particles(count() + 2, 13, 35, random_);
+    const ParticleTile tile{1, 1 + count(), 0};
     const VoellmyFriction law{0.2, 1.0 / 500};
-    const VectorNodeKernels& kernels = *vector_node_kernels();
+    const VectorNodeKernels& kernels = *vector_node_kernels(tested);
     const auto plain = [&](const NodeRange& range, const NodeUpdate& k, NodeGrid& nodes, Maxima& maxima) {
         return update_nodes<Slope>(range, k, UniformFriction{law}, 3, nodes, maxima);
     };
@@ -316,7 +320,7 @@ TEST_P(VectorKernelsTest, UpdateNodes) {
 
 TEST_P(VectorKernelsTest, UpdateNodesUnderASumOfLaws) {
     using Slope = Curved<NormalSlope>;
-    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    const ParticleSet particles = random_particles(count() + 2, 13, 35, random_);
     const NodeGrid size(bed_);
     std::vector<BedState> states(size.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -325,7 +329,7 @@ TEST_P(VectorKernelsTest, UpdateNodesUnderASumOfLaws) {
     }
     std::vector<BedState> plain_states = states;
     const NoExcess none;
-    const VectorNodeKernels& kernels = *vector_node_kernels();
+    const VectorNodeKernels& kernels = *vector_node_kernels(tested);
     const auto plainly = [&](std::vector<BedState>& of) {
         return [&](const NodeRange& range, const NodeUpdate& k, NodeGrid& nodes, Maxima& maxima) {
             return update_nodes<Slope>(range, k, SummedFriction<NoExcess>{none, of.data(), true}, 3, nodes, maxima);
@@ -334,7 +338,7 @@ TEST_P(VectorKernelsTest, UpdateNodesUnderASumOfLaws) {
     const auto fast = [&](const NodeRange& range, const NodeUpdate& k, NodeGrid& nodes, Maxima& maxima) {
         return kernels.summed(range, k, {none, states.data(), true}, 3, nodes, maxima);
     };
-    compare_nodes(bed_, particles, {1, 1 + GetParam(), 0}, true, plainly(plain_states), plainly(states), fast);
+    compare_nodes(bed_, particles, {1, 1 + count(), 0}, true, plainly(plain_states), plainly(states), fast);
     for (std::size_t i = 0; i < states.size(); ++i) EXPECT_EQ(states[i].resistance, plain_states[i].resistance);
 }
 
@@ -347,7 +351,7 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
     step_nodes<FollowsBed>(particles, tile, dt, nodes);
     ParticleSet fast = particles;
     const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}, 9.81 * dt, shift};
-    const VectorKernels& kernels = *vector_kernels();
+    const VectorKernels& kernels = *vector_kernels(tested);
     const ParticleReport a =
         nodes_to_particles<Shape, ApicTransfer, Stress, true, FollowsBed>(tile, update, stress, nodes, particles);
     const auto& updates = std::get<VectorKernels::NodesToParticles<Stress>>(kernels.nodes_to_particles);
@@ -368,8 +372,8 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
 }
 
 TEST_P(VectorKernelsTest, NodesToParticles) {
-    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
-    const ParticleTile tile{1, 1 + GetParam(), 0};
+    const ParticleSet particles = random_particles(count() + 2, 13, 35, random_);
+    const ParticleTile tile{1, 1 + count(), 0};
     compare_update<false>(bed_, particles, tile, NoStress{}, false);
     compare_update<true>(bed_, particles, tile, NoStress{}, false);
     for (const bool exact : {false, true})
@@ -393,9 +397,9 @@ ParticleSet side_by_side(std::size_t count, std::mt19937& random) {
 }
 
 TEST_P(VectorKernelsTest, NodesToParticlesThatShift) {
-    const std::size_t count = 15 * GetParam();
-    const ParticleSet particles = side_by_side(count + 2, random_);
-    const ParticleTile tile{1, 1 + count, 0};
+    const std::size_t many = 15 * count();
+    const ParticleSet particles = side_by_side(many + 2, random_);
+    const ParticleTile tile{1, 1 + many, 0};
     compare_update<false>(bed_, particles, tile, NoStress{}, false, k_shift);
     compare_update<true>(bed_, particles, tile, NoStress{}, true, k_shift);
     compare_update<true>(bed_, particles, tile, BinghamStress{0.5, 0.25, 0.01, true}, false, k_shift);
@@ -432,13 +436,63 @@ TEST(Shifting, ChangesNeitherVolumeNorVelocity) {
 
 // Some leave, some come to rest on cells without terrain, some are kept inside by walls.
 TEST_P(VectorKernelsTest, NodesToParticlesAtTheEdge) {
-    const ParticleSet particles = random_particles(GetParam(), 0, 40, random_);
-    compare_update<true>(bed_, particles, {0, GetParam(), 0}, NoStress{}, false);
-    compare_update<false>(bed_, particles, {0, GetParam(), 0}, NoStress{}, true);
+    const ParticleSet particles = random_particles(count(), 0, 40, random_);
+    compare_update<true>(bed_, particles, {0, count(), 0}, NoStress{}, false);
+    compare_update<false>(bed_, particles, {0, count(), 0}, NoStress{}, true);
 }
 
-INSTANTIATE_TEST_SUITE_P(Counts, VectorKernelsTest, testing::Values(1, 2, 3, 4, 5, 1023),
-                         testing::PrintToStringParamName());
+// One flow by the kernels of each set, a step from particles to particles: results do not depend on the machine.
+TEST(VectorKernels, OfBothSetsOfInstructionsGiveTheSameBits) {
+    if (!vector_kernels(Instructions::avx512)) GTEST_SKIP() << "this processor has no AVX-512";
+    std::mt19937 random(20240517);
+    const Raster bed = rough_bed(random);
+    const ParticleSet start = random_particles(1025, 13, 35, random);
+    const ParticleTile tile{1, 1024, 0};
+    const double dt = 0.05;
+    Fields narrow(bed), wide(bed);
+    ParticleSet narrow_particles = start, wide_particles = start;
+    const auto same_nodes = [&](const char* stage) {
+        ASSERT_EQ(std::memcmp(narrow.nodes.records.data(), wide.nodes.records.data(),
+                              narrow.nodes.size() * sizeof(NodeRecord)),
+                  0)
+            << stage;
+    };
+    const auto both = [&](const auto& stage) {
+        stage(*vector_kernels(Instructions::avx2), narrow.nodes, narrow_particles);
+        stage(*vector_kernels(Instructions::avx512), wide.nodes, wide_particles);
+    };
+    both([&](const VectorKernels& k, NodeGrid& nodes, ParticleSet& particles) {
+        k.particles_and_levels_to_nodes(tile, particles, nodes);
+    });
+    same_nodes("particles to nodes");
+    both([&](const VectorKernels& k, NodeGrid& nodes, ParticleSet& particles) {
+        work_out_levels(nodes);
+        k.pressure_and_stress_to_nodes(tile, particles, 9.81, nodes);
+    });
+    same_nodes("pressure");
+    const BinghamStress stress{0.5, 0.25, 0.01, true};
+    both([&](const VectorKernels& k, NodeGrid& nodes, ParticleSet& particles) {
+        step_nodes<true>(start, tile, dt, nodes);
+        const ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt, k_shift};
+        std::get<VectorKernels::NodesToParticles<BinghamStress>>(k.nodes_to_particles)
+            .along_bed(tile, update, stress, nodes, particles);
+    });
+    for (std::size_t f = 0; f < k_fields; ++f) {
+        const auto field = static_cast<Field>(f);
+        if (!start.mask().has(field)) continue;
+        EXPECT_EQ(std::memcmp(narrow_particles[field], wide_particles[field], start.size() * sizeof(double)), 0)
+            << k_field_table[f].name;
+    }
+    EXPECT_NE(std::memcmp(narrow_particles[Field::x], start[Field::x], start.size() * sizeof(double)), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Avx2, VectorKernelsTest,
+                         testing::Combine(testing::Values<std::size_t>(1, 2, 3, 4, 5, 1023),
+                                          testing::Values(Instructions::avx2)),
+                         [](const auto& one) { return std::to_string(std::get<0>(one.param)); });
+INSTANTIATE_TEST_SUITE_P(Avx512, VectorKernelsTest,
+                         testing::Combine(testing::Values<std::size_t>(5, 1023), testing::Values(Instructions::avx512)),
+                         [](const auto& one) { return std::to_string(std::get<0>(one.param)); });
 
 }  // namespace
 }  // namespace frana::test

@@ -201,7 +201,7 @@ Setup speed_gullies(double particles) {
 
 SpeedResult run_speed(const SpeedOptions& options) {
     SpeedResult result;
-    result.kernels = vector_kernels() ? "AVX2 and FMA" : "plain";
+    result.kernels = vector_kernels() != nullptr ? vector_kernels()->instructions : "plain";
     for (const bool mud : {false, true})
         result.difference_from_plain = std::max(result.difference_from_plain, difference_from_plain(mud));
     for (const int threads : std::set<int>{1, options.threads})

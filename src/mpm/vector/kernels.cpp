@@ -3,22 +3,50 @@
 
 // In a source of its own: those with the kernels are compiled for processors that may differ from this one.
 namespace frana {
-namespace {
-bool has_instructions() {
+
 #if defined(__x86_64__)
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-    return false;
-#endif
+
+namespace {
+bool has(Instructions set) {
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (set == Instructions::avx2) return avx2;
+    return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512dq");
 }
 }  // namespace
 
+const VectorKernels* vector_kernels(Instructions set) {
+    if (!has(set)) return nullptr;
+    return set == Instructions::avx512 ? &compiled_vector_kernels<Instructions::avx512>()
+                                       : &compiled_vector_kernels<Instructions::avx2>();
+}
+
+const VectorNodeKernels* vector_node_kernels(Instructions set) {
+    if (!has(set)) return nullptr;
+    return set == Instructions::avx512 ? &compiled_vector_node_kernels<Instructions::avx512>()
+                                       : &compiled_vector_node_kernels<Instructions::avx2>();
+}
+
+#else
+
+const VectorKernels* vector_kernels(Instructions) {
+    return nullptr;
+}
+
+const VectorNodeKernels* vector_node_kernels(Instructions) {
+    return nullptr;
+}
+
+#endif
+
 const VectorKernels* vector_kernels() {
-    return has_instructions() ? compiled_vector_kernels() : nullptr;
+    const VectorKernels* const newest = vector_kernels(Instructions::avx512);
+    return newest != nullptr ? newest : vector_kernels(Instructions::avx2);
 }
 
 const VectorNodeKernels* vector_node_kernels() {
-    return has_instructions() ? compiled_vector_node_kernels() : nullptr;
+    const VectorNodeKernels* const newest = vector_node_kernels(Instructions::avx512);
+    return newest != nullptr ? newest : vector_node_kernels(Instructions::avx2);
 }
 
 }  // namespace frana

@@ -7,10 +7,15 @@
 
 namespace frana {
 
+/// Sets of instructions that the kernels are compiled for, which give the same bits: AVX2 with FMA, and the same width
+/// in AVX-512 (F, VL, DQ), which has twice the registers, and masks.
+enum class Instructions { avx2, avx512 };
+
 /// The default scheme's sweeps over particles (quadratic splines, APIC, referenced pressure), four particles or a row
 /// of nodes at a time. The plain templates of mpm/ specify their results and serve processors without the instructions;
 /// tests compare the two. Results are the same up to rounding.
 struct VectorKernels {
+    const char* instructions;  ///< their name
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*particles_and_levels_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
@@ -43,12 +48,23 @@ inline bool four_at_a_time(const NodeRange& range, const NodeGrid& nodes) noexce
            range.i1 <= nodes.stride() - ring && range.j1 <= nodes.padded_rows() - ring;
 }
 
-/// Returns the kernels in AVX2 and FMA; null if the processor lacks either.
+/// Returns the kernels in these instructions; null if the processor lacks them.
+const VectorKernels* vector_kernels(Instructions set);
+const VectorNodeKernels* vector_node_kernels(Instructions set);
+/// Returns those in the newest instructions that the processor has; null if it has none.
 const VectorKernels* vector_kernels();
 const VectorNodeKernels* vector_node_kernels();
 
-/// Returns them as compiled, whatever this processor supports; null on other architectures.
-const VectorKernels* compiled_vector_kernels();
-const VectorNodeKernels* compiled_vector_node_kernels();
+/// Returns them as compiled for x86-64, whatever this processor supports.
+template <Instructions>
+const VectorKernels& compiled_vector_kernels();
+template <Instructions>
+const VectorNodeKernels& compiled_vector_node_kernels();
+
+#if defined(__AVX512VL__)
+inline constexpr Instructions k_compiled_instructions = Instructions::avx512;
+#else
+inline constexpr Instructions k_compiled_instructions = Instructions::avx2;
+#endif
 
 }  // namespace frana

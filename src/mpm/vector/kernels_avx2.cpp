@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled for AVX2 and FMA on x86-64 (see CMakeLists.txt); called only if the processor has both. Everything except
-// the last function is local to this source, so that no other part of the program can run its code.
+// Compiled on x86-64 for AVX2 and FMA, and again for AVX-512 (see CMakeLists.txt); called only if the processor has
+// them. Everything except the last function is local to this source, so that no other part of the program can run its
+// code.
 #include "mpm/vector/kernels.h"
 #if defined(__AVX2__) && defined(__FMA__)
 #include "mpm/vector/nodes_to_particles.h"
 #include "mpm/vector/particles_to_nodes.h"
 #include "mpm/vector/pressure.h"
-#endif
 
 namespace frana {
-
-#if defined(__AVX2__) && defined(__FMA__)
-
 namespace {
 
 template <bool FollowsBed, class Stress>
@@ -27,22 +24,20 @@ struct BothVelocities : VectorKernels::NodesToParticles<Stress> {
         : VectorKernels::NodesToParticles<Stress>{shifting_or_not<false, Stress>, shifting_or_not<true, Stress>} {}
 };
 
-constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>, vector_particles_to_nodes<true>,
-                                  vector_pressure_to_nodes<false>, vector_pressure_to_nodes<true>,
+constexpr VectorKernels k_kernels{k_compiled_instructions == Instructions::avx512 ? "AVX-512" : "AVX2 and FMA",
+                                  vector_particles_to_nodes<false>,
+                                  vector_particles_to_nodes<true>,
+                                  vector_pressure_to_nodes<false>,
+                                  vector_pressure_to_nodes<true>,
                                   StressLaws::ForEach<BothVelocities, NoStress>{}};
 
 }  // namespace
 
-const VectorKernels* compiled_vector_kernels() {
-    return &k_kernels;
+template <>
+const VectorKernels& compiled_vector_kernels<k_compiled_instructions>() {
+    return k_kernels;
 }
-
-#else
-
-const VectorKernels* compiled_vector_kernels() {
-    return nullptr;
-}
-
-#endif
 
 }  // namespace frana
+
+#endif

@@ -3,12 +3,8 @@
 #include "mpm/vector/kernels.h"
 #if defined(__AVX2__)
 #include "mpm/vector/update_nodes.h"
-#endif
 
 namespace frana {
-
-#if defined(__AVX2__)
-
 namespace {
 
 constexpr VectorNodeKernels k_kernels{vector_mean_levels, vector_node_references, vector_momenta_to_map,
@@ -17,16 +13,11 @@ constexpr VectorNodeKernels k_kernels{vector_mean_levels, vector_node_references
 
 }  // namespace
 
-const VectorNodeKernels* compiled_vector_node_kernels() {
-    return &k_kernels;
+template <>
+const VectorNodeKernels& compiled_vector_node_kernels<k_compiled_instructions>() {
+    return k_kernels;
 }
-
-#else
-
-const VectorNodeKernels* compiled_vector_node_kernels() {
-    return nullptr;
-}
-
-#endif
 
 }  // namespace frana
+
+#endif
