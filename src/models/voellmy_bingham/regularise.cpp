@@ -79,6 +79,20 @@ FlowSpeeds speeds_of(const ParticleSet& particles, std::size_t p, const Laws& la
     return {speed + celerity, k_carried * speed + celerity, speed};
 }
 
+// Viscosity of the in-plane stress of a particle that no step has moved yet [m2/s].
+double diffusivity_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
+    const double depth = particles[Field::volume][p] / particles[Field::area][p];
+    const StrainRate<double> rate{0, 0, 0, particles[Field::u][p], particles[Field::v][p], depth};
+    return std::visit(
+        [&]<class Stress>(const Stress& law) {
+            if constexpr (Stress::active)
+                return law(rate).diffusivity;
+            else
+                return 0.0;
+        },
+        laws.stress.law);
+}
+
 }  // namespace
 
 void cover_ground(const State& state) {
@@ -97,7 +111,10 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     sort_again(state, true, pool);
     state.active.activate(state.order);
     state.speeds = {};
-    for (std::size_t p = 0; p < state.particles.size(); ++p) state.speeds.merge(speeds_of(state.particles, p, laws));
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        state.speeds.merge(speeds_of(state.particles, p, laws));
+        state.diffusivity = std::max(state.diffusivity, diffusivity_of(state.particles, p, laws));
+    }
     if (laws.wall) mirror_bed(state.nodes);
 }
 
@@ -142,6 +159,7 @@ void leave_and_land(Step& now) {
     if (!keep.empty()) keep.resize(state.particles.size(), 1);
     for (std::size_t p = state.particles.size() - landed.count; p < state.particles.size(); ++p) {
         state.speeds.merge(speeds_of(state.particles, p, now.laws));
+        state.diffusivity = std::max(state.diffusivity, diffusivity_of(state.particles, p, now.laws));
         state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
     sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: those keep their own
