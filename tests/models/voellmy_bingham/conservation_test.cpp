@@ -69,7 +69,7 @@ TEST_P(Conservation, RemainsSymmetric) {
 }
 
 // From rest, and when particles arrive where nothing was: no step has told the stress's viscosity yet. Without its
-// bound the first step of 0.4 s throws the pile at twice the speed of a free fall from its height.
+// bound the first step, of 0.6 s, throws the pile.
 TEST(ViscousPile, StepsByItsViscosityFromTheFirstOn) {
     const GridSpec grid = bench::plain_grid(40, 4, 10);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 300 - 0.577 * p.x; });
