@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -48,6 +49,15 @@ struct Lanes<double> {
 
 [[gnu::always_inline]] inline double select(bool where, double a, double b) {
     return where ? a : b;
+}
+
+/// 0 up to `from`, 1 beyond `to`, smooth between; or falling, if `to` is the lesser.
+template <class Number>
+[[gnu::always_inline]] inline Number smooth_step(Number from, Number to, Number value) {
+    using std::max;
+    using std::min;
+    const Number t = min(max((value - from) / (to - from), Number(0.0)), Number(1.0));
+    return t * t * (3 - 2 * t);
 }
 
 }  // namespace frana

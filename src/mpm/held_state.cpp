@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/lanes.h"
 #include "core/quad.h"
-#include "mpm/levels.h"
 #include "mpm/shifting.h"
 
 namespace frana {

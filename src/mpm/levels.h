@@ -38,15 +38,6 @@ inline constexpr double k_flat = 1e-6;
 /// Accuracy of the area flooded by a level, as a fraction of a cell: a smaller area does not make a shore a front.
 inline constexpr double k_known_fraction = 0.06;
 
-/// 0 up to `from`, 1 beyond `to`, smooth between; or falling, if `to` is the lesser.
-template <class Number>
-[[gnu::always_inline]] inline Number smooth_step(Number from, Number to, Number value) {
-    using std::max;
-    using std::min;
-    const Number t = min(max((value - from) / (to - from), Number(0.0)), Number(1.0));
-    return t * t * (3 - 2 * t);
-}
-
 /// See mean_levels.
 /// @param area more than 0  @param flat k_flat in m2
 template <class Number>

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/lanes.h"
 #include "core/zero_array.h"
 #include "mpm/curvature.h"
-#include "mpm/levels.h"
 #include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_report.h"

@@ -9,7 +9,7 @@ namespace frana::bench {
 /// Stoker's and Ritter's solutions (dam_break.h). Cells of 10 to 0.625 m are 100 to 1600 along the channel.
 ///   stoker       10 m over 2 m: rarefaction and shock
 ///   stoker-weak  10 m over 5 m
-///   stoker-thin  10 m over 0.1 m: a shock a hundred times as deep as what it meets
+///   stoker-thin  10 m over 0.1 m: water a hundred times as deep as what it meets
 ///   ritter       10 m over dry ground
 /// Own values: mean depth error in metres, as other codes publish it; for ritter the error of the position of the 0.01
 /// m depth, in cells (mark 2), and that of the foremost particle.

@@ -79,7 +79,7 @@ FlowSpeeds speeds_of(const ParticleSet& particles, std::size_t p, const Laws& la
     return {speed + celerity, k_carried * speed + celerity, speed};
 }
 
-// Viscosity of the in-plane stress of a particle that no step has moved yet [m2/s].
+// Viscosity of the in-plane stress of a particle without strain [m2/s].
 double diffusivity_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
     const double depth = particles[Field::volume][p] / particles[Field::area][p];
     const StrainRate<double> rate{0, 0, 0, particles[Field::u][p], particles[Field::v][p], depth};
@@ -91,6 +91,12 @@ double diffusivity_of(const ParticleSet& particles, std::size_t p, const Laws& l
                 return 0.0;
         },
         laws.stress.law);
+}
+
+// Shortens the next step as a particle requires that no step has moved yet.
+void bound_by(State& state, std::size_t p, const Laws& laws) {
+    state.speeds.merge(speeds_of(state.particles, p, laws));
+    state.diffusivity = std::max(state.diffusivity, diffusivity_of(state.particles, p, laws));
 }
 
 }  // namespace
@@ -111,10 +117,7 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     sort_again(state, true, pool);
     state.active.activate(state.order);
     state.speeds = {};
-    for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        state.speeds.merge(speeds_of(state.particles, p, laws));
-        state.diffusivity = std::max(state.diffusivity, diffusivity_of(state.particles, p, laws));
-    }
+    for (std::size_t p = 0; p < state.particles.size(); ++p) bound_by(state, p, laws);
     if (laws.wall) mirror_bed(state.nodes);
 }
 
@@ -158,8 +161,7 @@ void leave_and_land(Step& now) {
     if (keep.empty() && landed.count == 0) return;
     if (!keep.empty()) keep.resize(state.particles.size(), 1);
     for (std::size_t p = state.particles.size() - landed.count; p < state.particles.size(); ++p) {
-        state.speeds.merge(speeds_of(state.particles, p, now.laws));
-        state.diffusivity = std::max(state.diffusivity, diffusivity_of(state.particles, p, now.laws));
+        bound_by(state, p, now.laws);
         state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
     sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: those keep their own

@@ -39,14 +39,20 @@ const VectorNodeKernels* vector_node_kernels(Instructions) {
 
 #endif
 
+namespace {
+template <class Kernels>
+const Kernels* newest(const Kernels* (*compiled_for)(Instructions)) {
+    const Kernels* const kernels = compiled_for(Instructions::avx512);
+    return kernels != nullptr ? kernels : compiled_for(Instructions::avx2);
+}
+}  // namespace
+
 const VectorKernels* vector_kernels() {
-    const VectorKernels* const newest = vector_kernels(Instructions::avx512);
-    return newest != nullptr ? newest : vector_kernels(Instructions::avx2);
+    return newest<VectorKernels>(vector_kernels);
 }
 
 const VectorNodeKernels* vector_node_kernels() {
-    const VectorNodeKernels* const newest = vector_node_kernels(Instructions::avx512);
-    return newest != nullptr ? newest : vector_node_kernels(Instructions::avx2);
+    return newest<VectorNodeKernels>(vector_node_kernels);
 }
 
 }  // namespace frana

@@ -61,10 +61,11 @@ const VectorKernels& compiled_vector_kernels();
 template <Instructions>
 const VectorNodeKernels& compiled_vector_node_kernels();
 
+/// Those for which the including source is compiled: not inline, since sources differ.
 #if defined(__AVX512VL__)
-inline constexpr Instructions k_compiled_instructions = Instructions::avx512;
+constexpr Instructions k_compiled_instructions = Instructions::avx512;
 #else
-inline constexpr Instructions k_compiled_instructions = Instructions::avx2;
+constexpr Instructions k_compiled_instructions = Instructions::avx2;
 #endif
 
 }  // namespace frana
