@@ -443,7 +443,7 @@ TEST_P(VectorKernelsTest, NodesToParticlesAtTheEdge) {
 
 // One flow by the kernels of each set, a step from particles to particles: results do not depend on the machine.
 TEST(VectorKernels, OfBothSetsOfInstructionsGiveTheSameBits) {
-    if (!vector_kernels(Instructions::avx512)) GTEST_SKIP() << "this processor has no AVX-512";
+    if (!vector_kernels(Instructions::avx512)) GTEST_SKIP() << "this processor, or this build, has no AVX-512";
     std::mt19937 random(20240517);
     const Raster bed = rough_bed(random);
     const ParticleSet start = random_particles(1025, 13, 35, random);

@@ -10,21 +10,29 @@ namespace {
 bool has(Instructions set) {
     const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     if (set == Instructions::avx2) return avx2;
+#if defined(FRANA_AVX512)
     return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
            __builtin_cpu_supports("avx512dq");
+#else
+    return false;
+#endif
 }
 }  // namespace
 
 const VectorKernels* vector_kernels(Instructions set) {
     if (!has(set)) return nullptr;
-    return set == Instructions::avx512 ? &compiled_vector_kernels<Instructions::avx512>()
-                                       : &compiled_vector_kernels<Instructions::avx2>();
+#if defined(FRANA_AVX512)
+    if (set == Instructions::avx512) return &compiled_vector_kernels<Instructions::avx512>();
+#endif
+    return &compiled_vector_kernels<Instructions::avx2>();
 }
 
 const VectorNodeKernels* vector_node_kernels(Instructions set) {
     if (!has(set)) return nullptr;
-    return set == Instructions::avx512 ? &compiled_vector_node_kernels<Instructions::avx512>()
-                                       : &compiled_vector_node_kernels<Instructions::avx2>();
+#if defined(FRANA_AVX512)
+    if (set == Instructions::avx512) return &compiled_vector_node_kernels<Instructions::avx512>();
+#endif
+    return &compiled_vector_node_kernels<Instructions::avx2>();
 }
 
 #else

@@ -48,7 +48,7 @@ inline bool four_at_a_time(const NodeRange& range, const NodeGrid& nodes) noexce
            range.i1 <= nodes.stride() - ring && range.j1 <= nodes.padded_rows() - ring;
 }
 
-/// Returns the kernels in these instructions; null if the processor lacks them.
+/// Returns the kernels in these instructions; null if the processor, or this build (FRANA_AVX512), lacks them.
 const VectorKernels* vector_kernels(Instructions set);
 const VectorNodeKernels* vector_node_kernels(Instructions set);
 /// Returns those in the newest instructions that the processor has; null if it has none.
