@@ -4,11 +4,152 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "sample_data/bindo_landslide.h"
-#include "sample_data/relief_noise.h"
+#include <cstdint>
+#include <numbers>
 
 namespace frana::sample {
+namespace {
+
+/// Returns well-mixed bits of a lattice point.
+std::uint64_t mixed(std::int64_t column, std::int64_t row, unsigned seed) {
+    std::uint64_t bits = static_cast<std::uint64_t>(column) * 0x9e3779b97f4a7c15U +
+                         static_cast<std::uint64_t>(row) * 0xc2b2ae3d27d4eb4fU + seed * 0x165667b19e3779f9U;
+    bits ^= bits >> 31;
+    bits *= 0xd6e8feb86659fd93U;
+    bits ^= bits >> 29;
+    bits *= 0xa0761d6478bd642fU;
+    return bits ^ (bits >> 32);
+}
+
+/// Returns the height at a place from one lattice point's random gradient.
+double pull(std::int64_t column, std::int64_t row, double dx, double dy, unsigned seed) {
+    const std::uint64_t bits = mixed(column, row, seed);
+    const double gx = static_cast<double>(bits & 0xffffU) / 32767.5 - 1;
+    const double gy = static_cast<double>((bits >> 16) & 0xffffU) / 32767.5 - 1;
+    return gx * dx + gy * dy;
+}
+
+double fade(double t) {
+    return t * t * t * (t * (6 * t - 15) + 10);
+}
+
+/// Returns smooth random relief of one scale: about -1 to 1, zero on the corners of a unit lattice, the same on every
+/// machine. `seed` selects the lattice.
+double noise(double x, double y, unsigned seed) {
+    const double column = std::floor(x), row = std::floor(y);
+    const double dx = x - column, dy = y - row;
+    const auto c = static_cast<std::int64_t>(column), r = static_cast<std::int64_t>(row);
+    const double u = fade(dx), v = fade(dy);
+    const double south = (1 - u) * pull(c, r, dx, dy, seed) + u * pull(c + 1, r, dx - 1, dy, seed);
+    const double north = (1 - u) * pull(c, r + 1, dx, dy - 1, seed) + u * pull(c + 1, r + 1, dx - 1, dy - 1, seed);
+    return 1.6 * ((1 - v) * south + v * north);
+}
+
+/// Returns relief of several scales, each half as wide and `fraction` as high as the previous one; the first has
+/// amplitude 1.
+double fractal(double x, double y, unsigned seed, int octaves, double fraction) {
+    double sum = 0, height = 1, scale = 1;
+    for (int octave = 0; octave < octaves; ++octave) {
+        sum += height * noise(x * scale, y * scale, seed + static_cast<unsigned>(octave));
+        height *= fraction;
+        scale *= 2;
+    }
+    return sum;
+}
+
+/// The same folded upwards, 0 to about 1: sharp crests between rounded hollows, as of weathered rock.
+double ridged(double x, double y, unsigned seed, int octaves, double fraction) {
+    double sum = 0, height = 1, scale = 1, total = 0;
+    for (int octave = 0; octave < octaves; ++octave) {
+        sum += height * (1 - std::abs(noise(x * scale, y * scale, seed + static_cast<unsigned>(octave))));
+        total += height;
+        height *= fraction;
+        scale *= 2;
+    }
+    return sum / total;
+}
+
+/// Returns 0 at `from` and before, 1 at `to` and beyond, smooth between; `to` may be below `from`.
+double smooth_step(double from, double to, double value) {
+    const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+constexpr Point k_middle{742, 898};  // local metres
+constexpr double k_half_length = 201, k_half_width = 99;
+constexpr double k_lean = 0.09;  // angle of the axis from north to the east, uphill
+constexpr int k_rim_points = 120;
+
+/// Returns the distance from the middle to the edge [m] at an angle from the uphill axis: egg-shaped, blunt below,
+/// slightly irregular.
+double rim_distance(double angle) {
+    const double along = std::cos(angle) / k_half_length, across = std::sin(angle) / k_half_width;
+    const double ellipse = 1 / std::sqrt(along * along + across * across);
+    return ellipse *
+           (1 - 0.045 * std::cos(angle) + 0.030 * std::sin(2 * angle + 0.4) + 0.026 * std::sin(3 * angle + 1.9) +
+            0.018 * std::sin(5 * angle + 0.7) + 0.013 * std::sin(9 * angle + 2.2) + 0.009 * std::sin(14 * angle + 4.1));
+}
+
+double angle_of(Point local) {
+    return std::atan2(local.x - k_middle.x, local.y - k_middle.y) - k_lean;
+}
+
+/// Half the squared edge distance summed over all angles: the area inside [m2].
+double rim_area() {
+    constexpr int k_steps = 3600;
+    double sum = 0;
+    for (int i = 0; i < k_steps; ++i) {
+        const double r = rim_distance(2 * std::numbers::pi * (i + 0.5) / k_steps);
+        sum += 0.5 * r * r;
+    }
+    return sum * 2 * std::numbers::pi / k_steps;
+}
+
+}  // namespace
+
+GridSpec bindo_grid() {
+    return {528700, 5094800, 5, 300, 270, ""};
+}
+
+double release_radius(Point local) {
+    const double distance = std::hypot(local.x - k_middle.x, local.y - k_middle.y);
+    return distance == 0 ? 0 : distance / rim_distance(angle_of(local));
+}
+
+double release_thickness(Point local) {
+    const double r = release_radius(local);
+    if (r >= 1) return 0;
+    // A bowl T (1 - r^2)^p over an outline of area A has the volume T A / (p + 1): p follows from the volume.
+    static const double power = k_release_thickest * rim_area() / k_release_volume - 1;
+    return k_release_thickest * std::pow(1 - r * r, power);
+}
+
+Ring release_rim() {
+    Ring rim;
+    for (int i = 0; i < k_rim_points; ++i) {
+        const double angle = -2 * std::numbers::pi * i / k_rim_points;
+        const double r = rim_distance(angle);
+        rim.push_back({k_middle.x + r * std::sin(angle + k_lean), k_middle.y + r * std::cos(angle + k_lean)});
+    }
+    return rim;
+}
+
+Ring scar_outline() {
+    // Northing, western and eastern edge at stations from the crown to the toe, as mapped from an orthophoto.
+    struct Station {
+        double y, west, east;
+    };
+    static const Station stations[] = {
+        {1112, 750, 777}, {1101, 729, 799}, {1083, 705, 818}, {1057, 689, 833}, {1031, 677, 838}, {1002, 664, 843},
+        {974, 657, 848},  {947, 648, 846},  {918, 641, 845},  {889, 636, 847},  {861, 640, 841},  {832, 631, 834},
+        {803, 627, 833},  {776, 622, 823},  {748, 618, 826},  {721, 622, 819},  {694, 617, 808},  {667, 624, 802},
+        {641, 631, 789},  {617, 646, 778},  {598, 665, 757},  {586, 690, 731}};
+    Ring outline;
+    for (const Station& station : stations) outline.push_back({station.west, station.y});
+    for (std::size_t i = std::size(stations); i-- > 0;) outline.push_back({stations[i].east, stations[i].y});
+    return outline;
+}
+
 namespace {
 
 constexpr double k_river_height = 478;  // where it enters in the west [m]

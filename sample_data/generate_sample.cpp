@@ -5,9 +5,7 @@
 #include <map>
 
 #include "core/error.h"
-#include "sample_data/bindo_sample.h"
-#include "sample_data/region_sample.h"
-#include "sample_data/structured_samples.h"
+#include "sample_data/samples.h"
 
 /// generate_sample NAME DIR: writes a sample's files to a folder, created if necessary.
 int main(int argc, char** argv) {

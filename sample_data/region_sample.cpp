@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sample_data/region_sample.h"
+#include "sample_data/samples.h"
 
 #include <cmath>
 #include <filesystem>
@@ -13,7 +13,6 @@
 #include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
-#include "sample_data/bindo_landslide.h"
 #include "sample_data/bindo_terrain.h"
 
 namespace frana::sample {

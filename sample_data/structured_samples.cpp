@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sample_data/structured_samples.h"
+#include "sample_data/samples.h"
 
 #include <cmath>
 #include <filesystem>

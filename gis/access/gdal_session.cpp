@@ -3,6 +3,7 @@
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
+#include <cpl_string.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
@@ -13,8 +14,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "gis/access/local_files.h"
-#include "gis/access/network.h"
+#include "core/raster.h"
+#include "gis/access/file_access.h"
 
 namespace frana::gis {
 

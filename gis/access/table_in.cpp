@@ -11,9 +11,8 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/local_files.h"
-#include "gis/access/network.h"
 
 namespace frana::gis {
 

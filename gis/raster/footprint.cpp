@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/memory_dataset.h"
+#include "gis/raster/raster_source.h"
 #include "gis/vector/outline_check.h"
 
 namespace frana::gis {

@@ -100,4 +100,17 @@ Raster read_result_raster(const std::string& path);
 /// filled.
 std::int64_t fill_nodata(Raster& raster, double max_distance_cells);
 
+/// One elevation [m] at a place in the target CRS.
+struct ElevationSample {
+    Point place;
+    double elevation = 0;
+};
+
+/// Returns a regular sample of at most most_per_side squared cells of a raster (interpreted in dtm.crs_wkt) inside
+/// `window` (target CRS): fast for any size of file, and only an overview of the ground. Cells without data are
+/// omitted. `vertical_unit`, `nodata_value` as in read_raster_on. Throws Error(input).
+std::vector<ElevationSample> sample_elevations(const RasterInfo& dtm, const std::string& target_crs_wkt,
+                                               const Bounds& window, int most_per_side,
+                                               const std::string& vertical_unit, std::optional<double> nodata_value);
+
 }  // namespace frana::gis

@@ -14,9 +14,9 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/local_files.h"
-#include "gis/access/memory_dataset.h"
+#include "gis/raster/raster_source.h"
 
 namespace frana::gis {
 namespace {

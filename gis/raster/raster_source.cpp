@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/raster.h"
 #include "core/text.h"
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/local_files.h"
-#include "gis/access/network.h"
 #include "gis/crs/crs.h"
 
 namespace frana::gis {
@@ -32,6 +32,17 @@ Sentence undeclared(const std::string& path, std::int64_t cells, double value) {
 }
 
 }  // namespace
+
+GdalDataset wrap_values(double* values, int columns, int rows) {
+    GdalDataset dataset(GDALCreate(GDALGetDriverByName("MEM"), "", columns, rows, 0, GDT_Float64, nullptr));
+    CPLStringList options;
+    char pointer[64] = {};
+    CPLPrintPointer(pointer, values, sizeof(pointer) - 1);
+    options.SetNameValue("DATAPOINTER", pointer);
+    GDALAddBand(dataset.get(), GDT_Float64, options.List());
+    GDALSetRasterNoDataValue(GDALGetRasterBand(dataset.get(), 1), k_no_data);
+    return dataset;
+}
 
 void NodataSuspicion::examine(const std::vector<double>& values, int columns) {
     for (std::size_t i = 0; i < k_customary.size(); ++i)

@@ -5,15 +5,24 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/words/sentence.h"
-#include "gis/access/memory_dataset.h"
+#include "gis/access/gdal_session.h"
 #include "gis/raster/raster_in.h"
 
 namespace frana::gis {
+
+struct GdalDatasetClose {
+    void operator()(void* dataset) const noexcept { GDALClose(dataset); }
+};
+using GdalDataset = std::unique_ptr<void, GdalDatasetClose>;
+
+/// Wraps an array as a one-band dataset of GDAL, with NaN as nodata. The array must outlive it.
+GdalDataset wrap_values(double* values, int columns, int rows);
 
 /// Detects, while a raster is read, values used as "no data" that the file does not declare.
 class NodataSuspicion {

@@ -16,7 +16,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/memory_dataset.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

@@ -3,7 +3,12 @@
 
 #include <gdalwarper.h>
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "core/raster.h"
+#include "gis/raster/raster_in.h"
 #include "gis/raster/raster_source.h"
 
 namespace frana::gis {

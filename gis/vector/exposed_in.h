@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mixed_shape.h"
+#include "core/geometry.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/vector/vector_style.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/network.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/vector_source.h"
 

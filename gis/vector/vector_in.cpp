@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/network.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/outline_check.h"
 #include "gis/vector/vector_source.h"

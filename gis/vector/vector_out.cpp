@@ -16,8 +16,10 @@
 #include "gis/vector/outline_check.h"
 
 namespace frana::gis {
-namespace {}  // namespace
+namespace {
 
+/// Creates a GeoPackage aside, fills it by `write_layers(dataset, crs)`, which returns false on failure, and renames
+/// it. An empty CRS becomes GeoPackage's undefined Cartesian one. Throws Error(environment).
 void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
                       const std::function<bool(GDALDataset&, OGRSpatialReference*)>& write_layers) {
     const GdalSession session;
@@ -42,6 +44,7 @@ void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
     file.rename_into_place();
 }
 
+/// Adds QGIS's table of styles, each the default of its layer. Returns false on failure.
 bool write_layer_styles(GDALDataset& dataset, const std::vector<LayerStyle>& styles) {
     OGRLayer* table = dataset.CreateLayer(k_style_table, nullptr, wkbNone, nullptr);
     if (!table) return false;
@@ -76,8 +79,6 @@ bool write_layer_styles(GDALDataset& dataset, const std::vector<LayerStyle>& sty
     }
     return true;
 }
-
-namespace {
 
 bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::string& name, const PointTable& table) {
     OGRLayer* layer = dataset.CreateLayer(name.c_str(), crs, wkbPoint, nullptr);

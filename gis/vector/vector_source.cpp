@@ -9,17 +9,125 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/json_members.h"
-#include "gis/access/local_files.h"
-#include "gis/access/network.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/vector_out.h"
 
 namespace frana::gis {
 namespace {
+
+/// A member of an object in a JSON text.
+struct JsonMember {
+    std::string text;     ///< its value as in the text
+    bool at_top = false;  ///< of the outermost object, or of each one if several follow each other
+};
+
+/// Finds the members of one name in JSON that is read in pieces and may be larger than the memory; those in objects
+/// under the member `besides` are ignored. It accepts text that GDAL reads and strict parsers refuse: NaN, texts that
+/// are not UTF-8, several documents in sequence.
+class JsonMembers {
+  public:
+    JsonMembers(std::string name, std::string besides) : name_(std::move(name)), besides_(std::move(besides)) {}
+
+    void read(const char* bytes, std::size_t count);
+    /// Without repetitions, in their order.
+    [[nodiscard]] const std::vector<JsonMember>& found() const noexcept { return found_; }
+
+  private:
+    void step(char c);
+    void open(char c);
+    void close();
+    void end_value();
+
+    struct Level {
+        bool is_object = false, expects_key = false;
+        bool left_out = false;
+        std::string key = {};
+    };
+
+    std::string name_, besides_;
+    std::vector<Level> levels_;
+    std::string string_;  ///< the latest
+    bool in_string_ = false, escaped_ = false;
+    bool reading_ = false;  ///< a value
+    std::size_t depth_of_text_ = 0;
+    std::string text_;
+    std::vector<JsonMember> found_;
+};
+
+constexpr std::size_t k_longest = 65536;  // of a stored key or value
+constexpr std::size_t k_most_members = 100;
+
+void JsonMembers::read(const char* bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) step(bytes[i]);
+}
+
+void JsonMembers::step(char c) {
+    if (reading_ && !in_string_ && levels_.size() == depth_of_text_ && (c == ',' || c == '}')) end_value();
+    if (reading_ && text_.size() < k_longest) text_ += c;
+    if (in_string_) {
+        if (escaped_ || (c != '"' && c != '\\')) {
+            escaped_ = false;
+            if (string_.size() < k_longest) string_ += c;
+        } else if (c == '\\') {
+            escaped_ = true;
+        } else {
+            in_string_ = false;
+        }
+        return;
+    }
+    switch (c) {
+        case '"':
+            in_string_ = true;
+            string_.clear();
+            break;
+        case ':':
+            if (levels_.empty() || !levels_.back().expects_key) break;
+            levels_.back().key = string_;
+            levels_.back().expects_key = false;
+            if (!reading_ && !levels_.back().left_out && string_ == name_) {
+                reading_ = true;
+                depth_of_text_ = levels_.size();
+                text_.clear();
+            }
+            break;
+        case ',':
+            if (!levels_.empty()) levels_.back().expects_key = levels_.back().is_object;
+            break;
+        case '{':
+        case '[':
+            open(c);
+            break;
+        case '}':
+        case ']':
+            close();
+            break;
+        default:
+            break;
+    }
+}
+
+void JsonMembers::open(char c) {
+    const bool left_out = !levels_.empty() && (levels_.back().left_out || levels_.back().key == besides_);
+    levels_.push_back({c == '{', c == '{', left_out});
+}
+
+void JsonMembers::close() {
+    if (!levels_.empty()) levels_.pop_back();
+}
+
+void JsonMembers::end_value() {
+    reading_ = false;
+    const auto from = text_.find_first_not_of(" \t\r\n"), to = text_.find_last_not_of(" \t\r\n");
+    JsonMember member{from == std::string::npos ? "" : text_.substr(from, to - from + 1), depth_of_text_ == 1};
+    const auto same = [&](const JsonMember& one) { return one.text == member.text && one.at_top == member.at_top; };
+    if (found_.size() < k_most_members && std::none_of(found_.begin(), found_.end(), same))
+        found_.push_back(std::move(member));
+}
 
 std::string layer_names(GDALDataset& dataset) {
     std::string names;

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/error.h"
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
-#include "gis/access/local_files.h"
 
 namespace frana::gis {
 

@@ -2,8 +2,8 @@
 #include "render/animation/animation.h"
 
 #include "core/error.h"
-#include "render/canvas/ticks.h"
-#include "render/map/colour_scale.h"
+#include "render/canvas/furniture.h"
+#include "render/map/legend.h"
 #include "render/map/map_page.h"
 #include "render/view/view_session.h"
 

@@ -4,14 +4,225 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "render/canvas/furniture.h"
 #include "render/canvas/page.h"
-#include "render/chart/chart_parts.h"
 
 namespace frana::render {
+namespace {
+
+/// Names of series with a swatch before each, in as many rows as needed.
+class ChartKey {
+  public:
+    ChartKey(const Sheet& sheet, const TextStyle& letters, std::vector<const ChartSeries*> series, double width);
+
+    [[nodiscard]] double height() const noexcept { return height_; }
+    /// `corner`: the key's upper left one.
+    void draw(Sheet& sheet, const PageStyle& style, Point corner) const;
+
+  private:
+    TextStyle letters_;
+    std::vector<const ChartSeries*> series_;
+    std::vector<Point> places_;
+    double height_ = 0;
+};
+
+constexpr Rgb k_grid{226, 229, 232}, k_fine_grid{240, 241, 243};
+// In units of the letters' size.
+constexpr double k_swatch = 2.2, k_gap = 0.5, k_apart = 1.2, k_row = 1.5, k_off_frame = 0.55;
+
+LineStyle line_of(const PageStyle& style, const ChartSeries& series) {
+    LineStyle line{style.line(series.width_px), series.colour};
+    const double wide = line.width_px;
+    switch (series.stroke) {
+        case Stroke::solid:
+            break;
+        case Stroke::dashed:
+            line.dashes = {4.5 * wide, 2.5 * wide};
+            break;
+        case Stroke::dotted:
+            line.dashes = {wide, 1.8 * wide};
+            break;
+        case Stroke::dash_dot:
+            line.dashes = {6 * wide, 2 * wide, wide, 2 * wide};
+            break;
+    }
+    return line;
+}
+
+std::vector<Point> corners_of(Marker marker, Point at, double size) {
+    const auto ring = [&](int sides, double radius, double turn) {
+        std::vector<Point> corners;
+        for (int k = 0; k < sides; ++k) {
+            const double angle = turn + 2 * std::numbers::pi * k / sides;
+            corners.push_back({at.x + radius * std::sin(angle), at.y - radius * std::cos(angle)});
+        }
+        return corners;
+    };
+    switch (marker) {
+        case Marker::circle:
+            return ring(20, size, 0);
+        case Marker::square:
+            return ring(4, 1.3 * size, std::numbers::pi / 4);
+        case Marker::triangle:
+            return ring(3, 1.4 * size, 0);
+        case Marker::diamond:
+            return ring(4, 1.35 * size, 0);
+    }
+    return {};
+}
+
+/// Draws grid lines at the ticks inside a panel's frame, and the numbers along it: below and to the left.
+void draw_ticks(Sheet& sheet, const PageStyle& style, const PageBox& box, const std::vector<Tick>& x,
+                const std::vector<Tick>& y) {
+    for (const bool fine : {true, false}) {
+        const LineStyle hair{style.line(1), fine ? k_fine_grid : k_grid};
+        for (const Tick& tick : x)
+            if (tick.words.empty() == fine)
+                sheet.line(std::array{Point{tick.at, box.top}, Point{tick.at, box.bottom}}, hair);
+        for (const Tick& tick : y)
+            if (tick.words.empty() == fine)
+                sheet.line(std::array{Point{box.left, tick.at}, Point{box.right, tick.at}}, hair);
+    }
+    const double off = k_off_frame * style.small.size_px;
+    for (const Tick& tick : x)
+        if (!tick.words.empty())
+            sheet.text(tick.words, {tick.at, box.bottom + off}, style.small, Across::centre, Upright::top);
+    for (const Tick& tick : y)
+        if (!tick.words.empty())
+            sheet.text(tick.words, {box.left - off, tick.at}, style.small, Across::right, Upright::middle);
+}
+
+/// Draws the name of a vertical axis, reading upwards.
+void draw_vertical_name(Sheet& sheet, TextStyle style, Point middle, const std::string& words) {
+    style.angle_deg = 90;
+    sheet.text(words, middle, style, Across::centre, Upright::middle);
+}
+
+/// Draws a line through positions on the page, with the series' markers.
+void draw_line(Sheet& sheet, const PageStyle& style, const ChartSeries& series, const std::vector<Point>& places) {
+    if (places.size() > 1) sheet.line(places, line_of(style, series));
+}
+
+void draw_markers(Sheet& sheet, const PageStyle& style, const ChartSeries& series, const std::vector<Point>& places) {
+    if (!series.marker) return;
+    for (const Point place : places)
+        sheet.fill(corners_of(*series.marker, place, 1.2 + style.line(3.2)), series.colour);
+}
+
+ChartKey::ChartKey(const Sheet& sheet, const TextStyle& letters, std::vector<const ChartSeries*> series, double width)
+    : letters_(letters), series_(std::move(series)) {
+    std::erase_if(series_, [](const ChartSeries* one) { return one->label.empty(); });
+    const double letter = letters.size_px;
+    double x = 0, y = 0;
+    for (const ChartSeries* one : series_) {
+        const double length = (k_swatch + k_gap) * letter + sheet.lettering().width(one->label, letters);
+        if (x > 0 && x + length > width) {
+            x = 0;
+            y += k_row * letter;
+        }
+        places_.push_back({x, y});
+        x += length + k_apart * letter;
+    }
+    if (!series_.empty()) height_ = y + k_row * letter;
+}
+
+void ChartKey::draw(Sheet& sheet, const PageStyle& style, Point corner) const {
+    const double letter = letters_.size_px;
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+        const double x = corner.x + places_[i].x, y = corner.y + places_[i].y + letter / 2;
+        draw_line(sheet, style, *series_[i], {{x, y}, {x + k_swatch * letter, y}});
+        draw_markers(sheet, style, *series_[i], {{x + k_swatch * letter / 2, y}});
+        sheet.text(series_[i]->label, {x + (k_swatch + k_gap) * letter, y}, letters_, Across::left, Upright::middle);
+    }
+}
+
+std::string power_of_ten(int exponent) {
+    if (exponent >= -3 && exponent <= 4) return number(std::pow(10.0, exponent));
+    return exponent < 0 ? "1e\u2212" + std::to_string(-exponent) : "1e" + std::to_string(exponent);
+}
+
+}  // namespace
+
+Decades decades_of(const std::vector<double>& values) {
+    Decades decades{0, 1};
+    bool any = false;
+    for (const double value : values) {
+        if (!(value > 0) || !std::isfinite(value)) continue;
+        const int low = static_cast<int>(std::floor(std::log10(value)));
+        const int high = static_cast<int>(std::ceil(std::log10(value)));
+        decades = any ? Decades{std::min(decades.low, low), std::max(decades.high, high)} : Decades{low, high};
+        any = true;
+    }
+    if (decades.high == decades.low) ++decades.high;
+    return decades;
+}
+
+ChartAxis::ChartAxis(Scale scale, const std::vector<double>& values, double from, double to, double room, bool rounded)
+    : scale_(scale), from_(from), to_(to) {
+    if (scale_ == Scale::decades) {
+        const Decades decades = decades_of(values);
+        least_ = decades.low;
+        most_ = decades.high;
+        return;
+    }
+    if (!values.empty()) {
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        least_ = place(*least);
+        most_ = place(*most);
+    }
+    // Values that differ by rounding alone have no ticks between them.
+    constexpr double k_alike = 1e-9;
+    if (most_ - least_ <= k_alike * std::max(std::abs(least_), std::abs(most_))) most_ = least_ + 1;
+    if (scale_ == Scale::logarithmic) return;
+    step_ = nice_step_above((most_ - least_) * room / std::abs(to_ - from_));
+    if (!rounded) return;
+    least_ = std::floor(least_ / step_ + 1e-9) * step_;
+    const double highest = most_;
+    most_ = std::ceil(most_ / step_ - 1e-9) * step_;
+    // A curve along the frame would be mistaken for it.
+    if (most_ - highest < 0.02 * (most_ - least_)) most_ += 0.05 * (most_ - least_);
+}
+
+bool ChartAxis::has(Scale scale, double value) {
+    return std::isfinite(value) && (scale == Scale::linear || value > 0);
+}
+
+double ChartAxis::place(double value) const {
+    return scale_ == Scale::linear ? value : std::log10(value);
+}
+
+double ChartAxis::at(double value) const {
+    return from_ + (to_ - from_) * (place(value) - least_) / (most_ - least_);
+}
+
+std::vector<Tick> ChartAxis::ticks() const {
+    std::vector<Tick> ticks;
+    if (scale_ == Scale::linear) {
+        for (const double value : multiples(least_, most_, step_)) ticks.push_back({at(value), number(value)});
+    } else if (scale_ == Scale::logarithmic) {
+        for (double e = std::floor(least_); e <= most_; ++e) {
+            for (const double factor : {1.0, 2.0, 5.0}) {
+                const double value = factor * std::pow(10.0, e);
+                if (place(value) >= least_ && place(value) <= most_) ticks.push_back({at(value), number(value)});
+            }
+        }
+    } else {
+        constexpr int k_labels = 5;
+        const int low = static_cast<int>(least_), high = static_cast<int>(most_);
+        for (int e = low; e < high && high - low < k_labels; ++e)
+            for (int k = 2; k < 10; ++k) ticks.push_back({at(k * std::pow(10.0, e)), ""});
+        for (int e = low; e <= high; e += std::max(1, (high - low + k_labels - 1) / k_labels))
+            ticks.push_back({at(std::pow(10.0, e)), power_of_ten(e)});
+    }
+    return ticks;
+}
+
 namespace {
 
 /// A panel's axes around its values.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/libav/module.h"
-
 #include "core/module.h"
 #include "render/libav/functions.h"
 
@@ -213,11 +211,12 @@ class LibavEncoder : public MovieEncoder {
     AVStream* stream_ = nullptr;  ///< owned by format_
 };
 
-}  // namespace
-
+/// See LibavFunctions.
 std::unique_ptr<MovieEncoder> encoder(const MovieFile& movie) {
     return std::make_unique<LibavEncoder>(movie);
 }
+
+}  // namespace
 
 }  // namespace frana::render
 

@@ -7,7 +7,7 @@
 
 #include "render/canvas/image.h"
 #include "render/canvas/page.h"
-#include "render/map/hillshade.h"
+#include "render/map/relief.h"
 
 namespace frana::render {
 

@@ -7,7 +7,7 @@
 
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
-#include "render/map/colour_scale.h"
+#include "render/map/legend.h"
 #include "render/map/map2d.h"
 
 namespace frana::render {

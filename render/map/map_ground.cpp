@@ -10,7 +10,6 @@
 
 #include "render/canvas/image.h"
 #include "render/canvas/page.h"
-#include "render/map/graticule.h"
 #include "render/map/legend.h"
 #include "render/map/map2d.h"
 #include "render/map/map_body.h"
@@ -133,13 +132,10 @@ void keep_within(double& from, double& to, double least, double most) {
     to = from + length;
 }
 
-}  // namespace
-
+/// Returns the grid with the CRS of a map.
 const GridSpec& map_grid(const MapSpec& spec) {
     return (spec.layer != nullptr ? spec.layer : spec.extent != nullptr ? spec.extent : spec.terrain)->grid;
 }
-
-namespace {
 
 /// The flow and the outlines; none without either.
 std::optional<Bounds> content(const MapSpec& spec) {

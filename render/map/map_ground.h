@@ -10,9 +10,6 @@
 
 namespace frana::render {
 
-/// Returns the grid with the CRS of a map.
-const GridSpec& map_grid(const MapSpec& spec);
-
 /// Returns what a map must show: the requested window, else the flow and the outlines, else the whole terrain.
 Bounds required_window(const MapSpec& spec);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "render/canvas/page.h"
@@ -23,5 +25,24 @@ void draw_place(Sheet& sheet, const PageStyle& style, Point at, Rgb colour);
 /// Draws coordinates: ticks and labels along the frame's lower and left side, small crosses inside. The caller draws
 /// the frame itself. `projected`: eastings and northings, otherwise plain metres.
 void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected, const Words& words);
+
+/// Width of the band beside the frame for ticks and their labels [px].
+double tick_band(const PageStyle& style);
+
+/// Returns "9°24′30″ E", "0.5″" and finer for steps below a second; `letters` are those of the positive and the
+/// negative side: "EW", "NS".
+std::string degree_words(double degrees, double step, const std::string& letters);
+
+/// Positions along a side at which a smooth, monotonic coordinate has round values; `at` returns it for a position from
+/// 0 to 1. Values beyond a full turn are not expected.
+struct RoundPlace {
+    double value = 0, place = 0;
+};
+std::vector<RoundPlace> round_places(const std::function<double(double)>& at, double step);
+
+/// Draws longitudes along the upper and latitudes along the right side of the frame: ticks and labels at round degrees,
+/// minutes or seconds, placed by the projection. Nothing if the window has no longitude.
+void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
+                    const std::function<Point(Point)>& longitude_latitude, const Words& words);
 
 }  // namespace frana::render

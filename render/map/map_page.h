@@ -9,7 +9,6 @@
 #include "render/canvas/furniture.h"
 #include "render/canvas/map_layout.h"
 #include "render/canvas/page.h"
-#include "render/map/colour_scale.h"
 #include "render/map/legend.h"
 #include "render/map/map2d.h"
 #include "render/map/map_body.h"

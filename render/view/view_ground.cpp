@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "render/canvas/page.h"
-#include "render/map/hillshade.h"
 #include "render/map/map_body.h"
+#include "render/map/relief.h"
 
 namespace frana::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/canvas/image.h"
-#include "render/map/colour_scale.h"
+#include "render/map/legend.h"
 #include "render/view/view3d.h"
 #include "render/view/view_ground.h"
 #include "render/vtk/functions.h"

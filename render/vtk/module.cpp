@@ -6,7 +6,6 @@
 #include "core/module.h"
 #include "render/vtk/functions.h"
 #include "render/vtk/osmesa_window.h"
-#include "render/vtk/vtk_errors.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"

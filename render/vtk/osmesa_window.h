@@ -5,11 +5,35 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
+
+#include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
 
 class vtkRenderWindow;
 
 namespace frana::render {
+
+/// Collects VTK's messages during its lifetime: VTK reports an error as text and continues, so that a wrong picture
+/// would appear to be right. Nothing is written to the terminal. A scope object: may be nested, must not outlive its
+/// block; the innermost collects.
+class VtkErrors {
+  public:
+    VtkErrors();
+    ~VtkErrors();
+    VtkErrors(const VtkErrors&) = delete;
+    VtkErrors& operator=(const VtkErrors&) = delete;
+
+    /// Throws ModuleFailure naming `what` with VTK's first message, if there was any; clears the messages.
+    void throw_if_any(const std::string& what);
+
+  private:
+    class Collector;
+    vtkSmartPointer<Collector> collector_;
+    vtkSmartPointer<vtkOutputWindow> previous_;
+    int previous_verbosity_;
+};
 
 /// A VTK render window that draws into memory through OSMesa: no display, no X server, no GPU. Used by one thread at a
 /// time. Members of VTK's scene must be released before the window.

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/geometry.h"
 #include "core/grid_spec.h"
-#include "core/mixed_shape.h"
 
 namespace frana {
 

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/commands.h"
-#include "app/commands/library_versions.h"
+#include "app/commands/command_line.h"
 #include "app/commands/run_program.h"
 #include "app/process/terminal.h"
 #include "app/study/ranks/job.h"

@@ -119,4 +119,13 @@ class NearestSegment {
     std::vector<Box> boxes_;
 };
 
+/// A feature of any kind, in map coordinates: areas, lines and points.
+struct MixedShape {
+    MultiPolygon areas;
+    std::vector<Polyline> lines;
+    std::vector<Point> points;
+
+    [[nodiscard]] bool empty() const noexcept { return areas.empty() && lines.empty() && points.empty(); }
+};
+
 }  // namespace frana

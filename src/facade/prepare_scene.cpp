@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "facade/prepare_scene.h"
+#include "facade/inside.h"
 
 #include <dlfcn.h>
 
@@ -17,13 +17,10 @@
 #include "analysis/trace.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "facade/particle_count.h"
-#include "facade/scene.h"
-#include "facade/scene_data.h"
 #include "params/keys/scene_spec.h"
 #include "params/keys/zone_keys.h"
-#include "params/scene/scene_reader.h"
-#include "simulation/inflow.h"
+#include "params/scene/read_scene.h"
+#include "simulation/arrivals.h"
 #include "simulation/release.h"
 #include "simulation/run_check.h"
 #include "simulation/scene.h"

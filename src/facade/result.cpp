@@ -2,16 +2,29 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/geometry.h"
 #include "core/json.h"
-#include "facade/guarded.h"
-#include "facade/result_data.h"
+#include "facade/frana.h"
+#include "facade/inside.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/run_summary.h"
-#include "simulation/run_values.h"
 
 namespace frana::facade {
+
+std::string version() {
+    return FRANA_VERSION;
+}
+
+Error::Error(const std::string& text, std::vector<Problem> problems)
+    : std::runtime_error(text), problems_(std::move(problems)) {}
+Error::~Error() = default;
+
+RunFailed::RunFailed(const std::string& text, std::vector<Problem> problems, Result result)
+    : Error(text, std::move(problems)), result_(std::move(result)) {}
+RunFailed::~RunFailed() = default;
+
 namespace {
 
 RasterInfo info_of(const std::string& name) {

@@ -4,8 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "facade/guarded.h"
-#include "facade/result_data.h"
+#include "facade/inside.h"
 #include "simulation/run_check.h"
 #include "simulation/stepped_run.h"
 

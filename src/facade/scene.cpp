@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "facade/scene.h"
+#include "facade/inside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,10 @@
 #include <utility>
 
 #include "core/text.h"
-#include "facade/guarded.h"
-#include "facade/prepare_scene.h"
-#include "facade/scene_data.h"
 #include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"
-#include "params/scene/scene_reader.h"
+#include "params/scene/read_scene.h"
 #include "simulation/arrivals.h"
 #include "simulation/release.h"
 

@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/number_range.h"
+#include "core/text.h"
 #include "core/words/words.h"
 
 namespace frana {

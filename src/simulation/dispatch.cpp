@@ -8,7 +8,6 @@
 #include "mpm/pressure.h"
 #include "mpm/vector/kernels.h"
 #include "params/keys/laws.h"
-#include "simulation/dispatch_bed.h"
 
 namespace frana {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/dispatch_bed.h"
+#include "simulation/dispatch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,8 @@
 #include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
 #include "simulation/dispatch.h"
-#include "simulation/dispatch_bed.h"
 #include "simulation/release.h"
-#include "simulation/terrain_sample.h"
+#include "simulation/scene.h"
 
 namespace frana {
 namespace {

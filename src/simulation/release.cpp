@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "particles/seeding.h"
-#include "simulation/terrain_sample.h"
+#include "simulation/scene.h"
 
 namespace frana {
 namespace {

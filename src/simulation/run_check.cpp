@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/geometry.h"
+#include "simulation/scene.h"
 #include "simulation/structured_laws.h"
-#include "simulation/terrain_sample.h"
 
 namespace frana {
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "core/default_values.h"
 #include "core/geometry.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
-#include "core/solid_values.h"
 #include "params/keys/shared_values.h"
 
 namespace frana {
@@ -145,5 +145,20 @@ void place_origin(Scene& scene);
 
 /// Sets it to a cell of the grid. Throws Error(input) outside.
 void put_origin(Scene& scene, OriginCell cell);
+
+/// A cell of a raster.
+struct Cell {
+    std::int64_t row, column;
+};
+
+/// Returns the cell that contains a local point, the nearest one for points outside.
+Cell cell_of(const GridSpec& grid, Point local);
+
+/// Returns the slope of the terrain at a cell (east, north) [-], from the neighbours that have data.
+Point gradient(const Raster& terrain, Cell cell);
+
+/// Returns the map-view fraction of a speed along the bed in a direction (a unit vector): 1 / sqrt(1 + climb^2), or 1
+/// if the scene's equations do not distinguish them.
+double map_fraction(const Numerics& numerics, Point slope, Point direction);
 
 }  // namespace frana

@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "params/keys/laws.h"
 #include "params/keys/material_parameters.h"
-#include "simulation/inflow.h"
+#include "simulation/arrivals.h"
 #include "simulation/release.h"
 
 namespace frana {

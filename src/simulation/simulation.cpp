@@ -8,10 +8,10 @@
 
 #include "core/words/words.h"
 #include "simulation/flow.h"
+#include "simulation/scene.h"
 #include "simulation/stepped_run.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
-#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {

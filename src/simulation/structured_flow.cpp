@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "models/structured/solid/column_state.h"
+#include "simulation/scene.h"
 #include "simulation/structured_laws.h"
-#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {

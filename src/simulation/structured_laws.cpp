@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "simulation/terrain_sample.h"
+#include "simulation/scene.h"
 
 namespace frana {
 namespace {

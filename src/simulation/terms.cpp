@@ -8,7 +8,6 @@
 
 #include "params/keys/laws.h"
 #include "simulation/dispatch.h"
-#include "simulation/dispatch_bed.h"
 
 namespace frana {
 namespace {

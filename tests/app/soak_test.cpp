@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/commands/commands.h"
+#include "app/commands/command_line.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/input/prepare.h"
-#include "sample_data/structured_samples.h"
+#include "sample_data/samples.h"
 #include "simulation/release.h"
 #include "simulation/structured_flow.h"
 

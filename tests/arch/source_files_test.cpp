@@ -40,14 +40,14 @@ struct Room {
 
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
-    {"src/core", 3350},         {"src/params", 4650},       {"src/physics", 1450},
+    {"src/core", 3350},         {"src/params", 4600},       {"src/physics", 1450},
     {"src/particles", 1550},    {"src/mpm", 4750},          {"src/models", 4700},
-    {"src/simulation", 6150},   {"src/analysis", 2900},     {"src/facade", 1400},
-    {"src/python", 500},        {"src/bench", 6150},        {"src/app/process", 350},
-    {"src/app/text", 700},      {"src/app/input", 4250},    {"src/app/store", 4000},
+    {"src/simulation", 6100},   {"src/analysis", 2900},     {"src/facade", 1300},
+    {"src/python", 500},        {"src/bench", 5850},        {"src/app/process", 320},
+    {"src/app/text", 680},      {"src/app/input", 4100},    {"src/app/store", 3900},
     {"src/app/pictures", 3150}, {"src/app/compare", 1000},  {"src/app/publish", 4600},
-    {"src/app/study", 10300},   {"src/app/commands", 5600}, {"gis", 7350},
-    {"render", 7600},
+    {"src/app/study", 10150},   {"src/app/commands", 5300}, {"gis", 7150},
+    {"render", 7250},
 };
 
 TEST(SourceFiles, RoomsKeepTheirBudgetOfLines) {
@@ -64,7 +64,7 @@ TEST(SourceFiles, RoomsKeepTheirBudgetOfLines) {
 
 // Many small files cost a reader more than their lines.
 TEST(SourceFiles, HalfOfTheFilesAreNotShort) {
-    constexpr std::size_t k_median = 75;
+    constexpr std::size_t k_median = 95;
     std::vector<std::size_t> lengths;
     for (const std::string& file : source_files({"src", "gis", "render"}, {".h", ".cpp"}))
         lengths.push_back(lines_of(file).size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every key of scene files is taken by a scene in memory, or refused because it concerns files: in the program's words.
-#include "facade/scene.h"
+#include "facade/inside.h"
 
 #include <gtest/gtest.h>
 

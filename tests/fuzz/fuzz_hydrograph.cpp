@@ -5,7 +5,7 @@
 
 #include "app/input/prepare_inflow.h"
 #include "harness.h"
-#include "simulation/inflow.h"
+#include "simulation/arrivals.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace frana;

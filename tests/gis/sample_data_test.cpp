@@ -9,10 +9,8 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
-#include "sample_data/bindo_landslide.h"
-#include "sample_data/bindo_sample.h"
-#include "sample_data/region_sample.h"
-#include "sample_data/structured_samples.h"
+#include "sample_data/bindo_terrain.h"
+#include "sample_data/samples.h"
 #include "support/files.h"
 
 namespace frana::gis {

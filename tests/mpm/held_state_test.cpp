@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/set_up/lattice.h"
+#include "bench/set_up/setup.h"
 
 namespace frana {
 namespace {

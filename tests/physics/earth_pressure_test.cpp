@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "bench/exact/similarity_solution.h"
+#include "bench/exact/solutions.h"
 #include "physics/stress_earth_pressure.h"
 #include "support/cases.h"
 

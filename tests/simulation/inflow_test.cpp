@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "bench/set_up/lattice.h"
+#include "bench/set_up/setup.h"
 #include "core/error.h"
-#include "simulation/inflow.h"
+#include "simulation/arrivals.h"
 #include "simulation/simulation.h"
 #include "support/problems.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bench/exact/dam_break.h"
+#include "bench/exact/solutions.h"
 #include "simulation/simulation.h"
 #include "support/cases.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "bench/set_up/lattice.h"
+#include "bench/set_up/setup.h"
 #include "mpm/boundary.h"
 #include "mpm/shape.h"
 #include "simulation/flow.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/input/prepare.h"
-#include "app/publish/accuracy_record.h"
+#include "app/publish/summary.h"
 #include "simulation/result.h"
 
 namespace frana::app {

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
 #include "core/error.h"
-#include "gis/access/network.h"
+#include "gis/access/file_access.h"
 
 namespace frana::app {
 

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
 #include "app/input/share_directory.h"
 #include "core/error.h"
 #include "params/keys/materials.h"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/error.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
 #include "app/input/share_directory.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"

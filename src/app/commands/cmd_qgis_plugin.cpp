@@ -8,7 +8,6 @@
 #include <string>
 
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
 #include "app/input/share_directory.h"
 #include "app/text/text_file.h"
 #include "core/error.h"

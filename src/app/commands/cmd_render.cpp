@@ -5,8 +5,7 @@
 #include <iostream>
 
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
-#include "app/commands/memory_forecast.h"
+#include "app/commands/forecast.h"
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
 #include "app/pictures/difference_layer.h"
@@ -17,8 +16,7 @@
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "gis/raster/picture_in.h"
-#include "params/grammar/picture_text.h"
+#include "gis/raster/picture_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/output_parameters.h"
 

@@ -9,20 +9,81 @@
 #include <boost/program_options/value_semantic.hpp>
 #include <cctype>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
-#include "app/commands/commands.h"
 #include "app/input/share_directory.h"
 #include "app/process/terminal.h"
 #include "app/text/text_table.h"
+#include "app/text/version.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "params/grammar/value_text.h"
 #include "params/keys/materials.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> list{
+        {"new", "write a commented scene to begin with", new_form, cmd_new},
+        {"run", "compute a scene; write rasters, maps, animation, comparison", run_form, cmd_run},
+        {"check", "validate a scene, a study or a region and print what would run; writes nothing", check_form,
+         cmd_check},
+        {"render", "draw maps, views or an animation of a result", render_form, cmd_render},
+        {"compare", "compare a result with a surveyed outline", compare_form, cmd_compare},
+        {"params", "every key of a scene file: type, unit, default, range, meaning", params_form, cmd_params},
+        {"materials", "the material presets", materials_form, cmd_materials},
+        {"converge", "the scene at several resolutions: estimated error", converge_form, cmd_converge},
+        {"ensemble", "many runs with uncertain values: probabilities, sensitivities", ensemble_form, cmd_ensemble,
+         true},
+        {"batch", "each polygon of a layer as a slope of its own: union, scenarios, degree of hazard", batch_form,
+         cmd_batch, true},
+        {"calibrate", "values that explain surveyed events, and how uncertain they stay", calibrate_form, cmd_calibrate,
+         true},
+        {"bench", "tests of frana: exact solutions, hard cases, throughput, changes of a scene's grid", bench_form,
+         cmd_bench},
+        {"qgis-plugin", "put the plugin into a profile of QGIS, or remove it", qgis_plugin_form, cmd_qgis_plugin},
+        {"complete", "completion of commands, options, keys and values for a shell", complete_form, cmd_complete},
+        {"man", "the manual pages", man_form, cmd_man},
+    };
+    return list;
+}
+
+const Command* find_command(const std::string& name) {
+    for (const Command& command : commands())
+        if (name == command.name) return &command;
+    return nullptr;
+}
+
+std::string help_text() {
+    constexpr std::size_t k_column = 24;
+    std::string text = "frana computes the run-out of landslides.\n\nUsage: frana COMMAND [arguments]\n\n";
+    const auto add = [&](const std::string& left, const std::string& right) {
+        text += "  " + left;
+        text += left.size() < k_column ? std::string(k_column - left.size() + 1, ' ')
+                                       : "\n" + std::string(k_column + 3, ' ');
+        text += right + "\n";
+    };
+    for (const Command& command : commands()) {
+        std::istringstream lines(command.form().usage);
+        std::vector<std::string> forms;
+        for (std::string line; std::getline(lines, line);) {
+            std::string words = line.substr(line.find("frana ") + 6);
+            if (words.ends_with(" [options]")) words.resize(words.size() - 10);
+            forms.push_back(words);
+        }
+        for (std::size_t i = 0; i + 1 < forms.size(); ++i) text += "  " + forms[i] + "\n";
+        add(forms.back(), command.summary);
+    }
+    text += '\n';
+    add("frana COMMAND --help", "more about a command");
+    add("frana --version", "its version and its libraries'");
+    add("frana COMMAND --allow-network ...", "inputs may be URLs, databases and map services");
+    return text + "\nExit codes: " + k_exit_codes + "\n";
+}
 
 namespace options = boost::program_options;
 
@@ -149,6 +210,111 @@ std::vector<OptionRow> option_rows(const CommandForm& form) {
     rows.push_back({"--allow-network", "", "", "inputs may be URLs, databases and map services"});
     rows.push_back({"--help", "-h", "", "print the help of the command"});
     return rows;
+}
+
+namespace {
+
+/// The parts of Problem::where, which is "FILE: KEY", "--set KEY", "--OPTION", "FILE" or a few words.
+void add_place(const std::string& where, Json& json) {
+    json["where"] = where;
+    for (const char* part : {"file", "key", "option"}) json[part] = nullptr;
+    std::string rest = where;
+    if (rest.rfind("--", 0) == 0) {
+        const auto space = rest.find(' ');
+        json["option"] = rest.substr(0, space);
+        if (space == std::string::npos) return;
+        rest = rest.substr(space + 1);
+    }
+    const std::vector<Parameter>& parameters = scene_parameters();
+    const auto colon = rest.rfind(": ");
+    const std::string last = colon == std::string::npos ? rest : rest.substr(colon + 2);
+    const auto is_key_letter = [](char letter) {
+        return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || letter == '-' || letter == '.';
+    };
+    const bool is_key = find_parameter(parameters, last) != nullptr ||
+                        (colon != std::string::npos && last.find('.') != std::string::npos &&
+                         std::all_of(last.begin(), last.end(), is_key_letter));
+    if (is_key) {
+        json["key"] = last;
+        if (colon != std::string::npos) json["file"] = rest.substr(0, colon);
+    } else if (rest.find('.') != std::string::npos || rest.find('/') != std::string::npos) {
+        json["file"] = rest;
+    }
+}
+
+/// The cells of a line of CSV (RFC 4180).
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"') {
+            if (quoted && i + 1 < line.size() && line[i + 1] == '"')
+                cells.back() += line[++i];
+            else
+                quoted = !quoted;
+        } else if (line[i] == ',' && !quoted) {
+            cells.emplace_back();
+        } else {
+            cells.back() += line[i];
+        }
+    }
+    return cells;
+}
+
+}  // namespace
+
+Json document_of(const std::string& command) {
+    return {{"program", k_program}, {"version", k_version}, {"command", command}, {"exit_code", 0}};
+}
+
+std::string error_document(const Arguments& words, ExitCode code, const std::vector<Problem>& problems) {
+    Json json = document_of(words.empty() ? "" : words.front());
+    json["exit_code"] = static_cast<int>(code);
+    json["errors"] = Json::array();
+    for (const Problem& problem : problems) {
+        Json one{{"message", describe(problem)}, {"what", problem.what}};
+        add_place(problem.where, one);
+        const auto add = [&](const char* name, const std::string& text) {
+            one[name] = text.empty() ? Json() : Json(text);
+        };
+        add("value", problem.value);
+        add("limit", problem.limit);
+        add("remedy", problem.remedy);
+        json["errors"].push_back(std::move(one));
+    }
+    return json_text(json);
+}
+
+bool wants_document(const Arguments& words) {
+    // `frana params --json` is another document.
+    if (words.empty() || words.front() == "params") return false;
+    return std::find(words.begin(), words.end(), "--json") != words.end();
+}
+
+Json rows_of(const std::string& csv) {
+    Json rows = Json::array();
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    const std::vector<std::string> titles = cells_of(line);
+    while (std::getline(lines, line)) {
+        const std::vector<std::string> cells = cells_of(line);
+        Json row = Json::object();
+        for (std::size_t i = 0; i < std::min(titles.size(), cells.size()); ++i) {
+            const auto whole = integer_from_text(cells[i]);
+            const auto number = number_from_text(cells[i]);
+            row[titles[i]] = whole                                   ? Json(*whole)
+                             : number                                ? Json(*number)
+                             : cells[i].empty() || cells[i] == "nan" ? Json()
+                                                                     : Json(cells[i]);
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+void print_document(const Json& document) {
+    std::cout << json_text(document);
 }
 
 }  // namespace frana::app

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/commands/time_estimate.h"
+#include "app/commands/forecast.h"
 #include "app/study/plan/study_input.h"
 #include "app/text/run_log.h"
 #include "core/json.h"

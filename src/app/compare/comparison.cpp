@@ -8,7 +8,6 @@
 
 #include "analysis/runout.h"
 #include "analysis/trace.h"
-#include "app/input/scene_language.h"
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
 #include "app/store/result_files.h"
@@ -24,6 +23,7 @@
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <vector>
 
-#include "app/input/check_release.h"
+#include "app/input/check_inputs.h"
 #include "app/input/layer_values.h"
 #include "app/input/prepare_inflow.h"
-#include "gis/raster/elevation_sample.h"
+#include "gis/raster/raster_in.h"
 #include "gis/vector/marks_in.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"
-#include "simulation/inflow.h"
+#include "simulation/arrivals.h"
 
 namespace frana::app {
 namespace {

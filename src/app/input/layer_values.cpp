@@ -50,12 +50,13 @@ Problem missing_column(const gis::PolygonLayer& layer, const std::string& column
             where, "", known.empty() ? "" : "attributes with numbers: " + known, remedy};
 }
 
-}  // namespace
-
+/// The number that a feature has in the file, whatever part of the layer was read, as GDAL and QGIS count.
 std::string feature_number(const gis::PolygonLayer& layer, std::size_t feature) {
     const std::string& condition = layer.conditions[feature];
     return condition.substr(condition.rfind(' ') + 1);
 }
+
+}  // namespace
 
 std::string feature_name(const gis::PolygonLayer& layer, std::size_t feature) {
     return "feature " + feature_number(layer, feature) + " of " + layer.layer_name;

@@ -13,8 +13,6 @@ namespace frana::app {
 /// Returns the choice of the keys KEY-layer, KEY-filter and KEY-crs. Throws Error(input) for an unknown CRS.
 gis::LayerChoice layer_choice(const SceneReading& reading, const LayerSpec& spec, const std::string& key);
 
-/// The number that a feature has in the file, whatever part of the layer was read, as GDAL and QGIS count.
-std::string feature_number(const gis::PolygonLayer& layer, std::size_t feature);
 /// "feature 3 of slopes".
 std::string feature_name(const gis::PolygonLayer& layer, std::size_t feature);
 

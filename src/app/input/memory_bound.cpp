@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "params/grammar/value_text.h"
-#include "simulation/inflow.h"
+#include "simulation/arrivals.h"
 #include "simulation/release.h"
 
 namespace frana::app {
@@ -20,7 +20,7 @@ namespace {
 constexpr double k_most_particles = 1e9;
 // The fields of every particle, and the few that are copied during sorting.
 constexpr double k_least_particle_bytes = 120;
-// Terrain, bed, release, maxima and results; see memory_forecast.cpp for the memory of a whole run.
+// Terrain, bed, release, maxima and results; see forecast.cpp for the memory of a whole run.
 constexpr double k_least_cell_bytes = 120;
 
 std::optional<double> bytes_from_text(const std::string& text) {

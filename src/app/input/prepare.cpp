@@ -6,16 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/input/check_ground.h"
-#include "app/input/check_release.h"
+#include "app/input/check_inputs.h"
 #include "app/input/layer_values.h"
 #include "app/input/memory_bound.h"
 #include "app/input/prepare_inflow.h"
 #include "app/input/prepare_structured.h"
 #include "app/input/prepare_terrain.h"
 #include "app/input/prepare_zones.h"
-#include "app/input/scene_language.h"
-#include "app/input/transform_report.h"
 #include "app/input/used_file.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
@@ -25,6 +22,7 @@
 #include "gis/raster/footprint.h"
 #include "gis/vector/vector_in.h"
 #include "params/keys/laws.h"
+#include "params/keys/output_parameters.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene.h"
 #include "simulation/scene_values.h"

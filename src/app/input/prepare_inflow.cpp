@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/input/layer_values.h"
-#include "app/input/transform_report.h"
+#include "app/input/used_file.h"
 #include "app/text/number_text.h"
 #include "core/text.h"
 #include "core/words/words.h"
@@ -16,7 +16,7 @@
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/scene/read_scene.h"
-#include "simulation/inflow.h"
+#include "simulation/arrivals.h"
 #include "simulation/scene_values.h"
 
 namespace frana::app {

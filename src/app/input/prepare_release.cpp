@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "analysis/slip_surface.h"
-#include "app/input/check_release.h"
+#include "app/input/check_inputs.h"
 #include "app/input/layer_values.h"
+#include "app/input/on_demand.h"
 #include "app/input/prepare_terrain.h"
-#include "app/input/thickness_on_demand.h"
-#include "app/input/transform_report.h"
-#include "app/input/zones_on_demand.h"
+#include "app/input/used_file.h"
 #include "app/text/number_text.h"
 #include "core/text.h"
 #include "core/words/words.h"

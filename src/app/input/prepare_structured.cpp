@@ -6,12 +6,12 @@
 #include <numbers>
 #include <string>
 
-#include "app/input/check_release.h"
+#include "app/input/check_inputs.h"
 #include "app/input/layer_values.h"
+#include "app/input/on_demand.h"
 #include "app/input/prepare_release.h"
 #include "app/input/prepare_zones.h"
-#include "app/input/transform_report.h"
-#include "app/input/zones_on_demand.h"
+#include "app/input/used_file.h"
 #include "app/text/number_text.h"
 #include "core/words/words.h"
 #include "gis/raster/footprint.h"

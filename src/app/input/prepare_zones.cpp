@@ -9,8 +9,8 @@
 
 #include "analysis/trace.h"
 #include "app/input/layer_values.h"
-#include "app/input/transform_report.h"
-#include "app/input/zones_on_demand.h"
+#include "app/input/on_demand.h"
+#include "app/input/used_file.h"
 #include "app/text/number_text.h"
 #include "core/words/words.h"
 #include "gis/raster/footprint.h"

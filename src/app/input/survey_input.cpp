@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/input/survey_input.h"
 
-#include "gis/raster/picture_in.h"
+#include "gis/raster/picture_file.h"
 
 #include <algorithm>
 

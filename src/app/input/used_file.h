@@ -10,8 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/text/run_log.h"
 #include "core/geometry.h"
 #include "core/raster.h"
+#include "gis/crs/crs_transform.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/exposed_in.h"
 #include "gis/vector/marks_in.h"
@@ -19,6 +21,15 @@
 #include "simulation/scene.h"
 
 namespace frana::app {
+
+/// Returns "none", or PROJ's name: "Inverse of Italy zone 1 + ...".
+std::string transform_text(const gis::TransformInfo& transform);
+/// Returns the accuracy stated by the register: "exact" (formulas alone), "4 m", "unknown".
+std::string accuracy_text(const gis::TransformInfo& transform);
+
+/// Logs how an input ("DTM", "perimeter") was transformed to the working CRS, and warns if its accuracy is worse than
+/// half a cell or a better operation needs a grid file that is not installed.
+void report_transform(const Sentence& input, const gis::TransformInfo& transform, double cell_size, RunLog& log);
 
 /// CRC-32 of values as read.
 class Checksum {

@@ -266,8 +266,10 @@ bool has_rows(const std::string& path) {
     return any;
 }
 
-}  // namespace
-
+/// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
+/// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,
+/// cross-sections, and with a survey the scores over the depth threshold. The numbers are those of the files. A broken
+/// table is a problem and does not affect the other charts.
 std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source, Problems& problems) {
     std::vector<NamedChart> charts;
     const auto table = [&](const std::string& name, const auto& draw) {
@@ -299,6 +301,8 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     table(k_comparison_curve, [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
     return charts;
 }
+
+}  // namespace
 
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder) {
     std::vector<std::string> files;

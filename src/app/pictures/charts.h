@@ -72,12 +72,6 @@ bool draw_chart_rows(const Rows& rows, const Data& data, const MapSource& source
     return good;
 }
 
-/// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
-/// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,
-/// cross-sections, and with a survey the scores over the depth threshold. The numbers are those of the files. A broken
-/// table is a problem and does not affect the other charts.
-std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source, Problems& problems);
-
 /// Returns their files in a folder.
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder);
 

@@ -79,14 +79,15 @@ std::string scheme_title(const std::string& scheme, const Words& words) {
     return scheme;
 }
 
+namespace {
+
+/// Returns the name in such a label, before the colon.
 std::string class_name(const std::string& label) {
     std::string name = label.substr(0, label.find(':'));
     const std::string space = "\u202F";  // before a French colon
     if (name.ends_with(space)) name.resize(name.size() - space.size());
     return name;
 }
-
-namespace {
 
 constexpr const char* k_degree_map = "hazard_degree";
 

@@ -7,7 +7,6 @@
 
 #include "core/raster.h"
 #include "core/words/words.h"
-#include "params/keys/classes.h"
 #include "params/keys/result_rasters.h"
 #include "render/map/map2d.h"
 
@@ -25,9 +24,6 @@ std::string class_label(const std::string& english, const Words& words);
 
 /// Returns the name of a hazard scheme that readers of a map know: "Switzerland, debris flows" for swiss-debris-flow.
 std::string scheme_title(const std::string& scheme, const Words& words);
-
-/// Returns the name in such a label, before the colon.
-std::string class_name(const std::string& label);
 
 /// A raster of a file, ready to be drawn: nothing is computed from it.
 struct MapLayer {

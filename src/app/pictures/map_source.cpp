@@ -7,7 +7,7 @@
 #include <iterator>
 #include <memory>
 
-#include "app/pictures/scenario.h"
+#include "app/pictures/result_numbers.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
@@ -17,8 +17,7 @@
 #include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
-#include "gis/raster/picture_in.h"
-#include "gis/raster/picture_out.h"
+#include "gis/raster/picture_file.h"
 #include "params/grammar/value_text.h"
 #include "render/canvas/lettering.h"
 

@@ -12,7 +12,7 @@
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "core/words/sentence.h"
-#include "params/grammar/picture_text.h"
+#include "params/grammar/value_text.h"
 #include "render/map/map2d.h"
 #include "render/view/view3d.h"
 

@@ -10,9 +10,7 @@
 
 #include "analysis/ground_statistics.h"
 #include "app/pictures/result_numbers.h"
-#include "app/pictures/scenario.h"
-#include "app/store/json_file.h"
-#include "app/store/partial_folder.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"

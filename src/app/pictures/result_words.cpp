@@ -6,7 +6,6 @@
 
 #include "app/pictures/result_numbers.h"
 #include "app/pictures/result_reader.h"
-#include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"

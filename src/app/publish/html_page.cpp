@@ -18,7 +18,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/text.h"
-#include "gis/raster/picture_in.h"
+#include "gis/raster/picture_file.h"
 
 namespace frana::app {
 namespace {

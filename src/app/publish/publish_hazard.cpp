@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "analysis/hazard.h"
-#include "app/input/scene_language.h"
 #include "app/pictures/map_layer.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
@@ -13,7 +12,8 @@
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "gis/vector/vector_out.h"
-#include "simulation/run_values.h"
+#include "params/keys/output_parameters.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/pictures/charts.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
-#include "app/process/signals.h"
+#include "app/process/terminal.h"
 #include "app/store/frame_store.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"

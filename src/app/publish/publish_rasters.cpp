@@ -5,7 +5,6 @@
 
 #include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
-#include "app/input/scene_language.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
@@ -16,6 +15,7 @@
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {

@@ -7,7 +7,6 @@
 #include "analysis/ground_statistics.h"
 #include "analysis/runout.h"
 #include "analysis/trace.h"
-#include "app/input/scene_language.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
@@ -19,6 +18,7 @@
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
+#include "params/keys/output_parameters.h"
 
 namespace frana::app {
 
@@ -67,8 +67,7 @@ void write_peak_style(const std::string& path, const Raster& raster, const PeakF
                       gis::StyleKind::classed, file.text);
 }
 
-}  // namespace
-
+/// Returns AvaFrame's name of a simulation: RELEASE_HASH_C_null_dfa, where no part may contain an underscore.
 std::string avaframe_name(const std::string& scene, const std::string& hash) {
     std::string release = shortened_name(scene), digits;
     std::replace(release.begin(), release.end(), '_', '-');
@@ -76,6 +75,8 @@ std::string avaframe_name(const std::string& scene, const std::string& hash) {
         if (c != '-' && digits.size() < 10) digits += c;
     return release + "_" + digits + "_C_null_dfa";
 }
+
+}  // namespace
 
 void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory,
                       RunLog& log) {
@@ -151,8 +152,7 @@ void add_numbers(std::string& text, std::initializer_list<double> numbers) {
     for (const double number : numbers) text += "," + shortest_text(number);
 }
 
-}  // namespace
-
+/// Returns gauges.csv: time_s,gauge,depth_m,speed_ms.
 std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gauge>& gauges) {
     std::string text = "time_s,gauge,depth_m,speed_ms\n";
     for (const GaugeRow& row : rows) {
@@ -163,6 +163,7 @@ std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gaug
     return text;
 }
 
+/// Returns sections.csv: time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms.
 std::string sections_csv(const std::vector<SectionRow>& rows, const std::vector<CrossSection>& sections) {
     std::string text = "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms\n";
     for (const SectionRow& row : rows) {
@@ -172,6 +173,8 @@ std::string sections_csv(const std::vector<SectionRow>& rows, const std::vector<
     }
     return text;
 }
+
+}  // namespace
 
 void publish_series(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const Recording& recording = prepared.scene.recording;

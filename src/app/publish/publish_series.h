@@ -15,9 +15,6 @@ namespace frana::app {
 /// Returns timeseries.csv: a header with units, one row per step, numbers that read back as the same bits.
 std::string timeseries_csv(const std::vector<SeriesRow>& series);
 
-/// Returns AvaFrame's name of a simulation: RELEASE_HASH_C_null_dfa, where no part may contain an underscore.
-std::string avaframe_name(const std::string& scene, const std::string& hash);
-
 /// Writes peakFiles/ with AvaFrame's names, if output.names requests them: ppr [kPa], pft [m, normal to the slope] and
 /// pfv [m/s], zero where there was no flow, nodata without terrain; of a large map as GeoTIFF whatever the format.
 /// Throws Error(environment).
@@ -26,11 +23,6 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
 /// Writes frames.nc and frames.zarr, if output.formats requests them, from the frames already written. Throws
 /// Error(environment).
 void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory);
-
-/// Returns gauges.csv: time_s,gauge,depth_m,speed_ms.
-std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gauge>& gauges);
-/// Returns sections.csv: time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms.
-std::string sections_csv(const std::vector<SectionRow>& rows, const std::vector<CrossSection>& sections);
 
 /// Writes gauges.csv and sections.csv if a scene has them, with gauges.gpkg for their places. Throws
 /// Error(environment).

@@ -9,19 +9,166 @@
 #include "app/publish/html_page.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/report_answer.h"
-#include "app/publish/report_charts.h"
 #include "app/publish/report_comparison.h"
-#include "app/publish/report_maps.h"
 #include "app/publish/report_tables.h"
-#include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
+#include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const k_main_map = "max_depth";
+
+/// "Maximum depth, at most 12 m", or the areas of the classes.
+std::string range_text(const ReportInput& input, const ResultRaster& row) {
+    const Words& words = input.words;
+    if (row.kind == ResultRaster::Kind::classes) {
+        std::vector<std::string> areas;
+        for (const HazardArea& area : input.hazard)
+            areas.push_back(words(area.kind.name) + " " + words.number(grouped(area.area_m2)) + " m²");
+        return joined(areas, ", ");
+    }
+    const Raster* const raster = input.result.find_raster(row.name);
+    if (raster == nullptr || raster->values.size() == 0) return "";
+    double greatest = -std::numeric_limits<double>::infinity();
+    raster->values.for_each_stored([&](std::size_t, double value) {
+        if (std::isfinite(value)) greatest = std::max(greatest, value);
+    });
+    if (!std::isfinite(greatest)) return "";
+    return words("at most {1}", {words.number(number_text(greatest, 3)) +
+                                 (row.unit.empty() || row.unit == "-" ? "" : " " + row.unit)});
+}
+
+ReportMap described(const ReportInput& input, const std::string& name, const std::string& file) {
+    const Words& words = input.words;
+    const std::string layer = raster_of_map(name);
+    const bool is_view = layer != name;
+    const ResultRaster* const row = find_result_raster(layer);
+    const std::string title = row == nullptr ? layer : words(row->title);
+    const std::string range = row == nullptr ? "" : range_text(input, *row);
+    ReportMap map{name, file, title, ""};
+    if (is_view) map.caption += ", " + words("in perspective");
+    if (!range.empty()) map.caption += ": " + range;
+    const MainStatistics& main = input.facts.statistics;
+    const std::vector<std::string> values{map.caption, words.number(grouped(main.covered_area_m2)),
+                                          words.number(number_text(main.threshold)),
+                                          words.number(grouped(main.run_out().horizontal_m))};
+    map.alt = is_view ? words("View of the slope. {1}. Covered {2} m² deeper than {3} m, run-out {4} m", values)
+                      : words("Map. {1}. Covered {2} m² deeper than {3} m, run-out {4} m", values);
+    return map;
+}
+
+/// Returns the maps that were drawn, the main one (greatest depth, if there is one) first.
+std::vector<ReportMap> report_maps(const ReportInput& input, const ResultDirectory& directory) {
+    std::vector<ReportMap> maps;
+    for (const std::string& name : map_names())
+        if (const std::string file = drawn_for_page(directory.folder(), directory.path("maps/" + name + ".png"));
+            fs::exists(file))
+            maps.push_back(described(input, name, file));
+    std::stable_partition(maps.begin(), maps.end(), [](const ReportMap& map) { return map.name == k_main_map; });
+    return maps;
+}
+
+constexpr int k_width = 360, k_height = 180;
+constexpr std::size_t k_curves = 8, k_curve_letters = 30;
+
+double greatest(const std::vector<Point>& points) {
+    double value = 0;
+    for (const Point p : points) value = std::max(value, p.y);
+    return value;
+}
+
+/// Three digits; of greater values every one, in groups.
+std::string greatest_text(const std::vector<Point>& points, const Words& words) {
+    const double value = greatest(points);
+    return words.number(value < 1000 ? number_text(value, 3) : grouped(value));
+}
+
+/// Returns a chart of one pair of axes as a figure, each curve with its own stroke or markers, so that they are told
+/// apart without colours. Of many curves there are several charts, each with few.
+/// @param alt what it shows
+Document chart_figures(const render::ChartPanel& panel, const std::string& alt, const Words& words) {
+    Document figures;
+    for (std::size_t first = 0; first < std::max<std::size_t>(1, panel.series.size()); first += k_curves) {
+        render::ChartPanel part = panel;
+        part.series.clear();
+        for (std::size_t i = first; i < std::min(first + k_curves, panel.series.size()); ++i) {
+            part.series.push_back(panel.series[i]);
+            part.series.back().width_px = 3;
+            render::look_apart(part.series.back(), i - first);
+        }
+        figures.add(Figure{"", "", alt,
+                           render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height)});
+    }
+    return figures;
+}
+
+/// Front, speed and depth over time; depths at the gauges and discharges through the cross-sections.
+Document series_charts(const ReportInput& input) {
+    const Words& words = input.words;
+    const std::string seconds = words("time [s]");
+    Document charts;
+    const auto add = [&](const std::string& label, double SeriesRow::*value) {
+        render::ChartSeries series;
+        for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
+        const std::string most = greatest_text(series.points, words);
+        render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
+        charts.add(chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words));
+    };
+    add(words("front from the release's centroid [m]"), &SeriesRow::front_distance);
+    add(words("greatest speed [m/s]"), &SeriesRow::max_speed);
+    add(words("greatest depth [m]"), &SeriesRow::max_depth);
+    add(words("covered area [m²]"), &SeriesRow::covered_area);
+    const auto named = [](const auto& places) {
+        std::vector<render::ChartSeries> series;
+        for (const auto& place : places)
+            series.push_back({elided(valid_utf8(place.name), k_curve_letters), render::k_chart_colours[0], {}});
+        return series;
+    };
+    const auto add_places = [&](const std::string& label, std::vector<render::ChartSeries> series) {
+        if (series.empty()) return;
+        std::string alt = words("Curves over time: {1}", {label});
+        for (const render::ChartSeries& one : series)
+            alt += "; " + one.label + ": " + words("at most {1}", {greatest_text(one.points, words)});
+        charts.add(chart_figures({"", seconds, label, std::move(series), {0}}, alt, words));
+    };
+    const Recording& recording = input.prepared.scene.recording;
+    std::vector<render::ChartSeries> gauges = named(recording.gauges), sections = named(recording.sections);
+    for (const GaugeRow& row : input.result.gauges) gauges[row.gauge].points.push_back({row.time, row.depth});
+    for (const SectionRow& row : input.result.sections)
+        sections[row.section].points.push_back({row.time, row.discharge});
+    add_places(words("depth at the gauges [m]"), std::move(gauges));
+    add_places(words("discharge through the cross-sections [m³/s]"), std::move(sections));
+    return Document().columns(std::move(charts));  // beside each other, where there is room
+}
+
+}  // namespace
+
+Document score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words) {
+    render::ChartSeries jaccard, hit, alarm;
+    jaccard.label = "Jaccard";
+    hit.label = words("true positive rate");
+    alarm.label = words("false positive rate");
+    for (const ComparisonStatistics& f : curve) {
+        jaccard.points.push_back({f.threshold_m, f.jaccard});
+        hit.points.push_back({f.threshold_m, f.true_positive_rate});
+        alarm.points.push_back({f.threshold_m, f.false_positive_rate});
+    }
+    const std::string alt = words("Scores over the depth threshold; the greatest Jaccard index is {1}",
+                                  {words.number(number_text(greatest(jaccard.points), 3))});
+    render::ChartPanel panel{"", words("depth threshold [m]"), words("score"), {jaccard, hit, alarm}, {0}};
+    panel.x = render::Scale::logarithmic;
+    return chart_figures(panel, alt, words);
+}
 
 std::optional<ErrorEstimates::Estimate> ErrorEstimates::find(const std::string& key) const {
     const auto found = of.find(key);

@@ -13,8 +13,19 @@
 #include "app/publish/publish_hazard.h"
 #include "app/publish/summary.h"
 #include "core/words/words.h"
+#include "render/chart/chart.h"
 
 namespace frana::app {
+
+/// A map of a report.
+struct ReportMap {
+    std::string name;  ///< "max_depth_3d"
+    std::string file;
+    std::string caption, alt;
+};
+
+/// Scores over the depth threshold.
+Document score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words);
 
 /// Estimated errors of a run's values due to the size of the cells.
 struct ErrorEstimates {

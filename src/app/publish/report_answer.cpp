@@ -15,7 +15,7 @@
 #include "app/publish/html_page.h"
 #include "app/publish/report.h"
 #include "app/publish/report_comparison.h"
-#include "app/publish/report_numbers.h"
+#include "app/publish/report_tables.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -217,6 +217,9 @@ Document release_sentences(const ReportInput& input) {
     return Document().paragraph(words("What fails."), joined(told, " "));
 }
 
+namespace {
+
+/// Model, laws, and each value of theirs with its origin; the source of a preset.
 Document material_sentences(const ReportInput& input) {
     const Words& words = input.words;
     const SceneSpec& spec = input.prepared.spec;
@@ -232,8 +235,6 @@ Document material_sentences(const ReportInput& input) {
         told.small(words("Source of the preset {1}:", {*spec.material.preset}) + " " + source);
     return told;
 }
-
-namespace {
 
 constexpr std::size_t k_gauges = 4, k_gauge_letters = 30;
 constexpr const char* k_cell_error = "cell error";

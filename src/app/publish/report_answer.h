@@ -14,8 +14,6 @@ namespace frana::app {
 
 /// What fails: names, volume, area, thickness; inflow; what is eroded and deposited.
 Document release_sentences(const ReportInput& input);
-/// Model, laws, and each value of theirs with its origin; the source of a preset.
-Document material_sentences(const ReportInput& input);
 
 /// Returns the comments of the scene's material preset; none without a preset, or if it cannot be read.
 std::vector<std::string> preset_comments(const SceneSpec& spec);

@@ -6,11 +6,10 @@
 #include <iomanip>
 #include <sstream>
 
-#include "app/input/transform_report.h"
+#include "app/input/used_file.h"
 #include "app/pictures/map_layer.h"
 #include "app/publish/html_page.h"
 #include "app/publish/report_answer.h"
-#include "app/publish/report_numbers.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "core/text.h"

@@ -3,13 +3,234 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
 #include "app/text/version.h"
+#include "core/error.h"
 #include "core/json.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
+namespace {
+
+std::vector<const AccuracyLevel*> completed(const AccuracyRecord& record) {
+    std::vector<const AccuracyLevel*> levels;
+    for (const AccuracyLevel& level : record.levels)
+        if (level.problem.empty()) levels.push_back(&level);
+    return levels;
+}
+
+Json level_json(const AccuracyLevel& level) {
+    Json json{{"cell_size_m", level.cell_size},
+              {"particles", level.particles},
+              {"steps", level.steps},
+              {"engine_seconds", level.wall_seconds},
+              {"ground_curvature_per_m", level.curvature},
+              {"ground_curvature_on_finest_per_m", level.finest_curvature}};
+    if (!level.problem.empty()) json["problem"] = level.problem;
+    for (const RunValue& value : level.values) json["values"][value.key] = value.value;
+    return json;
+}
+
+std::string cells(double size) {
+    return number_text(size) + " m";
+}
+
+/// Percent of the value, or its unit where that is zero.
+std::string error_text(const ValueEstimate& estimate, const Words& words) {
+    const bool has_percent = std::isfinite(estimate.percent());
+    return words.number(number_text(has_percent ? estimate.percent() : estimate.error, 2)) + " " +
+           (has_percent ? "%" : estimate.value.unit);
+}
+
+/// States the cell size of the result and of its terrain.
+std::string cells_sentence(const AccuracyRecord& record, const Words& words) {
+    const std::string size = words.number(number_text(record.chosen_cell_size));
+    std::string text = record.is_finest() ? words("the result is on cells of {1} m, the scene's own", {size})
+                                          : words("the result is on cells of {1} m", {size});
+    if (record.terrain_cell_size > 0 && record.chosen_cell_size < record.terrain_cell_size * (1 - 1e-9))
+        text += ", " + words("finer than the DTM's {1} m: between its cells the terrain is interpolated",
+                             {words.number(number_text(record.terrain_cell_size))});
+    return text;
+}
+
+/// "all 6 values", and the number of values without an estimate.
+std::string claimed_values(const std::vector<ValueEstimate>& estimates, const Words& words) {
+    const auto zeros =
+        std::count_if(estimates.begin(), estimates.end(), [](const ValueEstimate& e) { return e.is_zero; });
+    const std::string all = std::to_string(static_cast<std::ptrdiff_t>(estimates.size()) - zeros);
+    return zeros == 0 ? words("all {1} values", {all})
+                      : words("all {1} values that are not zero on all levels; {2} are, without an estimate",
+                              {all, std::to_string(zeros)});
+}
+
+std::string caution(const Words& words) {
+    return words("Discretisation only: errors of data, material and model are not included");
+}
+
+}  // namespace
+
+double ValueEstimate::percent() const {
+    if (error == 0) return 0;
+    return value.value != 0 ? 100 * error / std::abs(value.value) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<ValueEstimate> value_estimates(const AccuracyRecord& record) {
+    const std::vector<const AccuracyLevel*> levels = completed(record);
+    std::vector<double> sizes;
+    for (const AccuracyLevel* level : levels) sizes.push_back(level->cell_size);
+    if (levels.empty() || !enough_levels(sizes)) return {};
+    const AccuracyLevel& last = *levels.back();
+    const double detail = unseen_detail(last.curvature, last.finest_curvature);
+    std::vector<ValueEstimate> estimates;
+    for (std::size_t i = 0; i < last.values.size(); ++i) {
+        std::vector<Refinement> refinements;
+        for (const AccuracyLevel* level : levels) refinements.push_back({level->cell_size, level->values.at(i).value});
+        ValueEstimate estimate;
+        estimate.value = last.values[i];
+        estimate.is_zero = std::all_of(refinements.begin(), refinements.end(),
+                                       [](const Refinement& level) { return level.value == 0; });
+        estimate.convergence = grid_convergence(refinements, detail);
+        estimate.error = std::max(estimate.convergence.error, estimate.value.resolution);
+        estimate.allowed = std::max(record.asked * std::abs(estimate.value.value), estimate.value.negligible);
+        estimates.push_back(std::move(estimate));
+    }
+    return estimates;
+}
+
+bool is_reached(const std::vector<ValueEstimate>& estimates) {
+    return !estimates.empty() && std::all_of(estimates.begin(), estimates.end(),
+                                             [](const ValueEstimate& e) { return e.is_zero || e.is_within(); });
+}
+
+std::string record_text(const AccuracyRecord& record) {
+    Json json{{"asked", record.asked},
+              {"finest", record.finest_cell_size},
+              {"terrain", record.terrain_cell_size},
+              {"chosen", record.chosen_cell_size},
+              {"levels", Json::array()}};
+    for (const AccuracyLevel& level : record.levels) {
+        Json values = Json::array();
+        for (const RunValue& v : level.values)
+            values.push_back({v.key, v.title, v.unit, v.value, v.resolution, v.negligible});
+        json["levels"].push_back({level.cell_size, level.particles, level.steps, level.wall_seconds, level.curvature,
+                                  level.finest_curvature, std::move(values), level.problem});
+    }
+    return json_text(json);
+}
+
+AccuracyRecord record_from_text(const std::string& text) try {
+    const Json json = Json::parse(text);
+    AccuracyRecord record{json.at("asked"), json.at("finest"), json.at("terrain"), json.at("chosen"), {}};
+    for (const Json& row : json.at("levels")) {
+        AccuracyLevel level{row.at(0), row.at(1), row.at(2), row.at(3), row.at(4), row.at(5), {}, row.at(7)};
+        for (const Json& v : row.at(6)) level.values.push_back({v.at(0), v.at(1), v.at(2), v.at(3), v.at(4), v.at(5)});
+        record.levels.push_back(std::move(level));
+    }
+    return record;
+} catch (const Json::exception& error) {
+    throw Error(ErrorKind::input, Problem{std::string("is no record of levels: ") + error.what(), "checkpoint", "", "",
+                                          "Start again with --overwrite"});
+}
+
+Json accuracy_json(const AccuracyRecord& record) {
+    const std::vector<ValueEstimate> estimates = value_estimates(record);
+    Json json{{"asked", record.asked},
+              {"reached", is_reached(estimates)},
+              {"verdict", accuracy_verdict(record)},
+              {"cell_size_m", record.chosen_cell_size},
+              {"finest_cell_size_m", record.finest_cell_size},
+              {"dtm_cell_size_m", record.terrain_cell_size},
+              {"levels", Json::array()},
+              {"values", Json::array()}};
+    for (const AccuracyLevel& level : record.levels) json["levels"].push_back(level_json(level));
+    for (const ValueEstimate& e : estimates) {
+        json["values"].push_back({{"key", e.value.key},
+                                  {"title", e.value.title},
+                                  {"unit", e.value.unit},
+                                  {"value", e.value.value},
+                                  {"estimated_error", e.error},
+                                  {"estimated_error_percent", e.percent()},
+                                  {"allowed_error", e.allowed},
+                                  {"within", e.is_within()},
+                                  {"zero_on_all_levels", e.is_zero},
+                                  {"trend", describe(e.convergence.trend)},
+                                  {"observed_order", e.convergence.observed_order}});
+    }
+    return json;
+}
+
+std::string percent_text(double fraction) {
+    return number_text(100 * fraction, 3) + " %";
+}
+
+std::string level_table(const AccuracyRecord& record) {
+    std::string text;
+    for (const AccuracyLevel& level : record.levels) {
+        text += "  cells of " + cells(level.cell_size) + ": ";
+        if (level.problem.empty()) {
+            text += grouped(level.particles) + " particles, " + grouped(level.steps) + " steps, " +
+                    number_text(level.wall_seconds, 3) + " s\n";
+        } else {
+            text += level.problem + "\n";
+        }
+    }
+    return text;
+}
+
+std::string estimate_lines(const std::vector<ValueEstimate>& estimates) {
+    std::string text;
+    for (const ValueEstimate& e : estimates) {
+        if (e.is_zero) {
+            text += "  " + e.value.title + " 0 " + e.value.unit + " on all levels: no estimate\n";
+            continue;
+        }
+        text += "  " + e.value.title + " " + number_text(e.value.value) + " " + e.value.unit + ", estimated error " +
+                number_text(e.error, 2) + " " + e.value.unit;
+        if (e.value.value != 0) text += " (" + number_text(e.percent(), 2) + " %)";
+        text += std::string("; ") + describe(e.convergence.trend);
+        if (e.convergence.trend == Trend::converging) text += ", order " + number_text(e.convergence.observed_order, 2);
+        text += e.is_within() ? "\n" : "; not claimed\n";
+    }
+    if (!text.empty()) text.pop_back();
+    return text;
+}
+
+std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
+    const std::vector<ValueEstimate> estimates = value_estimates(record);
+    const std::string asked = "numerics.accuracy = " + words.number(percent_text(record.asked));
+    const std::string result = cells_sentence(record, words);
+    if (estimates.empty())
+        return words("{1} is not claimed: there are too few coarser levels for an estimate of error; {2}",
+                     {asked, result});
+    if (is_reached(estimates))
+        return words("{1} is met according to the estimate for {2}; {3}",
+                     {asked, claimed_values(estimates, words), result}) +
+               ". " + caution(words);
+    constexpr std::size_t k_named = 4;
+    std::vector<std::string> named;
+    std::size_t unmet = 0;
+    for (const ValueEstimate& e : estimates) {
+        if (e.is_zero || e.is_within()) continue;
+        if (++unmet <= k_named) named.push_back(title_in(e.value, words) + " (" + error_text(e, words) + ")");
+    }
+    if (unmet > k_named) named.push_back(words("and {1} more", {std::to_string(unmet - k_named)}));
+    std::string text =
+        words("{1} is not claimed for {2} of {3} values, whose estimated error is greater: {4}; {5}",
+              {asked, std::to_string(unmet), std::to_string(estimates.size()), joined(named, ", "), result});
+    if (!record.is_finest())
+        text += ". " + words(
+                           "The scene's own cells of {1} m were not computed: the estimate does not expect them to "
+                           "reach it. Run without numerics.accuracy for them, or ask for less",
+                           {words.number(number_text(record.finest_cell_size))});
+    return text + ". " + caution(words);
+}
+
 namespace {
 
 void add_grid_and_particles(Json& json, const RunResult& result, const SummaryFacts& facts) {

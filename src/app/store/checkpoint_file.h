@@ -8,11 +8,32 @@
 #include <vector>
 
 #include "app/store/frame_store.h"
-#include "app/store/reserved_space.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
+
+/// Space on a disk, reserved while available, for a file that must be written when there is none: a file of that size
+/// with allocated blocks, which is overwritten under another name. Released by the destructor.
+class ReservedSpace {
+  public:
+    explicit ReservedSpace(std::string path) : path_(std::move(path)) {}
+    ~ReservedSpace() { release(); }
+    ReservedSpace(const ReservedSpace&) = delete;
+    ReservedSpace& operator=(const ReservedSpace&) = delete;
+
+    [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
+    /// Enlarges it to at least this size; if there is no space, or not the same amount again for the results, it is
+    /// unchanged and false is returned, with errno.
+    bool grow(std::uint64_t bytes);
+    /// Renames it to `path`, with its size, to be overwritten; false: there is none.
+    bool become(const std::string& path);
+    void release();
+
+  private:
+    std::string path_;
+    std::uint64_t bytes_ = 0;
+};
 
 /// Format of checkpoint files: increases with every change of the output of any serialise or of its use by a step. No
 /// other format is read: a run begun by an older frana would not end with the same bits.

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "app/input/prepare.h"
-#include "app/process/stopwatch.h"
+#include "app/process/terminal.h"
 #include "app/store/checkpoint_file.h"
 #include "app/store/frame_store.h"
-#include "app/store/reserved_space.h"
 #include "app/text/run_log.h"
 #include "core/error.h"
 

@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "analysis/trace.h"
-#include "app/process/stopwatch.h"
+#include "app/process/terminal.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "core/error.h"

@@ -9,7 +9,7 @@
 #include "app/store/checkpoints.h"
 #include "app/store/frame_store.h"
 #include "app/store/manifest.h"
-#include "app/store/partial_folder.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "core/error.h"

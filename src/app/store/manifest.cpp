@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/text/version.h"
 #include "core/error.h"

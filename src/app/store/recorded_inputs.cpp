@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "app/store/json_file.h"
 #include "app/store/manifest.h"
 #include "app/store/result_files.h"
 #include "core/json.h"

@@ -21,12 +21,212 @@
 #include "app/store/checkpoints.h"
 #include "app/store/interrupted_run.h"
 #include "app/store/manifest.h"
-#include "app/store/partial_folder.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
-#include "app/store/result_place.h"
 #include "core/files.h"
 
 namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_choose = "Choose another result directory with --out";
+
+/// Resolves the folders above it; its own name is kept as given. Trailing slashes would hide that name.
+fs::path clean(const fs::path& directory) {
+    fs::path path = fs::absolute(directory);
+    while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();
+    std::error_code error;
+    const fs::path name = path.filename();
+    const bool is_named = name != "." && name != "..";
+    const fs::path real = fs::weakly_canonical(is_named ? path.parent_path() : path, error);
+    if (error) return path.lexically_normal();
+    return is_named ? real / name : real;
+}
+
+/// Returns the nearest existing folder above a path.
+fs::path existing_parent(fs::path path) {
+    std::error_code ignored;
+    do path = path.parent_path();
+    while (!fs::exists(path, ignored) && path.has_relative_path());
+    return path;
+}
+
+bool is_inside(const fs::path& path, const fs::path& directory) {
+    const fs::path relative = path.lexically_relative(directory);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+/// A mount point cannot be renamed, nor anything to its name.
+bool is_mount_point(const fs::path& path) {
+    struct statx facts {};
+    if (::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS, &facts) == 0 &&
+        (facts.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0)
+        return (facts.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+    struct stat own {
+    }, above{};  // a kernel before 5.8
+    return ::stat(path.c_str(), &own) == 0 && ::stat(path.parent_path().c_str(), &above) == 0 &&
+           own.st_dev != above.st_dev;
+}
+
+/// In such a folder (/tmp) only a name's owner may rename it.
+bool is_sticky(const fs::path& path) {
+    struct stat own {
+    }, above{};
+    if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 || ::stat(path.parent_path().c_str(), &above) != 0)
+        return false;
+    return (above.st_mode & S_ISVTX) != 0 && own.st_uid != ::geteuid() && above.st_uid != ::geteuid();
+}
+
+/// Returns the greatest length of a result's name: it is built beside its place under a longer name.
+long longest_name(const fs::path& path) {
+    const long most = ::pathconf(existing_parent(path).c_str(), _PC_NAME_MAX);
+    return (most > 0 ? most : 255) - static_cast<long>(std::string(k_partial).size() + std::string(k_waiting).size());
+}
+
+/// SQLite, which writes the GeoPackages, opens no path of more bytes, with those of its journal; inside a result the
+/// names of files and folders, and of files in the making, need this much.
+constexpr std::size_t k_longest_path = 512, k_room = 112;
+
+/// Returns the problem if permissions or the disk do not allow the folder to be made, or replaced; else none.
+std::optional<std::string> refusal(const fs::path& path) {
+    const fs::path parent = existing_parent(path);
+    if (::faccessat(AT_FDCWD, parent.c_str(), W_OK | X_OK, AT_EACCESS) != 0) return std::strerror(errno);
+    if (::faccessat(AT_FDCWD, path.c_str(), F_OK, AT_EACCESS) != 0) return std::nullopt;
+    if (::faccessat(AT_FDCWD, path.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) != 0)
+        return std::string("the existing folder may not be changed: ") + std::strerror(errno);
+    if (is_sticky(path)) return "the existing folder belongs to another user, and only its owner may rename it";
+    return std::nullopt;
+}
+
+/// Returns the problem of a symbolic link; none if there is no link, or it can be followed.
+std::optional<Problem> broken_link(const std::string& directory, const fs::path& path, const std::string& where) {
+    std::error_code error;
+    if (fs::is_symlink(path, error)) return Problem{"is a symbolic link to itself", where, path.string(), "", k_choose};
+    const fs::path named = clean(directory);
+    if (path == named || !fs::is_symlink(named, error) || fs::exists(path.parent_path(), error)) return {};
+    return Problem{
+        "is a symbolic link to a place that does not exist", where, named.string() + " -> " + path.string(), "",
+        "Connect the disk or create the folder that it points to, or choose another result directory with --out"};
+}
+
+constexpr const char* k_move = "Move them to another folder, or choose another result directory with --out";
+
+void check_older(const fs::path& path, Older older, const std::string& where, Problems& problems) {
+    const std::optional<Manifest> manifest = read_manifest(path.string());
+    if (!manifest) {
+        problems.add(
+            {"is a folder with other files, not a result; it is never overwritten", where, path.string(), "",
+             "Choose an empty or new folder with --out (a result without its manifest.json counts as such a one)"});
+    } else if (older == Older::refused) {
+        problems.add({"contains a result already", where, path.string(), "",
+                      manifest->finished.value_or(false) || checkpoints_in(path.string()).empty()
+                          ? "Choose another folder with --out, or add --overwrite"
+                          : "It was stopped before its end: --resume continues it, --overwrite starts anew"});
+    } else if (older == Older::replaced) {
+        if (const auto users = users_files(path.string()); !users.empty())
+            problems.add({"contains " + told(users), where, path.string(), "", k_move});
+    }
+}
+
+/// Inputs must not be in the result's folder, whatever their names.
+void check_inputs(const fs::path& result, const std::vector<std::string>& inputs, const std::string& where,
+                  Problems& problems) {
+    const auto would_be_replaced = [&](const std::string& place) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(place, error);
+        return !error && fs::exists(real, error) && is_inside(real, result) &&
+               real != result / k_scene_file;  // read before anything is written, and rewritten
+    };
+    for (const std::string& input : inputs) {
+        const std::vector<std::string> places = spellings(input);
+        if (std::any_of(places.begin(), places.end(), would_be_replaced))
+            problems.add({"is an input and would be replaced by the result", where, input, "", k_choose});
+    }
+}
+
+}  // namespace
+
+std::string result_path(const std::string& directory) {
+    constexpr int k_most_links = 40;  // the system's limit
+    fs::path path = clean(directory);
+    for (int links = 0; links < k_most_links; ++links) {
+        std::error_code error;
+        if (!fs::is_symlink(path, error)) break;
+        const fs::path to = fs::read_symlink(path, error);
+        if (error) break;
+        path = clean(path.parent_path() / to);
+    }
+    return path.string();
+}
+
+bool has_files(const std::string& folder) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) return false;
+    const bool is_empty = fs::is_empty(folder, error);
+    return error || !is_empty;
+}
+
+Problem other_run(const std::string& result) {
+    return {"another run is writing this result now", result, "", "",
+            "Wait for it, or choose another folder with --out"};
+}
+
+std::optional<Problem> partial_problem(const std::string& partial) {
+    if (!has_files(partial)) return {};
+    if (!is_being_built(partial) && !is_being_replaced(partial))
+        return Problem{"was not made by frana, which builds the result in a folder of this name", partial, "", "",
+                       k_move};
+    const auto users = users_files(partial);
+    if (users.empty()) return {};
+    return Problem{"was left by a run that was killed and contains " + told(users), partial, "", "", k_move};
+}
+
+std::optional<Problem> check_result_directory(const std::string& directory, Older older,
+                                              const std::vector<std::string>& inputs, const std::string& where,
+                                              Problems& problems) {
+    const fs::path path = result_path(directory);
+    if (const auto problem = broken_link(directory, path, where)) {
+        problems.add(*problem);
+        return {};
+    }
+    std::error_code error;
+    if (fs::exists(path, error) && !fs::is_directory(path, error)) {
+        problems.add({"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
+        return {};
+    }
+    if (fs::is_directory(path, error) && is_mount_point(path)) {
+        problems.add({"is a mount point (a disk or a container's volume), which a result cannot replace", where,
+                      path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
+        return {};
+    }
+    if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
+        problems.add({"has a name that is too long", where, path.filename().string(),
+                      "at most " + std::to_string(most) + " bytes here", "Choose a shorter one with --out"});
+    if (const std::size_t bytes = path.string().size(); bytes > k_longest_path - k_room)
+        problems.add({"has a path that is too long: GeoPackages in it could not be written", where,
+                      std::to_string(bytes) + " bytes", "at most " + std::to_string(k_longest_path - k_room) + " bytes",
+                      "Choose a folder nearer to the root with --out"});
+    try {
+        if (has_files(path.string())) check_older(path, older, where, problems);
+        const std::string partial = partial_folder(directory);
+        const bool is_written = is_locked(partial);
+        if (is_written && older != Older::unknown) problems.add(other_run(path.string()));
+        if (const auto problem = is_written ? std::nullopt : partial_problem(partial)) problems.add(*problem);
+    } catch (const Error& error_of_disk) {
+        return error_of_disk.problems().front();
+    }
+    check_inputs(path, inputs, where, problems);
+    const fs::path parent = existing_parent(path);
+    if (!fs::is_directory(parent, error)) {
+        problems.add(
+            {"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "", k_choose});
+    } else if (const auto reason = refusal(path)) {
+        return Problem{"cannot be written: " + *reason, where, path.string(), "", k_choose};
+    }
+    return {};
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "app/input/share_directory.h"
-#include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"

@@ -9,7 +9,7 @@
 #include "core/words/words.h"
 #include "gis/vector/vector_style.h"
 #include "params/keys/result_rasters.h"
-#include "simulation/run_values.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app {
 namespace {

@@ -9,7 +9,6 @@
 #include "core/words/words.h"
 #include "gis/vector/vector_out.h"
 #include "gis/vector/vector_style.h"
-#include "params/keys/classes.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/result.h"
 

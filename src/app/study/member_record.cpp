@@ -17,7 +17,6 @@
 #include "core/words/words.h"
 #include "simulation/run_check.h"
 #include "simulation/run_summary.h"
-#include "simulation/run_values.h"
 #include "simulation/simulation.h"
 
 namespace frana::app::study {

@@ -12,7 +12,6 @@
 #include "core/words/sentence.h"
 #include "simulation/result.h"
 #include "simulation/run_summary.h"
-#include "simulation/run_values.h"
 #include "simulation/scene.h"
 
 namespace frana::app::study {

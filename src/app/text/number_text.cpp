@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/text/number_text.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace frana::app {
 
@@ -68,6 +70,15 @@ std::string unit_sign(const std::string& unit) {
 
 std::string signed_number_text(double value) {
     return (value > 0 ? "+" : "") + number_text(value, 3);
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::localtime_r(&now, &parts);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
+    return text.data();
 }
 
 }  // namespace frana::app

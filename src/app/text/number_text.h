@@ -24,4 +24,7 @@ std::string bytes_text(double bytes);
 /// Returns "95 s", "2.5 min", "3 h".
 std::string duration_text(double seconds);
 
+/// Returns the local date, "2026-11-24".
+std::string today();
+
 }  // namespace frana::app

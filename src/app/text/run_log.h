@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/process/stopwatch.h"
+#include "app/process/terminal.h"
 #include "core/error.h"
 #include "core/words/sentence.h"
 

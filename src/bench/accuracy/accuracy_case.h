@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/exact/exact_state.h"
+#include "bench/exact/solutions.h"
 #include "bench/set_up/setup.h"
 
 namespace frana::bench {
@@ -56,5 +56,22 @@ CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::functi
 /// The same for a flow, with the cost of its run.
 CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
                                   const std::function<bool(Point)>& inside = {});
+
+// Every case, explained where it is defined.
+AccuracyCase lake_dtm(const Raster& dtm);
+std::vector<AccuracyCase> lakes();
+std::vector<AccuracyCase> channel_dam_breaks();
+AccuracyCase rotated_dam_break();
+std::vector<AccuracyCase> radial_dam_breaks();
+std::vector<AccuracyCase> granular_slopes();
+std::vector<AccuracyCase> similarities();
+std::vector<AccuracyCase> thackers();
+AccuracyCase voellmy_plane();
+AccuracyCase bingham_slump();
+AccuracyCase sliding_block();
+std::vector<AccuracyCase> steep_ground();
+AccuracyCase conservation();
+std::vector<AccuracyCase> fluid_cases();
+std::vector<AccuracyCase> solid_cases();
 
 }  // namespace frana::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/program/bench_ensemble.h"
+#include "bench/program/bench_output.h"
 
 #include <unistd.h>
 
@@ -10,10 +10,9 @@
 
 #include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
 #include "app/commands/scene_variants.h"
 #include "app/input/share_directory.h"
-#include "app/process/signals.h"
+#include "app/process/terminal.h"
 #include "app/store/result_files.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/level_rounds.h"
@@ -22,7 +21,6 @@
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
-#include "bench/program/bench_output.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "render/canvas/image.h"

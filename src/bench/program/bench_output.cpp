@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command_line.h"
-#include "app/commands/json_output.h"
 #include "app/process/terminal.h"
 #include "app/store/own_files.h"
 #include "app/text/text_table.h"

@@ -6,18 +6,14 @@
 #include <string>
 
 #include "app/commands/command_line.h"
-#include "app/commands/commands.h"
 #include "app/commands/run_program.h"
 #include "app/commands/scene_variants.h"
 #include "app/input/share_directory.h"
-#include "app/process/signals.h"
 #include "app/process/terminal.h"
 #include "app/store/scene_identity.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
 #include "bench/accuracy/accuracy.h"
-#include "bench/accuracy/accuracy_report.h"
-#include "bench/program/bench_ensemble.h"
 #include "bench/program/bench_output.h"
 #include "bench/speed/law_costs.h"
 #include "bench/speed/speed.h"

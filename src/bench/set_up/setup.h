@@ -1,15 +1,74 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "bench/exact/exact_state.h"
-#include "bench/set_up/lattice.h"
+#include "bench/exact/solutions.h"
+#include "core/error.h"
+#include "core/raster.h"
+#include "params/keys/shared_values.h"
+#include "particles/particle_set.h"
 #include "simulation/flow.h"
 
 namespace frana::bench {
+
+/// Returns the cases with these names, in the given order; all if none is named. Throws Error(input) with every unknown
+/// name.
+template <class Case>
+std::vector<Case> choose(std::vector<Case> all, const std::vector<std::string>& only, const std::string& bench) {
+    if (only.empty()) return all;
+    std::string names;
+    for (const Case& one : all) names += (names.empty() ? "" : ", ") + one.name;
+    std::vector<Case> some;
+    Problems problems;
+    for (const std::string& name : only) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Case& one) { return one.name == name; });
+        if (found == all.end()) {
+            problems.add({"the bench " + bench + " has no such case", "--case", name, names, "Give one of these"});
+        } else {
+            some.push_back(*found);
+        }
+    }
+    problems.throw_if_any();
+    return some;
+}
+
+/// A flat grid from the origin, for cases without a map.
+GridSpec plain_grid(std::int64_t columns, std::int64_t rows, double cell_size);
+
+/// A raster of z(x, y) at the cell centres, local metres.
+Raster sample_raster(const GridSpec& grid, const std::function<double(Point)>& z);
+
+/// Depth and velocity at a local point; depth <= 0: no particle.
+struct Seed {
+    double depth = 0, u = 0, v = 0;
+};
+
+/// Fills the grid with `per_side` x `per_side` particles per cell, each with the depth and velocity at its place.
+/// @param jitter 0: a lattice; otherwise each particle is displaced by up to jitter / 2 of the lattice spacing in both
+///   directions, from a fixed generator (SplitMix64), the same on every machine
+ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter, const std::function<Seed(Point)>& state);
+
+/// Gives each key that a law of a list needs and the material lacks a value within its limits, so that every law can be
+/// built.
+template <class List, class Values>
+void give_needed_keys(Values& values) {
+    List::for_each([&]<class Law>() {
+        for_each_key<Law>([&](const auto& key) {
+            if constexpr (requires { values.*key.member = key.range.highest; }) {
+                if (key.needed() && !(values.*key.member))
+                    values.*key.member = std::sqrt(key.range.highest * std::fmax(key.range.lowest, 1e-3));
+            }
+        });
+    });
+}
 
 /// Initial state and parameters of a flow.
 struct Setup {

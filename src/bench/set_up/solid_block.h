@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/set_up/lattice.h"
+#include "bench/set_up/setup.h"
 #include "models/structured/solid/column_state.h"
 #include "models/structured/solid/placement.h"
 #include "models/structured/step.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "bench/set_up/lattice.h"
+#include "bench/set_up/setup.h"
 #include "mpm/held_state.h"
 #include "mpm/levels.h"
 #include "mpm/node_grid.h"

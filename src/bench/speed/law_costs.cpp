@@ -7,7 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "bench/set_up/needed_keys.h"
+#include "bench/set_up/setup.h"
 #include "bench/speed/speed.h"
 #include "params/keys/laws.h"
 

@@ -69,7 +69,7 @@ struct SpeedOptions {
 ///   slide    speed_sheet without in-plane stress
 ///   gullies  speed_gullies
 ///   mud      speed_sheet with in-plane stress
-/// and of the structured model's solids, with fluid and every term (solid_speed.h), at 1e5 particles at most.
+/// and of the structured model's solids, with fluid and every term, at 1e5 particles at most.
 /// Sizes 1e4, 1e5, 1e6, and 1e7 unless `quick` or memory forbids. Each run's depth is compared, bit for bit, with that
 /// of a single thread.
 SpeedResult run_speed(const SpeedOptions& options);
@@ -85,5 +85,8 @@ std::string speed_table(const SpeedResult& result);
 /// Returns the bytes of particle fields that a stage reads and writes for one particle; 0 for stages over nodes and for
 /// those that do not run at every step.
 double bytes_moved(voellmy_bingham::Stage stage, bool stress);
+
+/// Returns one run in one line.
+std::string speed_line(const SpeedRow& row);
 
 }  // namespace frana::bench

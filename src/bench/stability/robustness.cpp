@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "bench/set_up/choose.h"
+#include "bench/set_up/setup.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "core/text.h"

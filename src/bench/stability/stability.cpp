@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "bench/set_up/choose.h"
+#include "bench/set_up/setup.h"
 #include "simulation/run_check.h"
 
 namespace frana::bench {

@@ -10,7 +10,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "params/grammar/picture_text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
 #include "params/keys/result_rasters.h"

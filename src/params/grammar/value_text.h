@@ -31,4 +31,29 @@ std::vector<std::string> words_of(const std::string& text);
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator);
 
+struct Size {
+    int width = 0;
+    int height = 0;
+    double dots_per_inch = 150;  ///< of the printed picture
+    std::string paper{};         ///< "A4-portrait"; empty: a size in pixels
+};
+/// Whether the size is that of a sheet of paper, on which a map has a scale.
+inline bool is_paper(const Size& size) {
+    return !size.paper.empty();
+}
+/// The sizes that size_from_text accepts, for messages.
+inline constexpr const char* k_sizes =
+    "WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A3-portrait, with "
+    "@DPI (150 to 300; 150 where absent)";
+/// Reads a picture's size in pixels: "1600x1200", or an ISO 216 page with its resolution: "A4", "A3-portrait@300".
+std::optional<Size> size_from_text(const std::string& text);
+
+/// Viewing direction, in degrees.
+struct CameraText {
+    double azimuth = 0, elevation = 35, zoom = 1;
+};
+inline constexpr const char* k_cameras = "AZIMUTH, ELEVATION[, ZOOM]: 0 to 360, 1 to 89, 0.1 to 20";
+/// Reads "210, 30" or "210, 30, 1.5".
+std::optional<CameraText> camera_from_text(const std::string& text);
+
 }  // namespace frana

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "core/words/language.h"
-#include "params/grammar/picture_text.h"
+#include "core/words/words.h"
+#include "params/grammar/value_text.h"
 #include "params/keys/declare.h"
 
 namespace frana {

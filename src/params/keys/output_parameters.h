@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/words/words.h"
 #include "params/keys/parameter.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana {
 
@@ -24,5 +26,15 @@ void add_extra_output(std::vector<Parameter>& list);
 void add_hazard(std::vector<Parameter>& list);
 /// Adds the keys of [scar] for surveyed data besides the outline.
 void add_survey(std::vector<Parameter>& list);
+
+/// Replaces `auto` by the language of this process.
+inline void resolve_language(SceneSpec& scene) {
+    if (scene.output.language == k_language_of_locale) scene.output.language = language_code(process_language());
+}
+
+/// Returns the words of a scene's pictures and report.
+inline Words words_of(const SceneSpec& scene) {
+    return Words(language_of_code(scene.output.language).value_or(process_language()));
+}
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/number_range.h"
+#include "core/text.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {

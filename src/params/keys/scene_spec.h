@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/default_values.h"
 #include "core/grid_spec.h"
-#include "core/solid_values.h"
 #include "params/grammar/ini_file.h"
-#include "params/keys/classes.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/shared_values.h"
 #include "params/keys/thickness.h"
 

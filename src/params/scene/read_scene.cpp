@@ -2,10 +2,17 @@
 #include "params/scene/read_scene.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "core/json.h"
 #include "params/check/check_scene.h"
+#include "params/grammar/ini_file.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/laws.h"
+#include "params/keys/materials.h"
+#include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
-#include "params/scene/scene_reader.h"
+#include "params/keys/used_keys.h"
 
 namespace frana {
 
@@ -54,6 +61,260 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     reader.drop_unread_of_preset();
     check_scene(reading.scene, reader.given(), path, reading.problems);
     return reading;
+}
+
+namespace {
+
+/// Returns the preset that a scene names, the first source before the second; none: not named.
+std::optional<std::pair<std::string, std::string>> preset_of(const KeySource& first, const KeySource& second) {
+    for (const KeySource* source : {&first, &second})
+        for (const IniEntry& entry : source->entries)
+            if (entry.name == "material.preset" && !entry.value.empty())
+                return std::pair{entry.value, source->where(entry.name)};
+    return std::nullopt;
+}
+
+std::optional<KeySource> preset_source(const std::string& name, const std::string& where, const std::string& directory,
+                                       Problems& problems) {
+    const auto file = std::filesystem::path(directory) / (name + ".ini");
+    std::error_code ignored;  // a name longer than file systems have
+    if (name.find('/') == name.npos && std::filesystem::is_regular_file(file, ignored))
+        return KeySource{Origin::preset, file.string(), read_ini(file.string())};
+    std::vector<std::string> names;
+    for (const MaterialPreset& preset : material_presets(directory)) names.push_back(preset.name);
+    problems.add({"is not a material preset", where, name, joined(names, ", "), "`frana materials` prints them"});
+    return std::nullopt;
+}
+
+}  // namespace
+
+SceneReader::SceneReader(SceneReading& reading, std::string directory)
+    : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
+
+Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const std::string& where) {
+    const std::string nearest = nearest_name(name, names_of(parameters));
+    return {"unknown key", where, "", "",
+            nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"};
+}
+
+std::optional<Problem> read_value(const Parameter& parameter, const std::string& where, const std::string& value,
+                                  SceneSpec& scene) {
+    if (value.empty()) return Problem{"has no value", where, "", parameter.limits, "Give one or remove the key"};
+    const auto refusal = parameter.read(scene, value);
+    if (!refusal) return std::nullopt;
+    const std::string unit = parameter.unit.empty() || parameter.limits.empty() ? "" : " [" + parameter.unit + "]";
+    return Problem{refusal->what, where, value, parameter.limits + unit, refusal->remedy};
+}
+
+bool has_control_characters(const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7F; });
+}
+
+std::string without_control_characters(std::string text) {
+    for (char& c : text)
+        if (has_control_characters({c})) c = '?';
+    return text;
+}
+
+void SceneReader::use_present_names(KeySource& source) {
+    for (IniEntry& entry : source.entries) {
+        const FormerName* const former = former_name(entry.name);
+        if (former == nullptr) {
+            reading_.written.erase(entry.name);
+            continue;
+        }
+        if (former->stays)
+            reading_.written[former->now] = former->former;
+        else
+            reading_.warnings.push_back(worded("{1} is now called {2}: a later version will refuse the former name",
+                                               {source.where(entry.name), std::string(former->now)}));
+        entry.name = former->now;
+    }
+}
+
+void SceneReader::apply(KeySource source) {
+    use_present_names(source);
+    static const std::string k_angle = "material.friction-angle", k_coefficient = "material.friction-coefficient";
+    if (source.has(k_angle) && source.has(k_coefficient)) {
+        reading_.problems.add({"contradicts material.friction-coefficient: both give the bed friction",
+                               source.where(k_angle), "", "", "Keep one of the two"});
+    }
+    // Both keys specify one quantity: a later source replaces the value that an earlier one gave under the other name.
+    if (source.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
+    if (source.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
+
+    std::set<std::string> seen;
+    for (const IniEntry& entry : source.entries) {
+        if (!seen.insert(entry.name).second) {
+            reading_.problems.add(
+                {"is given more than once", source.where(entry.name), entry.value, "", "Keep one of the lines"});
+            continue;
+        }
+        apply(source, entry);
+    }
+}
+
+void SceneReader::apply(const KeySource& source, const IniEntry& entry) {
+    const auto second = reading_.written.find(entry.name);
+    const std::string where = source.where(second == reading_.written.end() ? entry.name : second->second);
+    const Parameter* const parameter = find_parameter(parameters_, entry.name);
+    if (parameter == nullptr) {
+        reading_.problems.add(unknown_key(parameters_, entry.name, where));
+        return;
+    }
+    given_.insert(entry.name);
+    if (source.origin == Origin::preset && parameter->section != "material") {
+        reading_.problems.add({"a material preset may set only [material]", where, entry.value, "", "Remove the key"});
+        return;
+    }
+    if (const auto problem = read_value(*parameter, where, entry.value, reading_.scene)) {
+        reading_.problems.add(*problem);
+        return;
+    }
+    reading_.scene.origins[entry.name] = source.origin;
+    make_paths_absolute(*parameter, where);
+}
+
+void SceneReader::drop_unread_of_preset() {
+    const std::vector<const Law*> laws = laws_of(reading_.scene);
+    for (const std::string& name : law_keys()) {
+        if (reading_.scene.origin_of(name) != Origin::preset || !readers_of(name, laws).empty()) continue;
+        find_parameter(parameters_, name)->reset(reading_.scene);
+        reading_.scene.origins.erase(name);
+        given_.erase(name);
+    }
+}
+
+void SceneReader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
+    if (parameter.map_files) {
+        parameter.map_files(reading_.scene, [&](const std::string& path) { return absolute_path(path, directory_); });
+    }
+    const std::string value = parameter.write(reading_.scene).value_or("");
+    if (value.find(" #") != std::string::npos || value.find("\t#") != std::string::npos || value.rfind('#', 0) == 0) {
+        reading_.problems.add({"contains '#' after a space, which starts a comment in scene files", where, value, "",
+                               "Rename the file or folder"});
+    }
+    if (has_control_characters(value)) {
+        reading_.problems.add({"contains a line break or another control character, which a scene file cannot contain",
+                               where, without_control_characters(value), "",
+                               "Rename the file or folder, or correct the text"});
+    }
+}
+
+void SceneReader::apply_preset(const KeySource& first, const KeySource& second, const std::string& directory) {
+    const auto preset = preset_of(first, second);
+    if (!preset) return;
+    const auto source = preset_source(preset->first, preset->second, directory, reading_.problems);
+    if (source) apply(*source);
+}
+
+KeySource override_source(const std::vector<std::string>& overrides, const std::string& label, Problems& problems) {
+    KeySource source{Origin::command_line, "", {}, label};
+    for (const std::string& text : overrides) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos) {
+            problems.add({"is not section.key=value", "--set " + text, "", "", "Write for example --set time.end=60"});
+            continue;
+        }
+        source.entries.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))});
+    }
+    return source;
+}
+
+SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::vector<std::string>& given,
+                             const std::string& materials_directory, const std::string& label) {
+    SceneReading reading;
+    reading.label = label;
+    const KeySource source = override_source(keys, reading.override_label, reading.problems);
+    SceneReader reader(reading, "");
+    reader.apply_preset(source, {}, materials_directory);
+    reader.apply(source);
+    reader.drop_unread_of_preset();
+    std::set<std::string> all = reader.given();
+    all.insert(given.begin(), given.end());
+    check_scene(reading.scene, all, label, reading.problems);
+    return reading;
+}
+
+std::optional<Problem> problem_of_key(const std::string& name, const std::string& value) {
+    const std::vector<Parameter>& parameters = scene_parameters();
+    const Parameter* const parameter = find_parameter(parameters, present_name(name));
+    if (parameter == nullptr) return unknown_key(parameters, name, name);
+    SceneSpec scene;
+    return read_value(*parameter, name, value, scene);
+}
+
+namespace {
+
+std::string default_or_absent(const Parameter& parameter) {
+    const std::string text = parameter.default_text();
+    return text.empty() ? parameter.absent : text;
+}
+
+/// '|' would end a cell of a Markdown table.
+std::string cell(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    return escaped;
+}
+
+}  // namespace
+
+std::string reference_ini() {
+    std::string text;
+    for (const Section& section : scene_sections()) {
+        if (!text.empty()) text += '\n';
+        text += "# " + section.meaning + "\n[" + section.name + "]\n";
+        for (const Parameter& parameter : scene_parameters()) {
+            if (parameter.section != section.name) continue;
+            text += "# " + parameter.meaning + '\n';
+            std::string facts = parameter.type;
+            if (!parameter.unit.empty()) facts += ", " + parameter.unit;
+            if (!parameter.limits.empty()) facts += ": " + parameter.limits;
+            text += "#   " + facts + '\n';
+            const std::string fixed = parameter.default_text();
+            text += "# " + parameter.key + " = ";
+            text += fixed.empty() ? '(' + parameter.absent + ')' : fixed;
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string reference_json() {
+    Json keys = Json::array();
+    for (const Parameter& parameter : scene_parameters()) {
+        Json& key = keys.emplace_back(Json{{"name", parameter.name()},
+                                           {"section", parameter.section},
+                                           {"key", parameter.key},
+                                           {"type", parameter.type},
+                                           {"unit", parameter.unit}});
+        if (!parameter.content.empty()) key["content"] = parameter.content;
+        const std::string fixed = parameter.default_text();
+        key["default"] = fixed.empty() ? Json() : Json(fixed);
+        if (fixed.empty()) key["when_absent"] = parameter.absent;
+        key["limits"] = parameter.limits;
+        key["meaning"] = parameter.meaning;
+        key["main"] = is_main_key(parameter.name());
+    }
+    return json_text(keys);
+}
+
+std::string reference_markdown() {
+    std::string text =
+        "<!-- SPDX-License-Identifier: Apache-2.0 -->\n<!-- Written by `frana params --markdown`; do not edit. "
+        "-->\n# Keys of a scene file\n";
+    for (const Section& section : scene_sections()) {
+        text += "\n## [" + section.name + "]\n" + section.meaning +
+                "\n\n| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
+        for (const Parameter& parameter : scene_parameters()) {
+            if (parameter.section != section.name) continue;
+            text += "| `" + parameter.key + "` | " + cell(parameter.type) + " | " + cell(parameter.unit) + " | " +
+                    cell(default_or_absent(parameter)) + " | " + cell(parameter.limits) + " | " +
+                    cell(parameter.meaning) + " |\n";
+        }
+    }
+    return text;
 }
 
 }  // namespace frana

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "core/session.h"
 #include "core/words/sentence.h"
+#include "params/grammar/ini_file.h"
+#include "params/keys/parameter.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -48,5 +53,71 @@ struct NamedFile {
 };
 /// Returns the files named by keys, in the order of the keys; without the scene file itself.
 std::vector<NamedFile> named_files(const SceneSpec& scene);
+
+/// Reads a scene without a file: its keys alone, "section.key=value", named in messages as they are. `label` stands for
+/// the scene where a key is missing. `given` are keys whose data the caller has in another form.
+SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::vector<std::string>& given,
+                             const std::string& materials_directory, const std::string& label);
+
+/// Returns the problem of one key alone; none: read_scene_keys() takes it.
+std::optional<Problem> problem_of_key(const std::string& name, const std::string& value);
+
+/// The reference of all keys, generated from their declarations.
+std::string reference_ini();       ///< a scene file with every key commented out at its default
+std::string reference_json();      ///< an array of objects: name, type, unit, default, limits, meaning
+std::string reference_markdown();  ///< one table per section
+
+/// Entries of one source; a later source overrides an earlier one.
+struct KeySource {
+    Origin origin;
+    std::string file;  ///< for messages; empty: overrides
+    std::vector<IniEntry> entries;
+    std::string label{};  ///< of overrides
+
+    [[nodiscard]] std::string where(const std::string& name) const {
+        return file.empty() ? label + name : file + ": " + name;
+    }
+    [[nodiscard]] bool has(const std::string& name) const {
+        return std::any_of(entries.begin(), entries.end(), [&](const IniEntry& e) { return e.name == name; });
+    }
+};
+
+/// Returns the source of overrides, "section.key=value".
+KeySource override_source(const std::vector<std::string>& overrides, const std::string& label, Problems& problems);
+
+/// Applies sources to a scene and collects the problems.
+class SceneReader {
+  public:
+    SceneReader(SceneReading& reading, std::string directory);
+
+    void apply(KeySource source);
+    /// Applies the preset that a source names, the first before the second.
+    void apply_preset(const KeySource& first, const KeySource& second, const std::string& directory);
+    /// Drops values of a preset for laws that the scene does not select.
+    void drop_unread_of_preset();
+    [[nodiscard]] const std::set<std::string>& given() const { return given_; }
+
+  private:
+    void apply(const KeySource& source, const IniEntry& entry);
+    void use_present_names(KeySource& source);
+    void make_paths_absolute(const Parameter& parameter, const std::string& where);
+
+    SceneReading& reading_;
+    std::string directory_;
+    const std::vector<Parameter>& parameters_;
+    std::set<std::string> given_;  ///< by the preset, the file or the command line, valid or not
+};
+
+/// Returns the problem of a key that does not exist.
+Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const std::string& where);
+
+/// Stores a value in the scene, or returns why not.
+std::optional<Problem> read_value(const Parameter& parameter, const std::string& where, const std::string& value,
+                                  SceneSpec& scene);
+
+/// Whether a text contains line breaks and other characters that a line of a scene file cannot contain.
+bool has_control_characters(const std::string& text);
+/// Returns the text with every such character replaced by '?'.
+std::string without_control_characters(std::string text);
 
 }  // namespace frana

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "core/words/language.h"
+#include "core/words/words.h"
 #include "gis/raster/raster_out.h"
 #include "support/program.h"
 #include "support/tiny_scene.h"

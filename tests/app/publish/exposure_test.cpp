@@ -7,7 +7,7 @@
 
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
-#include "core/mixed_shape.h"
+#include "core/geometry.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/raster_in.h"

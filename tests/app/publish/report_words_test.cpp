@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "app/publish/accuracy_record.h"
 #include "app/publish/publish.h"
 #include "app/publish/report_tables.h"
+#include "app/publish/summary.h"
 #include "app/text/number_text.h"
-#include "simulation/run_values.h"
+#include "simulation/run_summary.h"
 #include "simulation/terms.h"
 
 namespace frana::app {

@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "gis/vector/vector_in.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/classes.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/read_scene.h"
 #include "result_scenes.h"

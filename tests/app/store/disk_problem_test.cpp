@@ -12,7 +12,6 @@
 #include <thread>
 
 #include "app/store/checkpoint_file.h"
-#include "app/store/reserved_space.h"
 #include "resuming.h"
 
 namespace frana::test {

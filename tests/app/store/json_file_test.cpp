@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Anything in the place of a file that frana wrote is read, or treated as missing; nothing crashes the program.
-#include "app/store/json_file.h"
+#include "app/store/result_files.h"
 
 #include <cstdint>
 #include <nlohmann/json.hpp>

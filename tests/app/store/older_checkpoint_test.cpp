@@ -7,7 +7,7 @@
 #include "app/input/prepare.h"
 #include "app/input/share_directory.h"
 #include "app/store/checkpoint_file.h"
-#include "app/store/partial_folder.h"
+#include "app/store/own_files.h"
 #include "app/store/scene_identity.h"
 #include "gis/raster/raster_in.h"
 #include "params/scene/read_scene.h"

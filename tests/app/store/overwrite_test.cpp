@@ -7,7 +7,7 @@
 #include <map>
 
 #include "app/store/manifest.h"
-#include "app/store/partial_folder.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "params/keys/result_rasters.h"
 #include "result_scenes.h"

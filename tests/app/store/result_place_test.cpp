@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include "app/store/manifest.h"
-#include "app/store/partial_folder.h"
-#include "app/store/result_place.h"
+#include "app/store/own_files.h"
+#include "app/store/result_directory.h"
 #include "same_result.h"
 #include "support/tiny_scene.h"
 

@@ -12,7 +12,7 @@
 #include "app/store/interrupted_run.h"
 #include "app/study/plan/sampling.h"
 #include "app/study/pool/member_runs.h"
-#include "app/study/publish/calibration_result.h"
+#include "app/study/publish/publish_calibration.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_out.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/accuracy/accuracy.h"
-#include "bench/accuracy/accuracy_report.h"
 
 #include <gtest/gtest.h>
 

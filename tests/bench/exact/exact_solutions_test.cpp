@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "bench/exact/radial_reference.h"
-#include "bench/exact/similarity_solution.h"
+#include "bench/exact/solutions.h"
 
 namespace frana::bench {
 namespace {

@@ -111,7 +111,7 @@ TEST(Catalogues, HaveTheTextsOfTheProgramAndNoOthers) {
 TEST(Catalogues, AreThoseOfTheLanguages) {
     EXPECT_EQ(embedded_catalogues().size(), languages().size() - 1) << "of all but English";
     for (const EmbeddedCatalogue& one : embedded_catalogues()) {
-        ASSERT_TRUE(language_of_code(one.code)) << one.code << ".po has no row in language.cpp";
+        ASSERT_TRUE(language_of_code(one.code)) << one.code << ".po has no row in words.cpp";
         EXPECT_NE(Catalogue(one.bytes).find("Flow depth"), "Flow depth");
     }
 }

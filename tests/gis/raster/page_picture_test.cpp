@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/raster/picture_in.h"
+#include "gis/raster/picture_file.h"
 
 #include <gdal.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "gis/access/memory_dataset.h"
+#include "gis/access/gdal_session.h"
+#include "gis/raster/raster_source.h"
 #include "support/files.h"
 #include "support/pdf_check.h"
 

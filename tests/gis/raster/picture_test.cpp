@@ -8,12 +8,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "gis/access/memory_dataset.h"
+#include "gis/access/gdal_session.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"
-#include "gis/raster/picture_in.h"
-#include "gis/raster/picture_out.h"
+#include "gis/raster/picture_file.h"
 #include "gis/raster/raster_out.h"
+#include "gis/raster/raster_source.h"
 #include "support/files.h"
 #include "support/problems.h"
 

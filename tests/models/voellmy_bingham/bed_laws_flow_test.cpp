@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "bench/set_up/needed_keys.h"
+#include "bench/set_up/setup.h"
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
 #include "physics/yield_ratio.h"
-#include "simulation/dispatch_bed.h"
+#include "simulation/dispatch.h"
 #include "simulation/terms.h"
 #include "support/cases.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frictionless dam breaks in a 1000 m channel, 20 s, against Stoker and Ritter (bench/dam_break.h). The bounds are the
+// Frictionless dam breaks in a 1000 m channel, 20 s, against Stoker and Ritter (bench/exact). The bounds are the
 // values of the method's initial study (0.028 / 0.016 m wet, 0.022 / 0.011 m dry at 200 / 400 cells), with a margin of
 // a quarter; they are no worse than finite-volume codes of second order within a factor 1.5.
 #include <gtest/gtest.h>
 
-#include "bench/exact/dam_break.h"
+#include "bench/exact/solutions.h"
 #include "support/cases.h"
 
 namespace frana::test {

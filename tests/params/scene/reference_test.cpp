@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/scene/scene_reader.h"
+#include "params/scene/read_scene.h"
 
 #include <gtest/gtest.h>
 

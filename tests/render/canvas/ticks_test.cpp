@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/canvas/ticks.h"
+#include "render/canvas/furniture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/map/colour_scale.h"
+#include "render/map/legend.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/map/graticule.h"
+#include "render/map/map_lines.h"
 
 #include <gtest/gtest.h>
 

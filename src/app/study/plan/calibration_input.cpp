@@ -2,16 +2,233 @@
 #include "app/study/plan/calibration_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
+#include "analysis/runout.h"
+#include "analysis/scores.h"
+#include "analysis/trace.h"
+#include "app/compare/comparison.h"
 #include "app/store/recorded_inputs.h"
-#include "app/study/plan/event_survey.h"
 #include "app/study/plan/study_input.h"
 #include "core/text.h"
+#include "gis/raster/footprint.h"
 #include "params/grammar/value_text.h"
+#include "simulation/release.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app::study {
+namespace {
+
+struct GaugeEvidence {
+    Evidence evidence;
+    std::vector<GaugeValue> EventSpec::*values;
+};
+constexpr GaugeEvidence k_at_gauges[] = {{Evidence::arrival, &EventSpec::arrival},
+                                         {Evidence::speed, &EventSpec::speed},
+                                         {Evidence::depth, &EventSpec::depth}};
+
+/// The cells of a grid that contain a window and a box.
+GridSpec grid_round(const GridSpec& grid, const CellWindow& window, const std::optional<Bounds>& box) {
+    if (!box) return part_of(grid, window);
+    std::int64_t left = static_cast<std::int64_t>(std::floor((box->west - grid.west) / grid.cell_size)),
+                 right = static_cast<std::int64_t>(std::ceil((box->east - grid.west) / grid.cell_size)),
+                 top = static_cast<std::int64_t>(std::floor((grid.north - box->north) / grid.cell_size)),
+                 bottom = static_cast<std::int64_t>(std::ceil((grid.north - box->south) / grid.cell_size));
+    if (window.rows > 0) {
+        left = std::min(left, window.column);
+        right = std::max(right, window.column + window.columns);
+        top = std::min(top, window.row);
+        bottom = std::max(bottom, window.row + window.rows);
+    }
+    return part_of(grid, {top, left, bottom - top, right - left});
+}
+
+/// A raster's values on another grid with the same lattice of cells; NaN outside.
+Raster moved_to(const GridSpec& grid, const Raster& raster) {
+    const auto row = std::llround((raster.grid.north - grid.north) / -grid.cell_size),
+               column = std::llround((raster.grid.west - grid.west) / grid.cell_size);
+    Raster moved(grid, k_no_data);
+    for (std::int64_t r = 0; r < raster.grid.rows; ++r)
+        for (std::int64_t c = 0; c < raster.grid.columns; ++c)
+            if (r + row >= 0 && r + row < grid.rows && c + column >= 0 && c + column < grid.columns)
+                moved.at(r + row, c + column) = raster.at(r, c);
+    return moved;
+}
+
+bool is_empty(const Raster& mask) {
+    return mask.grid.columns == 0 || !(maximum(mask) > 0);
+}
+
+/// Run-out of the surveyed outline from the highest point of the release, as `frana compare` measures it.
+double runout_of(const MultiPolygon& scar, const Scene& scene) {
+    const Release release = make_release(scene);
+    const Raster observed = gis::coverage(scar, scene.grid);
+    Raster released = release.depth;
+    if (released.grid.columns == 0) released = Raster(scene.grid, k_no_data);
+    const SeparateFlows flows(released, observed);
+    return runouts(flows, release.bed, released, observed).front().horizontal_m;
+}
+
+}  // namespace
+
+const MeasureRow& row_of(Measure measure) {
+    return *std::find_if(std::begin(k_measures), std::end(k_measures),
+                         [&](const MeasureRow& row) { return row.measure == measure; });
+}
+
+double relative_difference(double a, double b) {
+    const double greater = std::max(a, b);
+    return greater > 0 ? std::abs(a - b) / greater : 0;
+}
+
+bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidence) {
+    const Survey& survey = base.extra.survey;
+    const bool has_scar = base.scar && !base.scar->features.empty();
+    switch (evidence) {
+        case Evidence::scar:
+            return has_scar;
+        case Evidence::runout:
+            return has_scar || event.runout.has_value();
+        case Evidence::deposit:
+            return !survey.deposit.empty() || survey.elevation_change.has_value();
+        case Evidence::elevation_change:
+            return survey.elevation_change.has_value();
+        case Evidence::arrival:
+        case Evidence::speed:
+        case Evidence::depth:
+            break;
+    }
+    const auto kind = std::find_if(std::begin(k_at_gauges), std::end(k_at_gauges),
+                                   [&](const GaugeEvidence& one) { return one.evidence == evidence; });
+    return !(event.*(kind->values)).empty();
+}
+
+void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems) {
+    const std::vector<Gauge>& gauges = base.scene.recording.gauges;
+    for (const GaugeEvidence& kind : k_at_gauges)
+        for (const GaugeValue& one : event.*(kind.values))
+            if (std::none_of(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == one.gauge; }))
+                problems.add({"the scene has no gauge of this name", where, one.gauge, "",
+                              "Name a point of the scene's output.gauges"});
+}
+
+EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std::vector<Weight>& objective,
+                         const CellWindow& window)
+    : event_(event), threshold_(observed_threshold(base.spec)), gauges_(base.scene.recording.gauges) {
+    for (const Weight& one : objective)
+        if (has_evidence(base, event, row_of(one.measure).needs)) measures_.push_back(one);
+    const Survey survey = surveyed(base).survey;
+    grid_ = grid_round(base.scene.grid, window, survey.box());
+    if (!survey.scar.empty()) {
+        scar_ = gis::coverage(survey.scar, grid_);
+        outline_.emplace(survey.scar);
+        scar_area_ = masked_area(scar_);
+        runout_ = runout_of(survey.scar, base.scene);
+    }
+    if (event.runout) runout_ = *event.runout;
+    if (survey.elevation_change) {
+        elevation_change_ = moved_to(grid_, *survey.elevation_change);
+        deposit_ = trace_mask(elevation_change_, threshold_);
+    } else if (!survey.deposit.empty()) {
+        deposit_ = gis::coverage(survey.deposit, grid_);
+    }
+    for (const Weight& one : measures_) {
+        const Evidence needs = row_of(one.measure).needs;
+        const bool covers = needs == Evidence::scar      ? !is_empty(scar_)
+                            : needs == Evidence::deposit ? !is_empty(deposit_)
+                                                         : true;
+        if (!covers)
+            throw Error(ErrorKind::input, Problem{"the surveyed area contains no centre of a cell",
+                                                  event.members.study.scene, "", std::to_string(grid_.cell_size) + " m",
+                                                  "Use smaller cells: study.coarse, terrain.cell-size"});
+    }
+}
+
+double EventSurvey::outline_misfit(const Raster& depth) const {
+    const MultiPolygon trace = gis::polygonise(trace_mask(depth, threshold_));
+    if (trace.empty()) return 1;
+    const double mean = distance_between(LineSet(trace), *outline_, grid_.cell_size).mean_m;
+    return mean / (mean + std::sqrt(scar_area_ / std::numbers::pi));
+}
+
+double EventSurvey::deposit_depth_misfit(const Raster& final_depth) const {
+    if (is_empty(deposit_) && is_empty(trace_mask(final_depth, threshold_))) return 0;
+    const DepositScores scores = compare_deposit(final_depth, elevation_change_, threshold_);
+    const double sum = scores.simulated_volume_m3 + scores.observed_volume_m3;
+    return sum > 0 ? scores.mean_absolute_error_m * scores.area_m2 / sum : 0;
+}
+
+double EventSurvey::gauge_misfit(const std::vector<GaugeValue>& observed, const char* figure,
+                                 const MemberRecord& record) const {
+    double sum = 0;
+    for (const GaugeValue& one : observed) {
+        const std::string key = "gauge " + one.gauge + ": " + figure;
+        const auto found =
+            std::find_if(record.figures.begin(), record.figures.end(), [&](const Figure& f) { return f.key == key; });
+        sum += found == record.figures.end() ? 1 : relative_difference(found->value, one.value);
+    }
+    return sum / static_cast<double>(observed.size());
+}
+
+double EventSurvey::arrival_misfit(const MemberRecord& record) const {
+    const Raster arrival = record.raster(Quantity::arrival, grid_);
+    double sum = 0;
+    for (const GaugeValue& one : event_.arrival) {
+        const auto gauge =
+            std::find_if(gauges_.begin(), gauges_.end(), [&](const Gauge& g) { return g.name == one.gauge; });
+        const auto row = static_cast<std::int64_t>(std::floor((grid_.north - gauge->place.y) / grid_.cell_size)),
+                   column = static_cast<std::int64_t>(std::floor((gauge->place.x - grid_.west) / grid_.cell_size));
+        const bool inside = row >= 0 && column >= 0 && row < grid_.rows && column < grid_.columns;
+        const double time = inside ? arrival.at(row, column) : k_no_data;
+        sum += std::isfinite(time) ? relative_difference(time, one.value) : 1;
+    }
+    return sum / static_cast<double>(event_.arrival.size());
+}
+
+double EventSurvey::misfit(Measure measure, const MemberRecord& record) const {
+    switch (measure) {
+        case Measure::jaccard:
+            return 1 - frana::compare(record.raster(Quantity::depth, grid_), scar_, threshold_).jaccard;
+        case Measure::area:
+            return relative_difference(masked_area(trace_mask(record.raster(Quantity::depth, grid_), threshold_)),
+                                       scar_area_);
+        case Measure::runout: {
+            const auto found = std::find_if(record.figures.begin(), record.figures.end(),
+                                            [](const Figure& f) { return f.key == k_run_out_key; });
+            return relative_difference(found->value, runout_);
+        }
+        case Measure::outline:
+            return outline_misfit(record.raster(Quantity::depth, grid_));
+        case Measure::deposit:
+            return 1 - frana::compare(record.raster(Quantity::final_depth, grid_), deposit_, threshold_).jaccard;
+        case Measure::deposit_depth:
+            return deposit_depth_misfit(record.raster(Quantity::final_depth, grid_));
+        case Measure::arrival:
+            return arrival_misfit(record);
+        case Measure::speed:
+            return gauge_misfit(event_.speed, "max_speed_ms", record);
+        case Measure::depth:
+            break;
+    }
+    return gauge_misfit(event_.depth, "max_depth_m", record);
+}
+
+MemberAgreement EventSurvey::compare(const MemberRecord& record) const {
+    MemberAgreement result;
+    double weights = 0;
+    for (const Weight& one : measures_) {
+        const double part = misfit(one.measure, record);
+        result.parts.push_back(part);
+        result.misfit += one.weight * part;
+        weights += one.weight;
+    }
+    result.misfit /= weights;
+    return result;
+}
+
 namespace {
 
 constexpr const char* k_cell_size = "terrain.cell-size=";

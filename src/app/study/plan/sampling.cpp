@@ -15,7 +15,7 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
-#include "simulation/run_values.h"
+#include "simulation/run_summary.h"
 
 namespace frana::app::study {
 namespace {

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/input/layer_values.h"
-#include "app/input/scene_language.h"
 #include "app/input/share_directory.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish_hazard.h"
@@ -22,6 +21,7 @@
 #include "core/text.h"
 #include "gis/access/table_in.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/scene_parameters.h"
 #include "simulation/simulation.h"
 
@@ -118,8 +118,9 @@ void add_columns(const StudySpec& study, const gis::PolygonLayer& layer, Polygon
     }
 }
 
-}  // namespace
-
+/// Returns a member for each polygon of a scene's release perimeter, in the order of the file. Adds a problem if the
+/// scene names none, or it cannot be read, or no polygon has a column that the region names, or one scenario has
+/// several return periods. What is wrong with a single slope is only kept with it.
 PolygonMembers polygon_members(const StudySpec& study, const std::string& label, const SceneReading& scene,
                                Problems& problems) {
     PolygonMembers members;
@@ -152,8 +153,6 @@ PolygonMembers polygon_members(const StudySpec& study, const std::string& label,
     });
     return members;
 }
-
-namespace {
 
 SceneReading read_member(const StudyReading& reading, const std::vector<std::string>& overrides) {
     std::vector<std::string> all = reading.study.set;

@@ -33,12 +33,6 @@ struct PolygonMembers {
     std::vector<Slope> slopes{};  ///< of a region, by member
 };
 
-/// Returns a member for each polygon of a scene's release perimeter, in the order of the file. Adds a problem if the
-/// scene names none, or it cannot be read, or no polygon has a column that the region names, or one scenario has
-/// several return periods. What is wrong with a single slope is only kept with it.
-PolygonMembers polygon_members(const StudySpec& study, const std::string& label, const SceneReading& scene,
-                               Problems& problems);
-
 /// The cells of one level of a multilevel study.
 struct LevelCells {
     double cell_size = 0;      ///< [m]

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "app/study/plan/calibration_input.h"
-#include "app/study/plan/event_survey.h"
-#include "app/study/pool/rank_pool.h"
+#include "app/study/pool/member_runs.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/statistics/calibration_posterior.h"
 #include "app/text/run_log.h"

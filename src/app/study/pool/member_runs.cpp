@@ -1,15 +1,372 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study/pool/member_runs.h"
 
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
 #include <string>
 #include <utility>
 
-#include "app/process/signals.h"
+#include "app/process/terminal.h"
+#include "app/publish/publish.h"
 #include "app/store/interrupted_run.h"
+#include "app/study/plan/region_input.h"
+#include "app/study/plan/study_input.h"
 #include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "core/error.h"
 #include "core/files.h"
+#include "simulation/simulation.h"
 
 namespace frana::app::study {
+namespace {
+
+/// Files that members share come from memory: reading a terrain takes longer than all other preparation.
+/// The slopes of a region have none in common but small ones, and their terrains together are too much to keep.
+/// @param log of its own: its warnings are the member's
+Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog& log) {
+    SceneReading reading = input.scene_with(task.overrides);
+    if (input.reading.study.region) reading.session.reads = std::make_shared<RememberedReads>();
+    reading.scene.observed = {};  // read once, for the maps
+    reading.scene.output.profiles.reset();
+    reading.scene.output.exposure.reset();
+    if (const auto& region = input.reading.study.region) cut_terrain(*region, reading, log);
+    Prepared prepared = prepare(reading, log);
+    prepared.scene.time.frame_interval = 0;
+    return prepared;
+}
+
+}  // namespace
+
+std::optional<MemberRecord> own_record(const StudyInput& input, const std::string& folder, std::size_t member) {
+    auto record = read_record(record_file(folder, member), member);
+    if (record && record->key_values != values_text(input.table.overrides(member))) record.reset();
+    return record;
+}
+
+namespace {
+
+/// Runs a member on one thread, as `frana run` computes it; several may run at once. A member that cannot be prepared
+/// or ends early has failed, and its record says why. Returns none if `stops` said so before its end. Throws
+/// Error(environment).
+std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask& task,
+                                       const std::function<bool()>& stops) {
+    RunLog log(true);
+    try {
+        if (!input.slopes.empty() && !input.slopes[task.member].problem.empty())
+            throw Error(ErrorKind::input, Problem{input.slopes[task.member].problem, "", "", "", ""});
+        const Prepared prepared = prepared_member(input, task, log);
+        const Scene& scene = prepared.scene;
+        RunOptions options;
+        options.stop_requested = stops;
+        const RunResult result = run(scene, options);
+        if (result.stop_reason == StopReason::requested) return std::nullopt;
+        RecordExtras extras = record_extras(input.base.spec);
+        extras.pressure = extras.pressure || input.reading.study.per_polygon() || input.base.extra.exposure;
+        extras.final_depth = input.keeps_final_depth;
+        MemberRecord record = record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
+        warn_without_pages(prepared, result, log);
+        record.end.warnings = log.warnings();
+        record.key_values = values_text(task.overrides);
+        return record;
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::environment) throw;
+        MemberRecord record = empty_record(task.member, input.base.scene.grid);
+        record.failure = describe(error.problems().front());
+        record.end.warnings = log.warnings();
+        record.key_values = values_text(task.overrides);
+        return record;
+    }
+}
+
+template <class T>
+std::optional<T> take_first(std::deque<T>& list) {
+    if (list.empty()) return std::nullopt;
+    std::optional<T> first(std::move(list.front()));
+    list.pop_front();
+    return first;
+}
+
+}  // namespace
+
+MemberThreads::MemberThreads(std::vector<const StudyInput*> studies, int count) : studies_(std::move(studies)) {
+    try {
+        for (int i = 0; i < count; ++i) threads_.emplace_back([this] { work(); });
+    } catch (...) {  // no thread could be created
+        end();
+        throw;
+    }
+}
+
+MemberThreads::~MemberThreads() {
+    end();
+}
+
+void MemberThreads::end() {
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    added_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+}
+
+void MemberThreads::add(MemberTask task) {
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.push_back(std::move(task));
+    }
+    added_.notify_one();
+}
+
+std::optional<MemberThreads::Record> MemberThreads::take_record() {
+    const std::lock_guard lock(mutex_);
+    return take_first(records_);
+}
+
+std::exception_ptr MemberThreads::take_problem() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(problem_, nullptr);
+}
+
+void MemberThreads::wait(int milliseconds) {
+    std::unique_lock lock(mutex_);
+    finished_.wait_for(lock, std::chrono::milliseconds(milliseconds),
+                       [this] { return problem_ != nullptr || !records_.empty(); });
+}
+
+std::optional<MemberTask> MemberThreads::next() {
+    std::unique_lock lock(mutex_);
+    added_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+    return ending_ ? std::nullopt : take_first(waiting_);
+}
+
+void MemberThreads::work() {
+    while (const auto task = next()) {
+        try {
+            auto record = run_member(*studies_[task->study], *task, [this] { return ending_ || stop_signal() != 0; });
+            if (!record) return;
+            std::string bytes = bytes_of(std::move(*record));
+            const std::lock_guard lock(mutex_);
+            records_.push_back({task->member, std::move(bytes)});
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            problem_ = std::current_exception();
+        }
+        finished_.notify_one();
+    }
+}
+
+namespace {
+
+/// What the ranks of a study send each other. Rank 0 reads, gives out members and writes; the others compute.
+enum class RankMessage {
+    start,        ///< from rank 0: a hash of what decides its members
+    member,       ///< from rank 0: a task
+    stop,         ///< from rank 0: nothing more is to be done
+    ready,        ///< to rank 0: number of members that may run at once
+    record,       ///< to rank 0: number of a member and its record
+    problem,      ///< to rank 0: the texts of an error
+    interrupted,  ///< to rank 0: number of the signal
+    bye,          ///< to rank 0, after `stop`: the last message
+};
+int kind_of(RankMessage message) noexcept {
+    return static_cast<int>(message);
+}
+
+/// Returns bytes with a number before them.
+std::string with_number(std::size_t number, const std::string& rest = {});
+
+std::string with_number(std::size_t number, const std::string& rest) {
+    const std::uint64_t value = number;
+    std::string bytes(sizeof value, '\0');
+    std::memcpy(bytes.data(), &value, sizeof value);
+    return bytes + rest;
+}
+
+/// Takes the number off again.
+std::size_t take_number(std::string& bytes) {
+    std::uint64_t value = 0;
+    if (bytes.size() < sizeof value)
+        throw Error(ErrorKind::environment, Problem{"a message of another rank is damaged", "MPI", "", "",
+                                                    "Start the same version of frana on all machines"});
+    std::memcpy(&value, bytes.data(), sizeof value);
+    bytes.erase(0, sizeof value);
+    return static_cast<std::size_t>(value);
+}
+
+std::string take_text(std::string& bytes) {
+    const std::size_t size = take_number(bytes);
+    std::string text = bytes.substr(0, size);
+    bytes.erase(0, size);
+    return text;
+}
+
+/// Returns a task as bytes.
+std::string bytes_of(const MemberTask& task) {
+    std::string bytes = with_number(task.member) + with_number(task.study);
+    for (const std::string& text : task.overrides) bytes += with_number(text.size(), text);
+    return bytes;
+}
+
+MemberTask task_from(std::string bytes) {
+    MemberTask task{take_number(bytes), {}, take_number(bytes)};
+    while (!bytes.empty()) task.overrides.push_back(take_text(bytes));
+    return task;
+}
+
+/// Returns the kind and the first problem of an error as bytes.
+std::string bytes_of(const Error& error, const std::string& rank) {
+    const Problem& first = error.problems().front();
+    std::string bytes = with_number(static_cast<std::size_t>(error.kind()));
+    for (const std::string& text : {rank + ": " + first.what, first.where, first.value, first.limit, first.remedy})
+        bytes += with_number(text.size(), text);
+    return bytes;
+}
+
+/// Returns that error, which says in which rank it happened.
+Error error_from(std::string bytes) {
+    const auto kind = static_cast<ErrorKind>(take_number(bytes));
+    Problem problem;
+    for (std::string* const text : {&problem.what, &problem.where, &problem.value, &problem.limit, &problem.remedy})
+        *text = take_text(bytes);
+    return {kind, problem};
+}
+
+Message next_message(const Job& job) {
+    for (;;) {
+        if (auto message = job.receive()) return std::move(*message);
+        wait_a_moment();
+    }
+}
+
+bool is(const Message& message, RankMessage kind) {
+    return message.kind == kind_of(kind);
+}
+
+void wait_for_stop(const Job& job) {
+    while (!is(next_message(job), RankMessage::stop)) continue;
+}
+
+void send_problem(const Job& job, const std::exception_ptr& problem) {
+    const auto send = [&](const Error& error) {
+        job.send(0, kind_of(RankMessage::problem), bytes_of(error, job.name()));
+    };
+    try {
+        std::rethrow_exception(problem);
+    } catch (const Error& error) {
+        send(error);
+    } catch (const std::exception& error) {
+        send({ErrorKind::environment,
+              Problem{error.what(), "", "", "",
+                      "If memory, threads or open files run out, start fewer ranks on a machine"}});
+    }
+}
+
+void run_members(const Job& job, const std::vector<StudyInput>& studies, int threads) {
+    std::vector<const StudyInput*> inputs;
+    for (const StudyInput& one : studies) inputs.push_back(&one);
+    MemberThreads members(std::move(inputs), threads);
+    job.send(0, kind_of(RankMessage::ready), with_number(static_cast<std::size_t>(threads)));
+    bool told = false;
+    for (;;) {
+        while (auto message = job.receive()) {
+            if (is(*message, RankMessage::stop)) return;
+            if (is(*message, RankMessage::member)) members.add(task_from(std::move(message->bytes)));
+        }
+        while (const auto record = members.take_record())
+            job.send(0, kind_of(RankMessage::record), with_number(record->member, record->bytes));
+        if (const std::exception_ptr problem = members.take_problem()) send_problem(job, problem);
+        if (stop_signal() != 0 && !std::exchange(told, true))
+            job.send(0, kind_of(RankMessage::interrupted), with_number(static_cast<std::size_t>(stop_signal())));
+        wait_a_moment();
+    }
+}
+
+}  // namespace
+
+void work_for_rank_0(const Job& job, const std::function<RankStudies()>& read, const std::string& file, int threads) {
+    catch_stop_signals();
+    std::exception_ptr problem;
+    RankStudies own;
+    try {
+        own = read();
+    } catch (...) {
+        problem = std::current_exception();
+    }
+    const Message first = next_message(job);
+    if (is(first, RankMessage::start)) {
+        if (!problem && text_hash(own.identity) != first.bytes)
+            problem = std::make_exception_ptr(
+                Error(ErrorKind::input, Problem{"reads another study, scene or other data than rank 0", file, "", "",
+                                                "Give all machines the same files"}));
+        if (problem) {
+            send_problem(job, problem);
+            wait_for_stop(job);
+        } else {
+            run_members(job, own.studies, threads);
+        }
+    }
+    job.send(0, kind_of(RankMessage::bye));
+}
+
+RankPool::RankPool(Job& job) : job_(job) {}
+
+RankPool::~RankPool() {
+    for (int rank = 1; rank < job_.size(); ++rank) job_.send(rank, kind_of(RankMessage::stop));
+    // A rank may be sending a record, and waits until it is received.
+    for (int left = job_.size() - 1; left > 0;) {
+        const auto message = job_.receive();
+        if (!message) {
+            wait_a_moment();
+        } else if (message->kind == kind_of(RankMessage::bye)) {
+            --left;
+        }
+    }
+}
+
+void RankPool::start(const std::string& identity) {
+    for (int rank = 1; rank < job_.size(); ++rank) job_.send(rank, kind_of(RankMessage::start), text_hash(identity));
+}
+
+void RankPool::handle(Message& message, const std::function<void(std::size_t, const std::string&)>& keep) {
+    switch (static_cast<RankMessage>(message.kind)) {
+        case RankMessage::ready:
+            free_.insert(free_.end(), take_number(message.bytes), message.from);
+            return;
+        case RankMessage::record: {
+            const std::size_t member = take_number(message.bytes);
+            free_.push_back(message.from);
+            out_.erase(member);
+            keep(member, message.bytes);
+            return;
+        }
+        case RankMessage::problem:
+            throw error_from(message.bytes);
+        case RankMessage::interrupted:
+            interrupted_ = static_cast<int>(take_number(message.bytes));
+            return;
+        case RankMessage::start:
+        case RankMessage::member:
+        case RankMessage::stop:
+        case RankMessage::bye:
+            return;  // of rank 0, or after its `stop`
+    }
+}
+
+void RankPool::exchange(const std::function<std::optional<MemberTask>()>& take,
+                        const std::function<void(std::size_t member, const std::string& record)>& keep) {
+    while (auto message = job_.receive()) handle(*message, keep);
+    while (!free_.empty()) {
+        const auto task = take();
+        if (!task) return;
+        out_[task->member] = free_.front();
+        job_.send(free_.front(), kind_of(RankMessage::member), bytes_of(*task));
+        free_.pop_front();
+    }
+}
 
 MemberProgress::MemberProgress(std::size_t done, std::size_t total, bool quiet)
     : done_(done), total_(total), line_(quiet) {}

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <set>
 
-#include "app/input/check_release.h"
+#include "app/input/check_inputs.h"
 #include "app/publish/publish.h"
 #include "app/store/interrupted_run.h"
-#include "app/study/pool/member_threads.h"
+#include "app/study/pool/member_runs.h"
 #include "core/text.h"
 
 namespace frana::app::study {

@@ -11,7 +11,7 @@
 #include "app/pictures/charts.h"
 #include "app/text/number_text.h"
 #include "params/keys/scene_parameters.h"
-#include "render/map/contours.h"
+#include "render/map/relief.h"
 
 namespace frana::app::study {
 namespace {

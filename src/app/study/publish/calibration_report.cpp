@@ -7,24 +7,22 @@
 
 #include "analysis/trace.h"
 #include "app/compare/comparison.h"
-#include "app/input/scene_language.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/html_page.h"
 #include "app/publish/publish_rasters.h"
 #include "app/publish/report_answer.h"
-#include "app/publish/report_numbers.h"
 #include "app/publish/report_tables.h"
 #include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/statistics/study_maps.h"
 #include "app/text/number_text.h"
-#include "app/text/today.h"
 #include "app/text/version.h"
 #include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/footprint.h"
+#include "params/keys/output_parameters.h"
 
 namespace frana::app::study {
 

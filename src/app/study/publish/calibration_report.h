@@ -7,7 +7,6 @@
 #include "app/pictures/charts.h"
 #include "app/pictures/map_source.h"
 #include "app/store/result_directory.h"
-#include "app/study/publish/calibration_result.h"
 #include "app/study/publish/publish_calibration.h"
 #include "params/keys/scene_spec.h"
 

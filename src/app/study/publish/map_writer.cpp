@@ -2,12 +2,11 @@
 #include "app/study/publish/map_writer.h"
 
 #include "analysis/trace.h"
-#include "app/input/scene_language.h"
 #include "app/pictures/map_layer.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "gis/raster/styles.h"
-#include "params/keys/classes.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app::study {

@@ -5,24 +5,49 @@
 #include <string>
 #include <vector>
 
-#include "app/process/stopwatch.h"
+#include "app/process/terminal.h"
 #include "app/store/result_directory.h"
-#include "app/study/publish/calibration_result.h"
+#include "app/study/pool/calibration_runs.h"
 #include "app/study/publish/publish_study.h"
 
 namespace frana::app::study {
 
-/// Returns posterior.csv: a row for each member of the last stage with its weight, score, values and misfits. A column
-/// of a shared key has the key's name, so that `frana ensemble` takes the file with sampling = table:FILE.
-std::string posterior_csv(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result);
-/// The same for one event that has keys of its own: all its keys by their names.
-std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event);
-/// Returns design.csv: the same columns, without weights, of the members on coarse cells.
-std::string design_csv(const CalibrationInput& input, const CalibrationRuns& runs);
+/// How an event is explained by a set of weights. A score is 1 - misfit: 1 agrees.
+struct Explained {
+    std::size_t best = 0;                  ///< member that explains the used surveys best
+    double best_score = 0;                 ///< its score at this event
+    double mean = 0, low = 0, high = 0;    ///< of the scores with these weights; 5 and 95 %
+    double effective = 0;                  ///< effective number of members
+    bool possible = false;                 ///< false: no member finished for the surveys used
+    std::vector<KeyPosterior> posteriors;  ///< by key, with these weights
+};
 
-/// Returns calibration.json: best values, intervals, scores by event, fitted and predicted. No wall time is in it.
-std::string calibration_json(const CalibrationInput& input, const CalibrationRuns& runs,
-                             const CalibrationResult& result);
+/// One event: explained with its own survey, and predicted from those of the others.
+struct EventResult {
+    Explained fitted, predicted;
+};
+
+/// What follows from all runs.
+struct CalibrationResult {
+    std::vector<double> weights;  ///< by member of the last stage
+    std::size_t best = 0;         ///< member with the greatest likelihood
+    double effective = 0;         ///< effective number of members
+    double exponent = 0;          ///< of the likelihood, as the members support it
+    std::vector<KeySample> keys;
+    std::vector<KeyPosterior> posteriors;  ///< by key
+    std::vector<IndistinctPair> indistinct;
+    std::vector<EventResult> events;
+    std::vector<Sentence> sentences;  ///< what the surveys say
+};
+
+/// Throws Error(numerical) if no member finished for all events.
+CalibrationResult calibration_result(const CalibrationInput& input, const CalibrationRuns& runs);
+
+/// Mean over the events of a member's scores; NaN if it failed at one.
+double score_of(const std::vector<double>& misfits);
+
+/// Returns the name of a key in tables: with its event if others have it not.
+std::string column_of(const CalibrationSpec& calibration, const KeySample& key);
 
 /// What a calibration cost.
 struct CalibrationFacts {
@@ -32,12 +57,6 @@ struct CalibrationFacts {
     std::vector<Sentence> warnings;
     std::string date;  ///< the day it was written, "2026-11-24"
 };
-/// Returns summary.json.
-std::string calibration_summary_json(const CalibrationInput& input, const CalibrationRuns& runs,
-                                     const CalibrationFacts& facts);
-
-/// Returns the names and values of the best member for one event, as after `--set`.
-std::vector<std::string> best_values(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event);
 
 /// Loads what the maps and charts are drawn with, before anything runs. Throws Error(environment) if it is missing.
 void load_calibration_drawing(const CalibrationInput& input);

@@ -10,7 +10,6 @@
 
 #include "analysis/trace.h"
 #include "app/compare/probability_comparison.h"
-#include "app/input/scene_language.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
@@ -22,7 +21,7 @@
 #include "app/store/vector_layers.h"
 #include "app/study/plan/read_study.h"
 #include "app/study/plan/study_input.h"
-#include "app/study/pool/member_threads.h"
+#include "app/study/pool/member_runs.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/publish/study_files.h"
@@ -30,10 +29,10 @@
 #include "app/study/statistics/study_maps.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
-#include "app/text/today.h"
 #include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "gis/vector/vector_out.h"
+#include "params/keys/output_parameters.h"
 
 namespace frana::app::study {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/process/stopwatch.h"
+#include "app/process/terminal.h"
 #include "app/store/result_directory.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/publish/study_tables.h"

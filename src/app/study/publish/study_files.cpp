@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "analysis/trace.h"
-#include "app/input/scene_language.h"
 #include "app/pictures/charts.h"
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
@@ -27,6 +26,7 @@
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/write_scene.h"
 #include "render/animation/movie.h"

@@ -5,13 +5,11 @@
 #include <filesystem>
 #include <string>
 
-#include "app/input/scene_language.h"
 #include "app/pictures/map_layer.h"
 #include "app/publish/html_page.h"
 #include "app/publish/report.h"
 #include "app/publish/report_answer.h"
 #include "app/publish/report_comparison.h"
-#include "app/publish/report_numbers.h"
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/study/plan/study_input.h"
@@ -24,6 +22,7 @@
 #include "core/text.h"
 #include "core/words/words.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/run_summary.h"
 

@@ -7,7 +7,7 @@
 
 #include "app/pictures/animation.h"
 #include "app/pictures/result_reader.h"
-#include "app/process/signals.h"
+#include "app/process/terminal.h"
 #include "app/publish/summary.h"
 #include "app/store/frame_store.h"
 #include "app/store/result_files.h"

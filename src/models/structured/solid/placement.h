@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "core/default_values.h"
 #include "core/raster.h"
-#include "core/solid_values.h"
 #include "particles/particle_set.h"
 
 namespace frana::structured {

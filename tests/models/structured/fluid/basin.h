@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "bench/set_up/lattice.h"
+#include "bench/set_up/setup.h"
 #include "models/structured/fluid/fluid_step.h"
 
 namespace frana::structured::test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "basin.h"
-#include "bench/exact/dam_break.h"
+#include "bench/exact/solutions.h"
 
 namespace frana::structured::test {
 namespace {

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/commands/command_line.h"
+#include "app/commands/forecast.h"
+#include "app/commands/study_check.h"
+#include "app/process/terminal.h"
+#include "app/store/interrupted_run.h"
+#include "app/store/manifest.h"
+#include "app/store/result_directory.h"
+#include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/study/plan/read_study.h"
+#include "app/study/plan/study_input.h"
+#include "app/study/pool/calibration_runs.h"
+#include "app/study/pool/level_rounds.h"
+#include "app/study/pool/member_runs.h"
+#include "app/study/pool/study_result.h"
+#include "app/study/publish/publish_calibration.h"
+#include "app/study/publish/publish_study.h"
+#include "app/study/publish/study_files.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "app/text/version.h"
+#include "core/error.h"
+#include "params/grammar/value_text.h"
+
+namespace frana::app {
+namespace {
+
+// What the commands that run many members have in common.
+
+/// The other processes of a study under mpirun; none otherwise. They end when these do.
+struct OtherRanks {
+    std::optional<study::Job> job;
+    std::unique_ptr<study::RankPool> pool;  ///< in rank 0, if there are others
+
+    /// Throws Error(input) if srun started several processes that cannot exchange messages.
+    OtherRanks() {
+        study::refuse_separate_processes();
+        if (!study::started_as_rank()) return;
+        job.emplace();
+        if (job->rank() == 0 && job->size() > 1) pool = std::make_unique<study::RankPool>(*job);
+    }
+    /// They are not needed any more.
+    void release() {
+        pool.reset();
+        job.reset();
+    }
+};
+
+/// Returns the form of such a command.
+/// @param what the study is called in its sentences
+CommandForm study_form(const std::string& command, const std::string& meaning, const std::string& default_place,
+                       const std::string& what, const std::string& operand = "STUDY.ini") {
+    CommandForm form{"frana " + command + " " + operand + " [options]", meaning, operand, {}};
+    const std::string out = "result directory (default: " + default_place + ")",
+                      resume = "run only the members that a stopped or killed " + what + " has not finished",
+                      limit = "refuse a " + what + " that would need more (4GB, 500MB)";
+    form.options.add_options()("out", one("FOLDER"), out.c_str())(
+        "threads", one("N"), "members that run side by side (default: all processors)")(
+        "overwrite", "replace an existing result")("strict", k_strict_meaning)("resume", resume.c_str())(
+        "memory-limit", one("SIZE"), limit.c_str())("quiet,q",
+                                                    "no progress, no warnings on the terminal (they are in log.txt)");
+    return form;
+}
+
+/// Adds a problem for work that an interrupted study or run has kept for this result.
+/// @param study folder of the interrupted study; empty: none
+void refuse_to_discard(const std::string& target, const std::string& study, Problems& problems) {
+    if (!study.empty())
+        problems.add({"an interrupted study of it is kept in " + study, target, "", "",
+                      has_files(target) ? "--resume --overwrite continues it and then replaces the older result; "
+                                          "--overwrite alone removes it and starts anew"
+                                        : "--resume continues it; --overwrite removes it and starts anew"});
+    if (const InterruptedRun run(target); !run.beside().empty())
+        problems.add({"an interrupted run of it is kept in " + run.beside(), target, "", "",
+                      "`frana run --resume` continues it; --overwrite removes it"});
+}
+
+/// Throws Error(input) if the members kept in a folder belong to a study with another identity, with the differences.
+void require_same_study(const std::string& identity, const std::string& folder) {
+    const std::string then = read_text_file((std::filesystem::path(folder) / k_record_identity).string());
+    if (then == identity) return;
+    throw Error(ErrorKind::input, Problem{"the members kept in " + folder + " are of another study: " +
+                                              joined(identity_differences(identity, then), "; "),
+                                          "--resume", "", "",
+                                          "Restore the study as it was, or start anew: --overwrite without --resume"});
+}
+
+/// Whether a result is complete and of the same study: nothing is left to do. Throws Error(input) if it is the finished
+/// result of another one.
+bool is_complete(const std::string& identity, const std::string& target) {
+    const auto manifest = read_manifest(target);
+    if (!manifest || !manifest->finished.value_or(false)) return false;
+    if (manifest->scene_hash == text_hash(identity)) return true;
+    throw Error(ErrorKind::input, Problem{"contains the finished result of another study", target, "", "",
+                                          "Choose another folder with --out, or add --overwrite"});
+}
+
+/// Gives a written result its name, and returns the exit code. Throws Error(environment).
+/// @param strict whether a run that was cut, left the ground or failed makes the exit code 3
+int publish_result(const std::string& identity, const study::StudyOutcome& outcome, bool strict,
+                   ResultDirectory& directory, RunLog& log) {
+    const bool refused = strict && outcome.has_troubles;
+    directory.publish({text_hash(identity), 0, true}, log);
+    remove_working_files(directory.target(), false, log);
+    log.info("result in " + directory.target());
+    if (refused || outcome.too_many_failed || outcome.pictures_failed) log.print_deferred_warnings();
+    if (refused || outcome.too_many_failed) return static_cast<int>(ExitCode::numerical);
+    return static_cast<int>(outcome.pictures_failed ? ExitCode::environment : ExitCode::done);
+}
+
+/// With study.until, errors are looked at after so many members, whatever the number of threads.
+constexpr std::size_t k_members_between_checks = 64;
+
+bool is_exact_enough(const study::StudyInput& input, const std::string& folder, std::size_t members) {
+    const study::StudyResult result = study::read_study_result(input, folder, members);
+    if (result.finished_at.size() < 2) return false;
+    double largest = 0;
+    for (const study::MappedEvents& events : study::mapped_events(input.base.spec))
+        largest = std::max(largest, study::error_of_first(result.finished, result.finished.size(), events.quantity,
+                                                          result.grid, events.thresholds)
+                                        .largest);
+    return largest <= *input.reading.study.until;
+}
+
+/// What ran of a study.
+struct MembersRun {
+    std::size_t members = 0;   ///< that belong to it
+    std::size_t computed = 0;  ///< of these in this session
+    int stopped_by = 0;        ///< a signal
+};
+
+/// Runs the members below `end` with a runner of their own: a multilevel study's table grows.
+bool run_until(const study::StudyInput& input, const study::RunSetting& setting, std::size_t end, MembersRun& ran) {
+    study::MemberRunner runner(input, setting.folder, setting.threads, setting.quiet, setting.ranks);
+    const bool complete = runner.run_until(end);
+    ran.members = end;
+    ran.computed += runner.computed();
+    ran.stopped_by = runner.stopped_by();
+    return complete;
+}
+
+MembersRun run_members(const study::StudyInput& input, const study::RunSetting& setting) {
+    const std::size_t all = input.table.size();
+    MembersRun ran;
+    if (!input.reading.study.until) {
+        run_until(input, setting, all, ran);
+        return ran;
+    }
+    for (std::size_t end = std::min(all, k_members_between_checks);;
+         end = std::min(all, end + k_members_between_checks)) {
+        if (!run_until(input, setting, end, ran) || end == all || is_exact_enough(input, setting.folder, end))
+            return ran;
+    }
+}
+
+MembersRun run_level_members(study::StudyInput& input, const study::RunSetting& setting) {
+    MembersRun ran;
+    const bool has_limit = input.reading.study.until.has_value();
+    study::run_levels(
+        input, setting.folder, [&](std::size_t end) { return run_until(input, setting, end, ran); },
+        [&](std::size_t members) { return has_limit && is_exact_enough(input, setting.folder, members); });
+    ran.members = input.table.size();
+    return ran;
+}
+
+/// A study of many runs of one scene, or a region of many slopes.
+struct ManyRuns {
+    using Texts = study::StudyTexts;
+    using Input = study::StudyInput;
+    static constexpr const char *k_name = "study", *k_members = "members";
+
+    static Texts read(const std::string& file, const Session& session, RunLog& log) {
+        return study::read_study_texts(file, session, log);
+    }
+    static const study::StudySpec& study_of(const Texts& texts) { return texts.reading.study; }
+    static std::span<const study::StudyTexts> scenes(const Texts& texts) { return {&texts, 1}; }
+    static Problems& problems(Texts& texts) { return texts.central.problems; }
+    static std::string place(const Texts& texts) { return study_directory(texts.reading.study, texts.central.scene); }
+    static Input prepare(Texts texts, const std::optional<Problem>& place, RunLog& log) {
+        return study::prepare_study(std::move(texts), place, log);
+    }
+    static study::RankStudies for_rank(Input input) {
+        study::RankStudies own;
+        own.studies.push_back(std::move(input));
+        own.identity = own.studies.front().identity;
+        return own;
+    }
+    static void load_drawing(const Input& input) { study::load_study_drawing(input); }
+    static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
+
+    static MembersRun run(Input& input, const study::RunSetting& setting, RunLog&) {
+        return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting);
+    }
+    static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
+                                       ResultDirectory& directory, RunLog& log) {
+        input.base.result_folder = directory.target();
+        return study::publish_study({input, ran.members, ran.computed, threads, since_start}, directory, log);
+    }
+};
+
+/// A calibration by one or several events.
+struct CalibrationByEvents {
+    using Texts = study::CalibrationTexts;
+    using Input = study::CalibrationInput;
+    static constexpr const char *k_name = "calibration", *k_members = "runs";
+    struct Ran : MembersRun {
+        std::optional<study::CalibrationRuns> runs;
+    };
+
+    static Texts read(const std::string& file, const Session& session, RunLog& log) {
+        return study::read_calibration_texts(file, session, log);
+    }
+    static const study::StudySpec& study_of(const Texts& texts) { return texts.reading.calibration.study; }
+    static std::span<const study::StudyTexts> scenes(const Texts& texts) { return texts.events; }
+    static Problems& problems(Texts& texts) { return texts.problems; }
+    static std::string place(const Texts& texts) { return calibration_directory(texts.first_scene.scene); }
+    static Input prepare(Texts texts, const std::optional<Problem>& place, RunLog& log) {
+        return study::prepare_calibration(std::move(texts), place, log);
+    }
+    static study::RankStudies for_rank(Input input) { return study::studies_of(std::move(input)); }
+    static void load_drawing(const Input& input) { study::load_calibration_drawing(input); }
+    static std::span<const study::StudyInput> studies(const Input& input) { return input.own; }
+
+    static Ran run(Input& input, const study::RunSetting& setting, RunLog& log) {
+        Ran ran{{}, study::run_calibration(input, setting, log)};
+        if (ran.runs) ran.computed = ran.runs->computed;
+        if (!ran.runs) ran.stopped_by = stop_signal();
+        return ran;
+    }
+    static study::StudyOutcome publish(Input& input, const Ran& ran, int threads, const Stopwatch& since_start,
+                                       ResultDirectory& directory, RunLog& log) {
+        return study::publish_calibration(input, *ran.runs, threads, since_start, directory, log);
+    }
+};
+
+/// Runs the members of a study, region or calibration and writes what they say together. Returns the exit code; throws
+/// Error.
+/// @param check_file throws Error(input) for the file of another command
+template <class Kind>
+int run_study(const CommandForm& form, void (*check_file)(const std::string& file), const Arguments& arguments) {
+    const Stopwatch since_start;
+    const auto values = parse_arguments(form, arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const std::string file = (*values)["operand"].as<std::string>();
+    check_file(file);
+    OtherRanks ranks;
+    const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
+    if (ranks.job && ranks.job->rank() > 0) {
+        const auto read = [&file] {
+            RunLog silent(true);
+            return Kind::for_rank(Kind::prepare(Kind::read(file, {}, silent), std::nullopt, silent));
+        };
+        study::work_for_rank_0(*ranks.job, read, file, threads);
+        return static_cast<int>(ExitCode::done);
+    }
+    const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
+               resume = values->count("resume") > 0;
+    RunLog log(quiet);
+    const Session session = session_of(*values, log);
+
+    typename Kind::Texts texts = Kind::read(file, session, log);
+    const auto out = text_option(*values, "out");
+    const std::string place = out.value_or(Kind::place(texts)), target = result_path(place);
+    const std::string interrupted = interrupted_study(target);
+    const bool may_be_complete = resume && !overwrite && interrupted.empty() && has_files(target);
+    std::vector<std::string> inputs{Kind::study_of(texts).file};
+    for (const study::StudyTexts& one : Kind::scenes(texts))
+        for (std::string& input : input_files(one.central.scene)) inputs.push_back(std::move(input));
+    std::optional<Problem> place_problem;
+    if (!may_be_complete)
+        place_problem = check_result_directory(place, overwrite ? Older::replaced : Older::refused, inputs,
+                                               out ? "--out" : "the result's place", Kind::problems(texts));
+    if (!resume && !overwrite) refuse_to_discard(target, interrupted, Kind::problems(texts));
+    log.note(std::string(k_program) + " " + k_version + ", study " + Kind::study_of(texts).file + ", " +
+             std::to_string(threads) + " threads");
+    typename Kind::Input input = Kind::prepare(std::move(texts), place_problem, log);
+    if (may_be_complete && is_complete(input.identity, target)) {
+        log.info(std::string("the ") + Kind::k_name + " is complete: " + target);
+        remove_working_files(target, false, log);
+        return static_cast<int>(ExitCode::done);
+    }
+    Kind::load_drawing(input);
+    for (const study::StudyInput& one : Kind::studies(input))
+        refuse_study_beyond_memory(one, forecast_study(one, threads, false), threads,
+                                   ranks.job ? ranks.job->ranks_here() : 1);
+    const std::string left = resume ? interrupted : "";
+    if (!left.empty()) require_same_study(input.identity, left);
+
+    catch_stop_signals();
+    ResultDirectory directory(target, overwrite, !left.empty());
+    directory.make_folder(k_record_folder);
+    write_text_file(directory.path(k_record_identity), input.identity);
+    if (ranks.pool) ranks.pool->start(input.identity);
+    const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
+    const auto ran = Kind::run(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
+    ranks.release();
+    if (ran.stopped_by != 0) {
+        log.info(std::string("the ") + Kind::k_name + " was stopped after " +
+                 std::to_string(records_in(directory.folder()).size()) + " " + Kind::k_members +
+                 ": the same command with --resume runs the others");
+        return static_cast<int>(ExitCode::signal) + ran.stopped_by;
+    }
+    log.note("computed " + std::to_string(ran.computed) + " " + Kind::k_members + " in " +
+             number_text(since_start.seconds(), 3) + " s");
+    const study::StudyOutcome outcome = Kind::publish(input, ran, all_threads, since_start, directory, log);
+    return publish_result(input.identity, outcome, values->count("strict") > 0, directory, log);
+}
+
+void refuse_region(const std::string& file) {
+    if (study::is_region(file))
+        throw Error(ErrorKind::input, Problem{"is a region of many slopes", file, "", "a study, with [study]",
+                                              "Run it with `frana batch`"});
+}
+
+void require_region(const std::string& file) {
+    if (!study::is_region(file))
+        throw Error(ErrorKind::input,
+                    Problem{"has no section [region]", file, "", "",
+                            "A single scene runs with `frana run`, a study with `frana ensemble`; a region names its "
+                            "scene under [region]"});
+}
+
+}  // namespace
+
+CommandForm ensemble_form() {
+    return study_form("ensemble",
+                      "Runs a scene many times with values drawn from their distributions and writes what the runs say "
+                      "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
+                      "that of the scene, with -ensemble", "study");
+}
+
+int cmd_ensemble(const Arguments& arguments) {
+    return run_study<ManyRuns>(ensemble_form(), refuse_region, arguments);
+}
+
+CommandForm batch_form() {
+    return study_form("batch",
+                      "Runs each polygon of a release layer as a slope of its own, in a window of the terrain, and "
+                      "writes their union:\ngreatest depth, speed and pressure, how many slopes reach each cell and "
+                      "which is the worst, maps of each scenario,\nthe degree of hazard, one table, one project.",
+                      "that of the scene, with -region", "region", "REGION.ini");
+}
+
+int cmd_batch(const Arguments& arguments) {
+    return run_study<ManyRuns>(batch_form(), require_region, arguments);
+}
+
+CommandForm calibrate_form() {
+    return study_form(
+        "calibrate",
+        "Finds the values of uncertain keys that explain one or several surveyed events, and how uncertain "
+        "they stay:\na table of weighted members that `frana ensemble` takes, with charts and a report.",
+        "that of the first scene, with -calibration", "calibration");
+}
+
+int cmd_calibrate(const Arguments& arguments) {
+    return run_study<CalibrationByEvents>(
+        calibrate_form(), [](const std::string&) {}, arguments);
+}
+
+}  // namespace frana::app

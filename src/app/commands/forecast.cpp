@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "app/commands/command_line.h"
+#include "app/input/memory_bound.h"
+#include "app/pictures/animation.h"
+#include "app/process/terminal.h"
+#include "app/store/frame_store.h"
+#include "app/text/number_text.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_trial_seconds = 1.5;  // wall, each
+// With fewer cells across, the flow of a release differs too much.
+constexpr double k_large_cells = 9;
+// Smaller cells let thin fronts spread further: growth of particle-steps scaled to the same cells, per halving, in the
+// sample and the shared examples.
+constexpr double k_usual_growth = 1.3;
+// Cost of a trial on half the cells, and half as much for how the runs differ.
+constexpr double k_finer_cost = 12;
+
+/// Cost of a run on larger cells, scaled to the scene's own: particles scale with the square of the cells, steps with
+/// their side.
+struct Trial {
+    double particle_steps = 0;
+    double steps = 0;
+    double particles_peak = 0;
+    double reached_cells = 0;
+    double seconds_per_particle_step = 0;
+    double reached = 0;  ///< simulated time [s]
+    double seconds = 0;  ///< wall time of the engine
+    bool cut_short = false;
+    std::optional<GroundStatistics> path;
+};
+
+Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, int threads) {
+    SceneReading coarse = reading;
+    coarse.scene.terrain.cell_size = grid.cell_size * factor;
+    coarse.scene.terrain.bounds = grid.bounds();
+    coarse.scene.observed = {};
+    RunLog silent(true);
+    const Prepared prepared = prepare(coarse, silent);
+    const Stopwatch watch;
+    RunOptions options;
+    options.threads = threads;
+    options.stop_requested = [&] { return watch.seconds() > k_trial_seconds; };
+    const RunResult result = run(prepared.scene, options);
+    Trial trial;
+    trial.reached = result.simulated_seconds;
+    trial.cut_short = result.stop_reason == StopReason::requested;
+    const double steps = static_cast<double>(result.particle_steps), squared = factor * factor;
+    const double rest = trial.cut_short ? prepared.scene.time.end / trial.reached : 1;
+    trial.particle_steps = steps * squared * factor * rest;
+    trial.steps = static_cast<double>(result.steps) * factor * rest;
+    trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
+    trial.path = ground_where(prepared.scene.terrain, result.raster("max_depth"), reading.scene.output.trace_threshold);
+    result.raster("max_depth").values.for_each_stored([&](std::size_t, double depth) {
+        trial.reached_cells += std::isnan(depth) ? 0 : squared;
+    });
+    trial.seconds = result.engine_seconds;
+    trial.seconds_per_particle_step = result.engine_seconds / steps;
+    return trial;
+}
+
+}  // namespace
+
+std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
+                                          const RunEstimate& start, int threads) try {
+    if (prepared.scene.structured) return std::nullopt;                 // it counts particle steps
+    if (prepared.scene.terrain.values.is_tiled()) return std::nullopt;  // larger cells would cover the whole DTM
+    const GridSpec& grid = prepared.scene.grid;
+    const bool large = prepared.release.area_m2 >= k_large_cells * 64 * grid.cell_area();
+    int factor = large ? 4 : 2;
+    Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
+    Trial fine = try_coarse(reading, grid, factor, threads);
+    // Where that took little, once more on half the cells: how long a deposit creeps depends on their size.
+    if (factor > 2 && !fine.cut_short && fine.seconds < k_trial_seconds / k_finer_cost) {
+        factor /= 2;
+        coarse = std::exchange(fine, try_coarse(reading, grid, factor, threads));
+    }
+    if (!(coarse.particles_peak > 0) || start.particles == 0) return std::nullopt;
+    // If both reached their end, the growth per halving of the cells follows from both; otherwise the complete one is
+    // used.
+    const bool both = !fine.cut_short && !coarse.cut_short;
+    const bool use_fine = both || coarse.cut_short;
+    const Trial& base = use_fine ? fine : coarse;
+    const double growth = both ? std::clamp(fine.particle_steps / coarse.particle_steps, 0.8, 2.0) : k_usual_growth;
+    const double more = std::clamp(fine.particles_peak / coarse.particles_peak, 1.0, 2.0);
+    TimeEstimate estimate;
+    estimate.coarsening = use_fine ? factor : 2 * factor;
+    estimate.trial_end = base.reached;
+    estimate.cut_short = base.cut_short;
+    estimate.path = fine.path;
+    // With few particles each is expensive (as in the trial), and so are the first steps (of the scene itself).
+    const double start_cost =
+        start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);
+    estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
+                              std::min(start_cost, fine.seconds_per_particle_step);
+    estimate.reached_cells = std::max(fine.reached_cells, coarse.reached_cells);
+    estimate.steps = std::max(fine.steps, coarse.steps);
+    estimate.particles_peak = std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
+    if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;
+    return estimate;
+} catch (const Error&) {
+    return std::nullopt;  // map too small for larger cells; the scene itself was checked before
+}
+
+double engine_seconds(const RunEstimate& start, const std::optional<TimeEstimate>& trial) {
+    return trial ? trial->engine_seconds : start.wall_seconds;
+}
+
+namespace {
+
+// Processor time of the sample with and without each part, beside other work; meant to be right within a factor of two.
+// Pictures by their size, per million pixels; the libraries that draw are loaded once.
+constexpr double k_loading_s = 0.7, k_picture_s = 0.11, k_film_picture_s = 0.04, k_drawn_bytes = 0.42e6,
+                 k_film_picture_bytes = 9e3;
+// Rasters, per cell that is stored and not nodata, compressed; the ground fills the whole map.
+constexpr double k_cell_s = 60e-9, k_raster_cell_bytes = 3, k_ground_bytes = 2.6;
+// Vector layers, tables, charts, the report's text; a row of timeseries.csv.
+constexpr double k_rest_s = 0.8, k_rest_bytes = 0.45e6, k_row_bytes = 130;
+// Flows spread to about so many times their release.
+constexpr double k_usual_spread = 10;
+// Pictures of a run besides its maps: comparison and charts; and of a study: charts.
+constexpr double k_charts = 3, k_study_charts = 4;
+// Rasters that a run writes besides dtm and bed, and a study for each threshold or quantity.
+constexpr double k_rasters = 6, k_bands = 2;
+
+double megapixels(const Size& size) {
+    return static_cast<double>(size.width) * size.height / 1e6;
+}
+
+/// Adds pictures of a scene's maps, each once more in the report as a smaller one.
+void add_pictures(const OutputSpec& output, double count, double cells, WritingForecast& forecast) {
+    const double size = megapixels(size_from_text(output.map_size).value_or(Size{}));
+    forecast.seconds += k_loading_s + count * (size * k_picture_s + cells * k_cell_s);
+    forecast.disk_bytes += count * static_cast<double>(output.map_formats.size()) * size * k_drawn_bytes;
+    if (output.report) forecast.disk_bytes += std::min(count, k_charts) * size * k_drawn_bytes;
+}
+
+/// Number of the maps of output.maps = on that every run of the scene has.
+double usual(const SceneSpec& scene) {
+    double count = 0;
+    for (const std::string& name : usual_maps()) {
+        const ResultRaster& row = *find_result_raster(raster_of_map(name));
+        const bool is_there = row.is_produced_by == nullptr || row.is_produced_by(scene);
+        count += row.command == "run" && is_there && !row.if_it_happens ? 1 : 0;
+    }
+    return count;
+}
+
+double frames_of(const Prepared& prepared, const std::optional<TimeEstimate>& trial) {
+    const double interval = prepared.scene.time.frame_interval;
+    if (!(interval > 0)) return 0;
+    const double end = trial && !trial->cut_short ? trial->trial_end : prepared.scene.time.end;
+    return std::ceil(end / interval) + 1;
+}
+
+double reached_cells(const Prepared& prepared, const std::optional<TimeEstimate>& trial) {
+    return trial ? trial->reached_cells : k_usual_spread * prepared.release.area_m2 / prepared.scene.grid.cell_area();
+}
+
+void add_film(const Prepared& prepared, const std::optional<TimeEstimate>& trial, WritingForecast& forecast) {
+    const OutputSpec& output = prepared.spec.output;
+    const double frames = frames_of(prepared, trial), cells = reached_cells(prepared, trial);
+    if (output.frames) {
+        forecast.seconds += frames * 2 * cells * k_cell_s;
+        forecast.disk_bytes += frames * 2 * 0.5 * cells * k_raster_cell_bytes;
+    }
+    if (!output.animation) return;
+    forecast.seconds += frames * k_film_picture_s;
+    forecast.disk_bytes += frames * k_film_picture_bytes;
+}
+
+}  // namespace
+
+WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& expected,
+                                 const std::optional<TimeEstimate>& trial) {
+    const OutputSpec& output = prepared.spec.output;
+    const auto stored = static_cast<double>(expected.stored_cells);
+    const double steps = trial ? trial->steps : prepared.scene.time.end / expected.first_step_seconds;
+    WritingForecast forecast{k_rest_s + stored * k_rasters * k_cell_s,
+                             k_rest_bytes + steps * k_row_bytes + 2 * stored * k_ground_bytes +
+                                 k_rasters * reached_cells(prepared, trial) * k_raster_cell_bytes};
+    const bool draws = output.maps.front() != "off";
+    double maps = 0;
+    if (draws) maps = output.maps.front() == "on" ? usual(prepared.spec) : static_cast<double>(output.maps.size());
+    const double pictures = maps + (prepared.scar ? 1 : 0) + (draws && output.charts ? k_charts : 0);
+    if (pictures > 0) add_pictures(output, pictures, stored, forecast);
+    add_film(prepared, trial, forecast);
+    return forecast;
+}
+
+WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
+                                       const std::optional<TimeEstimate>& trial, int threads) {
+    const OutputSpec& output = input.base.spec.output;
+    const bool is_region = input.reading.study.per_polygon();
+    const auto stored = static_cast<double>(member.stored_cells);
+    // A map for each threshold; quantiles, mean and deviation of two quantities, arrivals, counts.
+    const double maps = is_region
+                            ? 6
+                            : static_cast<double>(output.depth_thresholds.size() + output.velocity_thresholds.size() +
+                                                  3 * std::size(k_study_quantiles) + 5 + input.table.keys.size());
+    WritingForecast forecast{k_rest_s + stored * maps * k_bands * k_cell_s,
+                             k_rest_bytes + 2 * stored * k_ground_bytes +
+                                 maps * k_bands * reached_cells(input.base, trial) * k_raster_cell_bytes};
+    if (output.maps.front() != "off") {
+        const double charts = output.charts && !is_region ? k_study_charts : 0;
+        add_pictures(output, maps + charts, stored, forecast);
+    }
+    if (is_region) return forecast;
+    forecast.seconds += engine_seconds(member, trial) / threads;
+    add_film(input.base, trial, forecast);
+    return forecast;
+}
+
+WritingForecast forecast_event_writing(const Prepared& event, const RunEstimate& member) {
+    const auto stored = static_cast<double>(member.stored_cells);
+    WritingForecast forecast{k_rest_s + stored * k_cell_s, k_rest_bytes + stored * k_raster_cell_bytes};
+    if (event.spec.output.maps.front() != "off") add_pictures(event.spec.output, 1 + k_study_charts, stored, forecast);
+    return forecast;
+}
+
+namespace {
+
+// All measured, with GDAL 3.6, VTK 9.1 and Mesa 22, on maps of 2000 to 20 000 000 cells and pages of 0.3 to 64 million
+// pixels. Results and temporary data while files are written and pictures drawn, after the engine's memory was freed.
+constexpr std::int64_t k_result_cell_bytes = 120;
+// Code and tables of the drawing libraries; drawn parts of a map and a view, which remain while more are drawn; relief
+// and mesh.
+constexpr std::int64_t k_picture_bytes = 98'000'000, k_map_pixel_bytes = 56, k_view_pixel_bytes = 34,
+                       k_drawn_cell_bytes = 28;
+// The pictures that an encoder keeps in its look-ahead and look-back; a view's animation has two pictures in progress.
+constexpr std::int64_t k_animation_bytes = 10'000'000, k_animation_pixel_bytes = 15;
+// A step's row in memory, during formatting, and while charts are drawn from the file's text.
+constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
+// Code and tables of computing and writing.
+constexpr std::int64_t k_computing_bytes = 30'000'000;
+// Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
+constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
+// Per cell of a large map, in all rasters together, where nothing is stored.
+constexpr std::int64_t k_table_millibytes = 100;
+// Particles split where the flow is thin; a trial without splitting does not predict it.
+constexpr double k_unseen_growth = 1.5;
+
+std::int64_t pixels(Size size) {
+    return static_cast<std::int64_t>(size.width) * size.height;
+}
+
+bool draws_maps(const Prepared& prepared) {
+    return prepared.spec.output.maps.front() != "off";
+}
+
+// Returns the pictures that publish() draws.
+Drawing drawing_of(const Prepared& prepared, std::int64_t cells) {
+    const OutputSpec& output = prepared.spec.output;
+    const Size page = size_from_text(output.map_size).value_or(Size{});
+    Drawing drawing;
+    drawing.cells = cells;
+    if (draws_maps(prepared) || prepared.scar) drawing.page = page;
+    drawing.views = std::any_of(output.maps.begin(), output.maps.end(),
+                                [](const std::string& name) { return name == "on" || name.ends_with("_3d"); });
+    drawing.maps = prepared.scar || output.charts ||
+                   !std::all_of(output.maps.begin(), output.maps.end(),
+                                [](const std::string& name) { return name.ends_with("_3d"); });
+    if (output.animation && prepared.scene.time.frame_interval > 0) drawing.animation = animation_size(page);
+    return drawing;
+}
+
+struct Course {
+    std::int64_t particles = 0;
+    double steps = 0;
+};
+
+std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected,
+                       const Course& course) {
+    const OutputSpec& output = prepared.spec.output;
+    const std::int64_t cells = expected.stored_cells;
+    const auto steps = static_cast<std::int64_t>(std::min(course.steps, 1e12));
+    std::int64_t engine = expected.memory_bytes + steps * k_step_bytes +
+                          expected.bytes_of_particles(std::max<std::int64_t>(0, course.particles - expected.particles));
+    if (prepared.scene.time.frame_interval > 0) engine += cells * k_frame_cell_bytes;
+    if (prepared.scene.time.frame_interval > 0 && particle_formats(output.formats).any())
+        engine += course.particles * k_frame_particle_bytes;
+    const std::int64_t results = cells * k_result_cell_bytes;
+    const bool charts = output.charts && draws_maps(prepared);
+    const std::int64_t writing = results + steps * k_step_text_bytes,
+                       drawing = results + memory_of_drawing(drawing_of(prepared, cells)) +
+                                 steps * (charts ? k_step_chart_bytes : k_step_bytes);
+    // Tables of tiles, of which a raster of a large map consists.
+    const std::int64_t tables =
+        cells < prepared.scene.grid.cell_count() ? prepared.scene.grid.cell_count() * k_table_millibytes / 1000 : 0;
+    return in_use + k_computing_bytes + tables + std::max({engine, writing, drawing});
+}
+
+// No speed exceeds that of free fall: a step is at least the time to cross a cell at that speed plus the waves'.
+double most_steps(const Prepared& prepared, const RunEstimate& expected) {
+    const Scene& scene = prepared.scene;
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    scene.terrain.values.for_each_stored([&](std::size_t, double z) {
+        if (std::isnan(z)) return;
+        least = std::min(least, z);
+        greatest = std::max(greatest, z);
+    });
+    double speed = std::sqrt(2 * scene.numerics.gravity * std::max(0.0, greatest - least));
+    double begun = 0;
+    for (const ReleaseArea& area : scene.release) begun = std::max(begun, area.speed);
+    speed = std::hypot(speed, begun);
+    return scene.time.end / expected.first_step_seconds +
+           scene.time.end * speed / (courant_number(scene.numerics, scene.material) * scene.grid.cell_size);
+}
+
+}  // namespace
+
+std::int64_t memory_of_drawing(const Drawing& drawing) {
+    if (pixels(drawing.page) == 0 && pixels(drawing.animation) == 0) return 0;
+    const std::int64_t of_pixel = (drawing.maps ? k_map_pixel_bytes : 0) + (drawing.views ? k_view_pixel_bytes : 0);
+    // The animation is drawn after the maps, in the memory they leave: 32 MB more than these alone, measured.
+    std::int64_t bytes = k_picture_bytes + drawing.cells * k_drawn_cell_bytes +
+                         std::max(pixels(drawing.page), pixels(drawing.animation)) * of_pixel;
+    if (pixels(drawing.animation) > 0) bytes += k_animation_bytes + pixels(drawing.animation) * k_animation_pixel_bytes;
+    return bytes;
+}
+
+std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected,
+                           const std::optional<TimeEstimate>& trial) {
+    Course course;
+    course.steps = most_steps(prepared, expected);
+    if (trial) {
+        course.particles = std::max(trial->particles_peak, expected.particles);
+        course.steps = std::min(course.steps, trial->steps);
+    } else {
+        const double growth = prepared.scene.structured ? 1 : k_unseen_growth;
+        course.particles = static_cast<std::int64_t>(growth * static_cast<double>(expected.particles));
+    }
+    return memory_of(prepared, in_use, expected, course);
+}
+
+std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected) {
+    if (prepared.scene.terrain.values.is_tiled()) return std::numeric_limits<std::int64_t>::max();  // no bound is known
+    // Particles that merging leaves in every cell of the map.
+    constexpr std::int64_t k_crowd = 3;
+    const std::int64_t crowded =
+        prepared.scene.structured
+            ? 0
+            : prepared.scene.grid.cell_count() * std::max(4, prepared.scene.numerics.particles_per_cell) * k_crowd;
+    const std::int64_t nodes = prepared.scene.grid.cell_count() * expected.bytes_per_node;
+    return nodes + memory_of(prepared, in_use, expected,
+                             {std::max(expected.particles, crowded), most_steps(prepared, expected)});
+}
+
+Session session_of(const boost::program_options::variables_map& values, RunLog& log) {
+    const auto text = text_option(values, "memory-limit");
+    return {text ? memory_limit_from_text(*text, log) : 0};
+}
+
+void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared) {
+    const MemoryBound bound = usable_memory(reading.session);
+    if (static_cast<double>(needed) <= bound.bytes) return;
+    throw Error(ErrorKind::input,
+                Problem{"a run of this scene needs about " + bytes_text(static_cast<double>(needed)) + " of memory",
+                        reading.where("terrain.cell-size"), shortest_text(prepared.scene.grid.cell_size) + " m",
+                        bound_text(bound),
+                        "Choose a larger terrain.cell-size, a part of the DTM with terrain.bounds, a smaller "
+                        "output.map-size or no pictures, or provide more memory"});
+}
+
+void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t in_use,
+                              const RunEstimate& expected, int threads) {
+    if (static_cast<double>(most_memory_of_run(prepared, in_use, expected)) <= usable_memory(reading.session).bytes)
+        return;
+    refuse_run_of(memory_of_run(prepared, in_use, expected, estimate_time(reading, prepared, expected, threads)),
+                  reading, prepared);
+}
+
+void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size) {
+    const MemoryBound bound = machine_memory();
+    const double all = static_cast<double>(needed + resident_memory());
+    if (all <= bound.bytes) return;
+    throw Error(ErrorKind::input, Problem{"drawing needs about " + bytes_text(all) + " of memory", where, size,
+                                          bound_text(bound), "Choose a smaller size"});
+}
+
+}  // namespace frana::app

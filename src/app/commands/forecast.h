@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <boost/program_options/variables_map.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/ground_statistics.h"
+#include "app/input/prepare.h"
+#include "app/study/plan/study_input.h"
+#include "app/text/run_log.h"
+#include "params/grammar/value_text.h"
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// Expected wall time of a run, from a trial on larger cells.
+struct TimeEstimate {
+    double engine_seconds = 0;
+    std::int64_t particles_peak = 0;
+    double steps = 0;
+    double reached_cells = 0;              ///< of the scene's size, that the trial's flow came to
+    int coarsening = 1;                    ///< cells of the trial, in cells of the scene
+    double trial_end = 0;                  ///< simulated time of the trial [s]
+    bool cut_short = false;                ///< the trial was stopped before its end, the rest is extrapolated
+    std::optional<GroundStatistics> path;  ///< the ground that the trial's flow covered
+};
+
+/// Runs the scene on cells four and eight times as large (two and four for a small release), for at most a second and a
+/// half of wall time each, and extrapolates to the scene's cells. Splitting, speeds and the end of motion are those of
+/// the trials: a deposit that creeps on after the trial has settled (the sample: 468 s, its trial 78 s) takes as many
+/// times longer. None if the scene cannot be read on larger cells. `start`: the engine's measurement of the first
+/// steps.
+std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
+                                          const RunEstimate& start, int threads);
+
+/// Wall time of computing [s]; without a trial a lower bound, from the first steps.
+double engine_seconds(const RunEstimate& start, const std::optional<TimeEstimate>& trial);
+
+/// What a command does besides computing: it reads, writes and draws.
+struct WritingForecast {
+    double seconds = 0;     ///< wall
+    double disk_bytes = 0;  ///< of the finished result
+};
+
+/// Of `frana run`. `trial`: for the time at which the flow ends and the ground it covers; without it the run reaches
+/// its end time and spreads as usual.
+WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& expected,
+                                 const std::optional<TimeEstimate>& trial);
+/// Of `frana ensemble` and `frana batch` of a region, whose members' records are deleted at the end. Contains the
+/// study's median member, which is computed again.
+WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
+                                       const std::optional<TimeEstimate>& trial, int threads);
+/// Of an event of `frana calibrate`.
+WritingForecast forecast_event_writing(const Prepared& event, const RunEstimate& member);
+
+/// Returns what a command's options say for all that it reads and runs; see memory_limit_from_text.
+Session session_of(const boost::program_options::variables_map& values, RunLog& log);
+
+/// Throws Error(input) if a run needs more than is available. `in_use`: memory of this process with all inputs read. A
+/// trial run is made only if the result depends on the flow.
+void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t in_use,
+                              const RunEstimate& expected, int threads);
+
+/// The same for a run whose memory is known [bytes].
+void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared);
+
+/// Throws Error(input) if pictures that need this much besides the memory in use exceed the memory available.
+void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size);
+
+/// Returns the peak memory of a run, as far as a trial predicts it: libraries, inputs, engine, series, writing, drawing
+/// [bytes]. An upper estimate, too large by at most about a half.
+/// @param in_use memory of this process with all inputs read and nothing computed
+std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected,
+                           const std::optional<TimeEstimate>& trial);
+
+/// Returns the greatest possible memory of a run, whatever its flow: no trial is needed if that much is available
+/// [bytes].
+std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected);
+
+/// Properties of pictures that affect memory.
+struct Drawing {
+    Size page{};  ///< of maps, views and charts; 0: none
+    bool maps = true, views = false;
+    Size animation{};        ///< 0: none
+    std::int64_t cells = 0;  ///< of a raster
+};
+/// Returns its memory besides that in use by the process [bytes].
+std::int64_t memory_of_drawing(const Drawing& drawing);
+
+}  // namespace frana::app

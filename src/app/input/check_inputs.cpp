@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/check_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "analysis/touched_cells.h"
+#include "app/input/layer_values.h"
+#include "app/input/survey_input.h"
+#include "app/text/number_text.h"
+#include "core/text.h"
+#include "gis/raster/footprint.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/laws.h"
+#include "params/keys/zone_keys.h"
+#include "simulation/release.h"
+#include "simulation/scene_values.h"
+
+namespace frana::app {
+
+void warn_of_thin_release(const Raster& release, const Scene& scene, RunLog& log) {
+    const auto warn = [&](const char* key, double depth, const char* then) {
+        double thin = 0, all = 0;
+        release.values.for_each_stored([&](std::size_t, double metres) {
+            if (!(metres > 0)) return;
+            all += metres;
+            if (metres < depth) thin += metres;
+        });
+        const double fraction = all > 0 ? thin / all : 0;
+        if (fraction <= k_thin_fraction) return;
+        log.warn(worded("{1} % of the release is thinner than {2} = {3} m: {4}",
+                        {numeral(number_text(100 * fraction, 2)), key, shortest_text(depth), then}));
+    };
+    warn("numerics.minimum-depth", scene.numerics.minimum_depth,
+         worded("maps and results do not include it; set the key to about a hundredth of the usual flow depth"));
+    if (scene.time.trace_threshold > scene.numerics.minimum_depth)
+        warn("output.trace-threshold", scene.time.trace_threshold,
+             worded(
+                 "outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow "
+                 "depth"));
+}
+
+double sure_friction(const SceneSpec& scene) {
+    bool by_place = scene.terrain.friction_zones.has_value();
+    for (const ZoneKey& key : zone_keys()) by_place = by_place || (key.what == "friction" && scene.zones.*key.source);
+    const std::vector<const Law*> laws = laws_of(scene);
+    const bool resists =
+        std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
+    if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
+    return scene.material.bed_friction_coefficient() * (1 - scene.material.pore_pressure_ratio.value_or(0));
+}
+
+namespace {
+
+// A few cells suffice to locate the problem; all would hide the message.
+constexpr int k_cells_named = 5;
+constexpr double k_high_step = 30;     // of the surface of a release between two cells, without a warning [m]
+constexpr double k_steep_step = 1.75;  // and its slope: 60 degrees
+constexpr double k_stout = 0.5;        // mean thickness of a release, of its width
+constexpr std::int64_t k_few_particles = 300;
+
+/// Counts the covered cells that satisfy a test, and lists the first few by row, column and coordinates.
+struct CellList {
+    std::int64_t count = 0;
+    std::vector<Sentence> first;
+};
+
+CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>& test) {
+    CellList list;
+    cover.values.for_each_stored([&](std::size_t cell, double covered) {
+        if (covered == 0 || !test(cell) || ++list.count > k_cells_named) return;
+        const std::int64_t row = static_cast<std::int64_t>(cell) / cover.grid.columns,
+                           column = static_cast<std::int64_t>(cell) % cover.grid.columns;
+        const Point centre = cover.grid.cell_centre(row, column);
+        list.first.push_back(worded(
+            "row {1} column {2} at {3}",
+            {std::to_string(row), std::to_string(column), number_text(centre.x, 9) + ", " + number_text(centre.y, 9)}));
+    });
+    if (list.count > k_cells_named) list.first.emplace_back(std::string("..."));
+    return list;
+}
+
+Sentence cells_of(const CellList& list) {
+    return worded(list.count == 1 ? worded("{1} cell: {2}") : worded("{1} cells: {2}"),
+                  {numeral(grouped(list.count)), listed(list.first)});
+}
+
+void check_ground(const SceneReading& reading, const TerrainInput& ground, const Raster& cover, Problems& problems) {
+    const CellList holes = cells_where(cover, [&](std::size_t i) { return std::isnan(ground.terrain.values[i]); });
+    if (holes.count == 0) return;
+    problems.add({"the DTM has no elevation under the release", reading.where("terrain.dtm"), cells_of(holes).text(),
+                  "", "Repair the DTM, change the perimeter, or set terrain.nodata-policy = fill to interpolate"});
+}
+
+void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover, RunLog& log,
+                            Problems& problems) {
+    const std::string where = reading.where("release.thickness");
+    const CellList negative = cells_where(cover, [&](std::size_t i) { return thickness.values[i] < 0; });
+    if (negative.count > 0) {
+        problems.add({"the thickness raster is negative inside the perimeter", where, cells_of(negative).text(),
+                      "0 or more",
+                      "A raster of after minus before has the wrong sign: use difference:PRE,POST or negate it"});
+        return;
+    }
+    const CellList empty = cells_where(cover, [&](std::size_t i) { return std::isnan(thickness.values[i]); });
+    const CellList filled = cells_where(cover, [&](std::size_t i) { return thickness.values[i] > 0; });
+    if (filled.count == 0) {
+        problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter", where, "",
+                      "", "Check the raster's position and coordinate reference system"});
+    } else if (empty.count > 0) {
+        log.warn(worded("the thickness raster has no value on part of the perimeter, nothing is released there: {1}",
+                        {cells_of(empty)}));
+    }
+}
+
+/// A DTM of before the failure contains the release, one of after does not: the other choice would lay the mass on top
+/// of itself, or dig it out of the ground that it has left.
+void check_difference(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
+                      const Raster& cover, RunLog& log, Problems& problems) {
+    constexpr double k_most_doubt = 0.25;
+    if (!release.before || release.areas.empty() || !release.areas.front().thickness_raster) return;
+    // How far the ground is from "after" towards "before", over the mass: 1 before, 0 after.
+    const Raster& thickness = *release.areas.front().thickness_raster;
+    double above = 0, all = 0;
+    cover.values.for_each_stored([&](std::size_t cell, double covered) {
+        const double t = thickness.values[cell];
+        if (covered == 0 || !(t > 0)) return;
+        const double after = release.before->values[cell] - t, z = ground.terrain.values[cell];
+        if (std::isnan(after) || std::isnan(z)) return;
+        above += (z - after) * t;
+        all += t * t;
+    });
+    if (!(all > 0)) return;
+    const double fraction = above / all;
+    const bool contains = reading.scene.release.dtm_contains_release;
+    const std::string where = reading.where("release.dtm-contains-release");
+    if (!contains && std::abs(fraction - 1) < k_most_doubt) {
+        problems.add(
+            {"would lay the release on top of the slope that contains it: the DTM is that of before the failure", where,
+             "off", "on", "Set it to on, or take the DTM of after the failure as terrain.dtm"});
+    } else if (contains && std::abs(fraction) < k_most_doubt) {
+        problems.add({"would dig the release out of ground that it has left: the DTM is that of after the failure",
+                      where, "on", "off", "Set it to off, or take the DTM of before the failure as terrain.dtm"});
+    } else if (std::abs(fraction - (contains ? 1 : 0)) > k_most_doubt) {
+        log.warn(worded(
+            "the DTM lies at {1} % of the way from the elevations after the failure to those before it "
+            "(release.thickness): neither of the two. Check that all three are of the same place and height system",
+            {numeral(number_text(100 * fraction, 3))}));
+    }
+}
+
+/// Areas whose thickness rasters must be checked: a raster file is common to all, a fitted surface belongs to one area.
+std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, const ReleaseInput& release) {
+    std::vector<const ReleaseArea*> areas;
+    for (const ReleaseArea& area : release.areas) {
+        if (!area.thickness_raster) continue;
+        areas.push_back(&area);
+        if (!reading.scene.release.thickness->fitted()) break;
+    }
+    return areas;
+}
+
+/// Refuses a thickness greater than that of any landslide: a raster of elevations, nodata that no file declares, a
+/// volume in other units.
+void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
+                    const Raster& cover, Problems& problems) {
+    double least = k_most_thickness, greatest = 0, mean = 0;
+    for (const ReleaseArea* release_area : different_rasters(reading, release)) {
+        release_area->thickness_raster->values.for_each_stored([&](std::size_t cell, double thickness) {
+            if (thickness > greatest && cover.values[cell] != 0) greatest = thickness;
+        });
+    }
+    for (const ReleaseArea& release_area : release.areas) {
+        if (!release_area.thickness_raster) {
+            least = std::min(least, release_area.thickness);
+            greatest = std::max(greatest, release_area.thickness);
+        }
+        if (release_area.volume) mean = std::max(mean, *release_area.volume / area(release_area.outline));
+    }
+    const auto& volume = reading.scene.release.volume;
+    if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
+    if (least < k_least_thickness) greatest = least;
+    if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
+    if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
+}
+
+/// The least that a map shows is the release; the flow, of which nothing is known yet, needs more.
+void check_map_scale(const SceneReading& reading, const MultiPolygon& outlines, Problems& problems) {
+    const OutputSpec& output = reading.scene.output;
+    const std::optional<Size> page = size_from_text(output.map_size);
+    if (!output.map_scale || !page || !is_paper(*page) || output.maps == std::vector<std::string>{"off"}) return;
+    constexpr double k_inch = 0.0254;
+    const Bounds box = bounds(outlines);
+    const double metre = page->dots_per_inch / k_inch;  // pixels on paper
+    const double least = metre * std::max((box.east - box.west) / page->width, (box.north - box.south) / page->height);
+    if (least <= *output.map_scale) return;
+    problems.add({"not even the release fits " + page->paper + " at this scale", reading.where("output.map-scale"),
+                  "1 : " + grouped(*output.map_scale), "more than 1 : " + grouped(std::ceil(least)),
+                  "Choose a smaller scale with room for the flow, or remove the key for a round one"});
+}
+
+/// Polygons that overlap release their thickness twice.
+void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& log) {
+    if (release.areas.size() < 2) return;
+    Raster times(grid);
+    for (const ReleaseArea& area : release.areas) {
+        gis::visit_cells(area.outline, grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) { times.at(row, column) += 1; });
+    }
+    const CellList twice = cells_where(times, [&](std::size_t i) { return times.values[i] > 1; });
+    if (twice.count > 0)
+        log.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
+}
+
+/// The greatest step of a release's surface that the bed below does not have.
+struct SurfaceStep {
+    double height = 0;  ///< [m]
+    Point place;        ///< of the higher cell
+};
+
+SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
+    SurfaceStep greatest;
+    const GridSpec& grid = release.grid;
+    release.values.for_each_stored([&](std::size_t cell, double thickness) {
+        if (!(thickness > 0)) return;
+        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
+                   column = static_cast<std::int64_t>(cell) % grid.columns;
+        for (const auto& [r, c] :
+             {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
+            if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns) continue;
+            const double beside = release.at(r, c), fall = bed.values[cell] - bed.at(r, c);
+            const double height = thickness - (beside > 0 ? beside : 0) + std::min(fall, 0.0);
+            if (height > greatest.height) greatest = {height, grid.cell_centre(row, column)};
+        }
+    });
+    return greatest;
+}
+
+}  // namespace
+
+MultiPolygon all_outlines(const ReleaseInput& release) {
+    MultiPolygon all;
+    for (const ReleaseArea& area : release.areas) all.insert(all.end(), area.outline.begin(), area.outline.end());
+    return all;
+}
+
+void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
+                      const std::string& where, RunLog& log) {
+    constexpr double k_nearly = 0.8;  // of all cells of either; two surveyors differ by as much
+    const auto cells_of = [&](const MultiPolygon& polygons) {
+        std::vector<std::int64_t> cells;
+        gis::visit_cells(polygons, grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) { cells.push_back(row * grid.columns + column); });
+        std::sort(cells.begin(), cells.end());
+        return cells;
+    };
+    const std::vector<std::int64_t> source = cells_of(released), observed = cells_of(outline);
+    std::vector<std::int64_t> both;
+    std::set_intersection(source.begin(), source.end(), observed.begin(), observed.end(), std::back_inserter(both));
+    const auto all = static_cast<double>(source.size() + observed.size() - both.size());
+    const double alike = all > 0 ? static_cast<double>(both.size()) / all : 0;
+    if (alike > k_nearly)
+        log.warn(worded(
+            "{1} is nearly the release ({2} % of the cells of either are in both): it must be the outline of all the "
+            "ground that the event covered, not that of its source alone",
+            {where, numeral(number_text(100 * alike, 3))}));
+}
+
+void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
+                   Problems& problems) {
+    const MultiPolygon outlines = all_outlines(release);
+    if (outlines.empty()) {
+        if (problems.empty())
+            problems.add({"nothing is released", reading.where("release.thickness"), "", "",
+                          "Check the thickness raster and its position"});
+        return;
+    }
+    const char* const key = reading.scene.release.perimeter ? "release.perimeter" : "release.thickness";
+    if (!is_on_ground(reading, key, bounds(outlines), ground, false, problems)) return;
+    const Raster cover = gis::coverage(outlines, ground.terrain.grid);
+    check_ground(reading, ground, cover, problems);
+    for (const ReleaseArea* area : different_rasters(reading, release))
+        check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
+    check_greatest(reading, release, outlines, cover, problems);
+    check_map_scale(reading, outlines, problems);
+    check_difference(reading, ground, release, cover, log, problems);
+    check_overlap(release, ground.terrain.grid, log);
+}
+
+void warn_of_release(const Scene& scene, RunLog& log) {
+    if (scene.release.empty()) return;
+    const Release release = make_release(scene);
+    warn_of_thin_release(release.depth, scene, log);
+    std::size_t particles = release.particles.size();
+    for (const Entry& entry : release.later) particles += entry.particles.size();
+    warn_of_release(release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles), log);
+}
+
+void warn_of_release(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
+                     std::int64_t particles, RunLog& log) {
+    const SurfaceStep step = greatest_step(bed, release);
+    if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
+        log.warn(worded(
+            "the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a raster of "
+            "thickness that lies half a cell off the DTM does that, and the first speeds come from this step",
+            {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
+    for (const ReleasedArea& area : areas) {
+        const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
+        if (thickness <= k_stout * width) continue;
+        log.warn(
+            worded("a release of {2} m2 is {1} m thick on average: the equations hold for masses much wider than "
+                   "thick",
+                   {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
+    }
+    if (particles > 0 && particles < k_few_particles)
+        log.warn(worded(k_few_particles_warning, {numeral(std::to_string(particles))}));
+}
+
+namespace {
+
+bool has_ground(const MixedShape& shape, const Raster& terrain) {
+    const std::vector<std::size_t> cells = touched_cells(shape, terrain.grid);
+    return cells.empty() ||
+           std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) { return !std::isnan(terrain.values[cell]); });
+}
+
+}  // namespace
+
+void warn_of_unknown_exposure(const gis::ExposedLayer& layer, const Bounds& map, const Raster* terrain, RunLog& log) {
+    std::size_t unknown = 0;
+    std::string first;
+    for (const gis::ExposedFeature& feature : layer.features) {
+        const bool is_outside = feature.shape.empty() || place_of(feature.shape, map) == MapPlace::outside;
+        if (!is_outside &&
+            (terrain == nullptr || terrain->values.is_tiled() || has_ground(feature.shape, std::as_const(*terrain))))
+            continue;
+        if (unknown++ == 0) first = feature.name;
+    }
+    if (unknown == 0) return;
+    const auto whole = [](std::size_t count) { return numeral(grouped(static_cast<double>(count))); };
+    log.warn(
+        worded("{1} of {2} exposed features are off the map or on ground without elevation, the first is {3}: the "
+               "result will say nothing of them",
+               {whole(unknown), whole(layer.features.size()), first}));
+}
+
+namespace {
+
+// Mean slopes [degrees]. Landslides start on some 10 to 50 degrees; those on less are dams, tailings and quick clay.
+constexpr double k_flat_release = 2, k_steep_release = 55;
+// Granular flows and mudflows run out over 5 to 35 degrees. Feet read as metres turn 30 degrees into 62.
+constexpr double k_steep_path = 45;
+
+const char* const k_steep_remedy = worded(
+    "Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
+    "terrain.vertical-unit, and the DTM for steps and towers");
+
+}  // namespace
+
+Sentence ground_sentence(const GroundStatistics& ground) {
+    return worded("{1} to {2} m, slope {3} degrees on average, {4} at most",
+                  {numeral(number_text(ground.lowest, 5)), numeral(number_text(ground.highest, 5)),
+                   numeral(number_text(ground.mean_slope_deg, 2)), numeral(number_text(ground.steepest_slope_deg, 2))});
+}
+
+std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
+    GroundSum sum(scene.terrain);
+    for (const ReleaseArea& area : scene.release)
+        for (const Polygon& polygon : area.outline)  // one at a time: memory is that of the window round it
+            gis::visit_cells({polygon}, scene.grid, gis::Cover::centres,
+                             [&](std::int64_t row, std::int64_t column) { sum.add(row, column); });
+    return sum.statistics();
+}
+
+void warn_of_release_ground(const GroundStatistics& ground, RunLog& log) {
+    if (ground.mean_slope_deg > k_steep_release) {
+        log.warn(worded("the release is nearly vertical: {1}. {2}", {ground_sentence(ground), k_steep_remedy}));
+    } else if (ground.mean_slope_deg < k_flat_release) {
+        log.warn(worded(
+            "the release is nearly flat: {1}. Check that perimeter and DTM belong to the same place (coordinate "
+            "reference systems), that the elevations are in metres (terrain.vertical-unit), and that the DTM has its "
+            "elevations there",
+            {ground_sentence(ground)}));
+    }
+}
+
+void warn_of_held_release(const GroundStatistics& ground, double friction, const UsedUnit& unit, RunLog& log) {
+    const double angle = std::atan(friction) * 180 / std::numbers::pi;
+    const bool is_told = ground.mean_slope_deg < k_flat_release;  // by warn_of_release_ground
+    if (!(friction > 0) || ground.steepest_slope_deg >= angle || is_told) return;
+    const Sentence remedy =
+        unit.metres >= 1 ? worded(
+                               "Elevations that are too low for their eastings look like this, as metres that were "
+                               "converted as if they were feet: check the elevations above against a map, and the "
+                               "friction")
+        : unit.is_of_file
+            ? worded(
+                  "The elevations were converted from {1}, as the file says: if they are in metres already, set "
+                  "terrain.vertical-unit = metre. Otherwise check the elevations above against a map, and the friction",
+                  {unit.name})
+            : worded(
+                  "The elevations were converted from {1}: if they are in metres already, set terrain.vertical-unit = "
+                  "metre. Otherwise check the elevations above against a map, and the friction",
+                  {unit.name});
+    log.warn(
+        worded("the release is held by friction: its ground, {1}, is nowhere as steep as the slope of {2} degrees "
+               "that its friction holds, so that at most its edges move. {3}",
+               {ground_sentence(ground), numeral(number_text(angle, 3)), remedy}));
+}
+
+void warn_of_path_ground(const GroundStatistics& ground, RunLog& log) {
+    if (ground.mean_slope_deg > k_steep_path)
+        log.warn(worded("the path is steeper than those of landslides: {1}. {2}",
+                        {ground_sentence(ground), k_steep_remedy}));
+}
+
+}  // namespace frana::app
