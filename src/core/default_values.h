@@ -7,6 +7,7 @@ namespace frana {
 inline constexpr double k_standard_gravity = 9.81;      ///< [m/s2]
 inline constexpr double k_flow_density = 2000;          ///< bulk density [kg/m3]
 inline constexpr double k_fluid_density = 1000;         ///< of the structured model's fluid [kg/m3]
+inline constexpr double k_air_density = 1.2;            ///< [kg/m3]
 inline constexpr double k_dry_depth = 1e-4;             ///< depth of fluid that does not move [m]
 inline constexpr double k_minimum_depth = 0.01;         ///< depth that counts as reached in maxima [m]
 inline constexpr double k_yield_regularisation = 0.01;  ///< shear rate below which the yield stress is softened [1/s]

@@ -2,10 +2,10 @@
 #include "mpm/flight.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/lanes.h"
 #include "mpm/curvature.h"
 #include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
@@ -19,8 +19,11 @@ namespace {
 constexpr double k_sampling = 0.25;
 constexpr int k_halvings = 30;
 
-// Room for rounding in the bounds below.
-constexpr double k_rounding = 1e-9;
+// Reach of a particle in a step, from anywhere in its node's cell [cells].
+constexpr std::int64_t k_reach = 2;
+
+// A part of a particle that flies is at least this fraction of it: less stays on the ground.
+constexpr double k_least_part = 0.05;
 
 // Least factor of an area in one flight.
 constexpr double k_least_stretch = 0.5;
@@ -61,254 +64,166 @@ Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
     return bed;
 }
 
-struct Interval {
-    double least, greatest;
-};
-inline Interval operator+(Interval a, Interval b) noexcept {
-    return {a.least + b.least, a.greatest + b.greatest};
-}
-inline Interval operator-(Interval a) noexcept {
-    return {-a.greatest, -a.least};
-}
-inline Interval operator*(Interval a, Interval b) noexcept {
-    const double p = a.least * b.least, q = a.least * b.greatest, r = a.greatest * b.least, s = a.greatest * b.greatest;
-    return {std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s))};
-}
-inline Interval square(Interval a) noexcept {
-    const double x = a.least * a.least, y = a.greatest * a.greatest;
-    return {a.least < 0 && a.greatest > 0 ? 0 : std::min(x, y), std::max(x, y)};
-}
-inline Interval root(Interval a) noexcept {
-    return {std::sqrt(std::max(0.0, a.least)), std::sqrt(std::max(0.0, a.greatest))};
-}
-inline Interval operator*(double factor, Interval a) noexcept {
-    return Interval{factor, factor} * a;
-}
-inline Interval hull(Interval a, Interval b) noexcept {
-    return {std::min(a.least, b.least), std::max(a.greatest, b.greatest)};
-}
-struct Box {
-    Interval x, y;  // local metres
-};
-inline Box box_of(Point a, Point b) noexcept {
-    return {{std::min(a.x, b.x), std::max(a.x, b.x)}, {std::min(a.y, b.y), std::max(a.y, b.y)}};
-}
-
-// Returns bounds of the slope in direction `along` of the splines' bed in a part of a node's cell. The slope is linear
-// along and quadratic across: it lies in the hull of its control values (Bernstein form; Farin 2002, Curves and
-// Surfaces for CAGD, chapter 5).
-// @param z of the node  @param along, across steps to the next node  @param u, v the part, from the node [cells]
-inline Interval slope_in(const double* z, std::ptrdiff_t along, std::ptrdiff_t across, Interval u,
-                         Interval v) noexcept {
-    Interval slope[3];  // of a row, where the part begins and ends
-    for (int b = 0; b < 3; ++b) {
-        const double* const row = z + (b - 1) * across;
-        const double before = row[0] - row[-along], bend = row[along] - row[0] - before;
-        slope[b] = {before + (0.5 + u.least) * bend, before + (0.5 + u.greatest) * bend};
-    }
-    const auto control = [&](double p, double q) {
-        const double south = 0.5 * (0.5 - p) * (0.5 - q), middle = 0.75 - p * q, north = 0.5 * (0.5 + p) * (0.5 + q);
-        const double x = south * slope[0].least + middle * slope[1].least + north * slope[2].least;
-        const double y = south * slope[0].greatest + middle * slope[1].greatest + north * slope[2].greatest;
-        return Interval{std::min(x, y), std::max(x, y)};
-    };
-    return hull(hull(control(v.least, v.least), control(v.least, v.greatest)), control(v.greatest, v.greatest));
-}
-
-// The cells that a box touches, by padded numbers; none where a node round them does not exist.
-struct Cells {
-    std::int64_t i0, i1, j0, j1;
-};
-std::optional<Cells> cells_of(const NodeGrid& nodes, const Box& box) noexcept {
-    const NodeScale grid = nodes.scale();
-    const auto number = [&](double at, std::int64_t origin) {
-        return static_cast<std::int64_t>(std::floor(at * grid.inverse_dx)) + origin;
-    };
-    const Cells c{number(box.x.least, grid.origin_x), number(box.x.greatest, grid.origin_x),
-                  number(box.y.least, grid.origin_y), number(box.y.greatest, grid.origin_y)};
-    if (c.i0 < 1 || c.j0 < 1 || c.i1 >= nodes.stride() - 1 || c.j1 >= nodes.padded_rows() - 1) return std::nullopt;
-    nodes.cover({c.i0 - 1, c.i1 + 2, c.j0 - 1, c.j1 + 2});
-    return c;
-}
-
-// Returns bounds of the gradient of the splines' bed in these cells: it is a mean of the differences between
-// neighbours.
-Box slopes_in(const NodeGrid& nodes, const Cells& cells) noexcept {
-    const std::int64_t stride = nodes.stride();
-    constexpr double k_none = std::numeric_limits<double>::infinity();
-    Interval x{k_none, -k_none}, y = x;
-    for (std::int64_t j = cells.j0 - 1; j <= cells.j1 + 1; ++j) {
-        const double* const z = nodes.bed.data() + j * stride;
-        for (std::int64_t i = cells.i0; i <= cells.i1 + 1; ++i) x = hull(x, {z[i] - z[i - 1], z[i] - z[i - 1]});
-        if (j < cells.j0) continue;
-        for (std::int64_t i = cells.i0 - 1; i <= cells.i1 + 1; ++i)
-            y = hull(y, {z[i] - z[i - stride], z[i] - z[i - stride]});
-    }
-    const double inverse_dx = 1 / nodes.cell_size();
-    return {inverse_dx * x, inverse_dx * y};
-}
-
-// Calls visit(x, y) with bounds of the gradient in every cell that a box touches, of the part inside the box.
-template <class Visit>
-void for_each_slope(const NodeGrid& nodes, const Box& box, const Cells& cells, const Visit& visit) noexcept {
-    const NodeScale grid = nodes.scale();
-    const Interval x = grid.inverse_dx * box.x, y = grid.inverse_dx * box.y;
-    const auto part = [](Interval range, std::int64_t cell) {
-        const auto from = static_cast<double>(cell);
-        return Interval{std::max(range.least - from, 0.0) - 0.5, std::min(range.greatest - from, 1.0) - 0.5};
-    };
-    for (std::int64_t j = cells.j0; j <= cells.j1; ++j) {
-        const Interval v = part(y, j - grid.origin_y);
-        for (std::int64_t i = cells.i0; i <= cells.i1; ++i) {
-            const double* const z = nodes.bed.data() + j * nodes.stride() + i;
-            const Interval u = part(x, i - grid.origin_x);
-            visit(grid.inverse_dx * slope_in(z, 1, nodes.stride(), u, v),
-                  grid.inverse_dx * slope_in(z, nodes.stride(), 1, v, u));
-        }
-    }
-}
-
 Point at(Point from, Point velocity, double time) noexcept {
     return {from.x + velocity.x * time, from.y + velocity.y * time};
 }
 
-// Returns the velocity after landing, without its component normal to the bed.
-Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double climb) {
+// Motion in the air, under gravity and a drag |v| v: by the velocity of the middle of a step, which is exact without
+// drag. That velocity is implicit in the drag, so that a step of any length leaves the motion its direction.
+struct Fall {
+    double gravity, drag;  // [m/s2], [1/m]
+    AirSpeed speed;
+    double along = 0, up = 0;  // way in the map and height since the beginning [m]
+
+    struct Acceleration {
+        double along, up;
+    };
+    [[nodiscard]] Acceleration acceleration(double dt) const noexcept {
+        if (drag == 0) return {0, -gravity};
+        const double half = 0.5 * dt, held = 1 / (1 + half * drag * std::sqrt(speed.squared()));
+        const AirSpeed middle{held * speed.along, held * (speed.up - half * gravity)};
+        const double by_drag = drag * std::sqrt(middle.squared());
+        return {-by_drag * middle.along, -gravity - by_drag * middle.up};
+    }
+    // Length of a step over which nothing changes by much more than the bed does over a sample [s].
+    [[nodiscard]] double step(double distance) const noexcept {
+        const double fastest = std::max({speed.along, std::abs(speed.up), std::sqrt(gravity * distance)});
+        return std::min(distance, drag > 0 ? 1 / drag : distance) / fastest;
+    }
+    // The state `time` into a step over which the acceleration is `a`.
+    [[nodiscard]] Fall after(double time, Acceleration a) const noexcept {
+        Fall next = *this;
+        next.speed = {speed.along + time * a.along, speed.up + time * a.up};
+        next.along += 0.5 * time * (speed.along + next.speed.along);
+        next.up += 0.5 * time * (speed.up + next.speed.up);
+        return next;
+    }
+};
+
+// Returns the velocity along the bed after landing. What is normal to the bed is lost, and by friction at the bed mu
+// times as much of what is along it, at most all (Coulomb's friction in an impact: Stronge 2000, Impact Mechanics,
+// chapter 3; a bend of the bed that turns the flow by a small angle takes as much).
+Point landed_velocity(const NodeGrid& nodes, const JumpRules& rules, Point place, Point velocity, double climb) {
     const Interpolated z = ground_at(nodes, place);
-    const double into = (climb - velocity.x * z.dx - velocity.y * z.dy) / (1 + z.dx * z.dx + z.dy * z.dy);
-    return BedFrame::of({z.dx, z.dy}).along_bed(velocity.x + into * z.dx, velocity.y + into * z.dy);
+    const double n = 1 + z.dx * z.dx + z.dy * z.dy;
+    const double into = (climb - velocity.x * z.dx - velocity.y * z.dy) / n;
+    const Point along = BedFrame::of({z.dx, z.dy}).along_bed(velocity.x + into * z.dx, velocity.y + into * z.dy);
+    const double speed = std::hypot(along.x, along.y);
+    const double friction = rules.bearing * rules.friction.at(nodes.scale().node_of(place.x, place.y));
+    const double rest = speed > 0 ? std::max(0.0, 1 - friction * std::abs(into) * std::sqrt(n) / speed) : 0;
+    return {rest * along.x, rest * along.y};
 }
 
-// Computes the free fall from jump.from until it lands. Returns the steepest fall of the edge in its direction.
-double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
+// Returns the mean angle by which the ground falls away below the path of a free fall [rad], seen from the edge over
+// the length that a flow of this thickness does not bridge. The splines begin to fall a cell before an edge.
+double falls_away(const NodeGrid& nodes, const JumpRules& rules, Point from, Point velocity, double climb,
+                  double thickness) noexcept {
+    const double speed = std::hypot(velocity.x, velocity.y), dx = nodes.cell_size();
+    if (!(speed > 0)) return 0;
+    const double width = std::max(k_edge_cells * dx, k_edge_thicknesses * thickness);
+    const int count = static_cast<int>(std::ceil(width / dx));
+    const double start = ground_at(nodes, from).value;
+    double sum = 0;
+    for (int k = 0; k < count; ++k) {
+        const double beyond = (k + 0.5) * width / count, time = (dx + beyond) / speed;
+        const Point place = at(from, velocity, time);
+        if (!nodes.bounds().contains(place.x, place.y) || nodes.is_gap(nodes.scale().node_of(place.x, place.y)))
+            return k > 0 ? sum / k : 0;
+        const double height = start + (climb - 0.5 * rules.gravity * time) * time - ground_at(nodes, place).value;
+        sum += std::atan2(std::max(0.0, height), beyond);
+    }
+    return sum / count;
+}
+
+// Computes the free fall from jump.from until it lands.
+void fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     const NodeScale grid = nodes.scale();
     const double search_distance = k_sampling * grid.dx, start = ground_at(nodes, jump.from).value;
-    const auto height = [&](double time) { return start + (jump.climb - 0.5 * rules.gravity * time) * time; };
-    Point place = jump.from, velocity = jump.velocity;
-    double time = 0, steepest = 0;
+    const double speed = std::hypot(jump.velocity.x, jump.velocity.y);
+    Point direction{jump.velocity.x / speed, jump.velocity.y / speed};
+    Point origin = jump.from;  // from which the way is counted
+    Fall state{rules.gravity, jump.drag, {speed, jump.climb}};
     for (bool flies = true; flies;) {
-        const double speed = std::hypot(velocity.x, velocity.y);
-        const bool at_edge = speed * time < k_edge_width * grid.dx;
-        if (!at_edge && steepest < rules.edge) return steepest;  // no edge: the rest does not matter
-        const double climb = jump.climb - rules.gravity * time;
-        const double dt =
-            search_distance / std::max({speed, std::abs(climb), std::sqrt(rules.gravity * search_distance)});
-        Point next = at(place, velocity, dt);
-        const bool outside = !nodes.bounds().contains(next.x, next.y);
+        const double dt = state.step(search_distance);
+        auto acceleration = state.acceleration(dt);
+        const auto place_of = [&](const Fall& f) { return at(origin, direction, f.along); };
+        const Point place = place_of(state);
+        Fall next = state.after(dt, acceleration);
+        Point to = place_of(next);
+        const bool outside = !nodes.bounds().contains(to.x, to.y);
         const bool leaves = outside && !rules.wall;
-        if (leaves || (!outside && nodes.is_gap(grid.node_of(next.x, next.y)))) {
+        if (leaves || (!outside && nodes.is_gap(grid.node_of(to.x, to.y)))) {
             jump.left = leaves;
-            jump.to = leaves ? place : next;
-            jump.duration = time + dt;
+            jump.to = leaves ? place : to;
+            jump.duration += dt;
+            state = next;
             break;
         }
-        if (outside || nodes.is_wall(grid.node_of(next.x, next.y))) {
-            velocity = {0, 0};
-            next = place;
+        if (outside || nodes.is_wall(grid.node_of(to.x, to.y))) {  // it falls down along the wall
+            origin = place;
+            state.along = state.speed.along = 0;
+            acceleration = state.acceleration(dt);
+            next = state.after(dt, acceleration);
+            to = place;
         }
         double ahead = dt;
-        const Interpolated ground = ground_at(nodes, next);
-        if (at_edge && (velocity.x != 0 || velocity.y != 0))
-            steepest = std::max(steepest, -(velocity.x * ground.dx + velocity.y * ground.dy) / speed);
-        if (height(time + dt) <= ground.value) {
-            double above = 0;
+        double above = start + next.up - ground_at(nodes, to).value;
+        if (above <= 0) {
+            double aloft = 0;
             for (int i = 0; i < k_halvings; ++i) {
-                const double middle = 0.5 * (above + ahead);
-                (height(time + middle) > ground_at(nodes, at(place, velocity, middle)).value ? above : ahead) = middle;
+                const double middle = 0.5 * (aloft + ahead);
+                const Fall there = state.after(middle, acceleration);
+                (start + there.up > ground_at(nodes, place_of(there)).value ? aloft : ahead) = middle;
             }
-            next = at(place, velocity, ahead);
+            next = state.after(ahead, acceleration);
             flies = false;
+            above = 0;
         }
-        place = next;
-        time += ahead;
-        const double above = flies ? height(time) - ground.value : 0;
+        state = next;
+        jump.to = place_of(state);
+        jump.duration += ahead;
         jump.height = std::max(jump.height, above);
-        jump.over.push_back({grid.node_of(place.x, place.y), above});
-        jump.to = place;
-        jump.duration = time;
+        jump.over.push_back(
+            {grid.node_of(jump.to.x, jump.to.y), above, jump.duration, std::sqrt(state.speed.squared())});
     }
-    jump.landed = landed_velocity(nodes, jump.to, velocity, jump.climb - rules.gravity * jump.duration);
-    return steepest;
-}
-
-// Bounds of a velocity in map view [m/s] that is `along` along the bed, and of its direction.
-struct Velocity {
-    Box map, direction;
-};
-inline Velocity velocity_on(const Box& slope, Point along) noexcept {
-    const Interval steep = square(slope.x) + square(slope.y), length = root({1 + steep.least, 1 + steep.greatest});
-    const Interval climb = along.x * slope.x + along.y * slope.y;
-    const Interval share =
-        climb * Interval{1 / (length.greatest * (length.greatest + 1)), 1 / (length.least * (length.least + 1))};
-    // |u|^2 = |w|^2 - (u . grad Z)^2, with u . grad Z = (w . grad Z) / root.
-    const double speed2 = along.x * along.x + along.y * along.y;
-    const Interval upwards = square(climb * Interval{1 / length.greatest, 1 / length.least});
-    const Interval speed = root(
-        {std::max(speed2 - upwards.greatest, speed2 / (length.greatest * length.greatest)), speed2 - upwards.least});
-    const auto within = [](double most, Interval a) {
-        return Interval{std::max(-most, a.least), std::min(most, a.greatest)};
-    };
-    const Interval u = within(speed.greatest, Interval{along.x, along.x} + -(share * slope.x));
-    const Interval v = within(speed.greatest, Interval{along.y, along.y} + -(share * slope.y));
-    const Interval by_speed{1 / speed.greatest, 1 / speed.least};
-    return {{u, v}, {within(1, u * by_speed), within(1, v * by_speed)}};
-}
-
-// steepest_fall_ahead for a particle that starts anywhere in a box. By intervals: the place of take-off and the
-// direction, which follows from the slope there (BedFrame::in_map), are known within bounds only.
-double steepest_fall(const NodeGrid& nodes, const Box& box, Point along, double reach) noexcept {
-    constexpr double k_unknown = std::numeric_limits<double>::infinity();
-    const double speed = std::hypot(along.x, along.y), dx = nodes.cell_size();
-    if (!(speed > 0)) return k_unknown;
-    const auto after = [&](const Interval& time, const Box& v) { return Box{box.x + time * v.x, box.y + time * v.y}; };
-    Box from = box;
-    if (reach > 0) {  // |u| is at most |w|; its direction on the slopes within that bounds the path better
-        const Interval any{-speed, speed}, time{0, reach};
-        const auto round = cells_of(nodes, after(time, {any, any}));
-        if (!round) return k_unknown;
-        from = after(time, velocity_on(slopes_in(nodes, *round), along).map);
-    }
-    const auto start = cells_of(nodes, from);
-    if (!start) return k_unknown;
-    std::optional<Box> slope;
-    for_each_slope(nodes, from, *start, [&](Interval x, Interval y) {
-        slope = slope ? Box{hull(slope->x, x), hull(slope->y, y)} : Box{x, y};
-    });
-    const Box way = velocity_on(*slope, along).direction;
-    const Interval length{-k_rounding * dx, (k_edge_width + k_sampling + k_rounding) * dx};
-    const Box to{from.x + length * way.x, from.y + length * way.y};
-    const auto ahead = cells_of(nodes, to);
-    if (!ahead) return k_unknown;
-    double fall = 0;
-    for_each_slope(nodes, to, *ahead, [&](Interval x, Interval y) {
-        const double any_direction = root(square(x) + square(y)).greatest;
-        fall = std::max(fall, std::min(any_direction, -(x * way.x + y * way.y).least));
-    });
-    return fall;
-}
-
-// Whether a jump may be found at all: one search in thousands finds one, even on steep ground.
-bool may_jump(const NodeGrid& nodes, const JumpRules& rules, const Box& from, Point along, double reach) noexcept {
-    return !(steepest_fall(nodes, from, along, reach) < rules.edge * (1 - k_rounding));
+    const Point velocity{state.speed.along * direction.x, state.speed.along * direction.y};
+    jump.landed = landed_velocity(nodes, rules, jump.to, velocity, state.speed.up);
 }
 
 }  // namespace
 
-double steepest_fall_ahead(const NodeGrid& nodes, Point place, Point along, double reach) noexcept {
-    return steepest_fall(nodes, box_of(place, place), along, reach);
+double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept {
+    const std::int64_t stride = nodes.stride();
+    double convex = 0, twist = 0;
+    // Within half a cell the second derivatives of the splines are means of these differences.
+    const std::int64_t i0 = std::max<std::int64_t>(1, column - k_reach), i1 = std::min(stride - 2, column + k_reach);
+    const std::int64_t j0 = std::max<std::int64_t>(1, row - k_reach),
+                       j1 = std::min(nodes.padded_rows() - 2, row + k_reach);
+    const auto bend = [](const double* z, std::int64_t step) { return 2 * z[0] - z[step] - z[-step]; };
+    for (std::int64_t j = j0; j <= j1; ++j) {
+        for (std::int64_t i = i0; i <= i1; ++i) {
+            const double* const z = nodes.bed.data() + j * stride + i;
+            for (const std::int64_t k : {-1, 0, 1}) {
+                convex = std::max({convex, bend(z + k * stride, 1), bend(z + k, stride)});
+                if (k == 0) continue;
+                for (const std::int64_t l : {-1, 1})
+                    twist = std::max(twist, std::abs(z[k * stride + l] - z[k * stride] - z[l] + z[0]));
+            }
+        }
+    }
+    return (convex + twist) / (nodes.cell_size() * nodes.cell_size());
 }
 
-std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
-                              double clearance) {
+std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
+                              double reach) {
     if (along.x == 0 && along.y == 0) return std::nullopt;
     const double search_distance = k_sampling * nodes.cell_size();
     double time = 0, before = 0;
     Point last = place, way{};
-    if (!may_jump(nodes, rules, box_of(place, place), along, reach)) return std::nullopt;
     while (nodes.bounds().contains(place.x, place.y)) {
         Bed bed = bed_at(nodes, place);
         Point velocity = bed.map_velocity(along);
-        if (bed.throws(velocity, rules.gravity) && may_jump(nodes, rules, box_of(last, place), along, 0)) {
+        if (bed.throws(velocity, rules.gravity)) {
             // The place where the fall begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
@@ -322,8 +237,16 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
             bed = bed_at(nodes, jump.from);
             jump.velocity = bed.map_velocity(along);
             jump.climb = jump.velocity.x * bed.z.dx + jump.velocity.y * bed.z.dy;
-            const double steepest = fall(nodes, rules, jump);
-            if (jump.height > clearance && steepest >= rules.edge) return jump;
+            const double normal = thickness / BedFrame::of({bed.z.dx, bed.z.dy}).root;
+            const double angle = falls_away(nodes, rules, jump.from, jump.velocity, jump.climb, normal);
+            jump.fraction = smooth_step(rules.angle - k_half_ramp, rules.angle + k_half_ramp, angle);
+            if (!(jump.fraction >= k_least_part)) jump.fraction = 0;
+            if (jump.fraction > 1 - k_least_part) jump.fraction = 1;
+            if (jump.fraction > 0) {
+                jump.drag = rules.drag / std::max(rules.least_depth, normal);
+                fall(nodes, rules, jump);
+            }
+            return jump;
         }
         const double speed = std::hypot(velocity.x, velocity.y);
         if (!(time < reach) || !(speed > 0)) return std::nullopt;
@@ -342,21 +265,32 @@ double Flights::volume() const noexcept {
     return sum;
 }
 
-double Flights::Flight::squared_speed(double time, double gravity) const noexcept {
-    const double upwards = climb - gravity * std::max(0.0, time - begins);
-    return speed * speed + upwards * upwards;
-}
-
-double Flights::kinetic(double time, double gravity) const noexcept {
+double Flights::kinetic() const noexcept {
     double sum = 0;
-    for (const Flight& f : flights_) sum += 0.5 * get(f.particle, Field::volume) * f.squared_speed(time, gravity);
+    for (const Flight& f : flights_) sum += 0.5 * get(f.particle, Field::volume) * f.speed.squared();
     return sum;
 }
 
-double Flights::momentum(double time, double gravity) const noexcept {
+double Flights::momentum() const noexcept {
     double sum = 0;
-    for (const Flight& f : flights_) sum += get(f.particle, Field::volume) * std::sqrt(f.squared_speed(time, gravity));
+    for (const Flight& f : flights_) sum += get(f.particle, Field::volume) * std::sqrt(f.speed.squared());
     return sum;
+}
+
+void Flights::advance_to(double time, const JumpRules& rules) {
+    for (Flight& f : flights_) {
+        for (; !f.over.empty() && f.begins + f.over.back().time <= time; f.over.pop_back()) {
+            const Jump::Place& place = f.over.back();
+            heights_[place.node] = std::max(heights_[place.node], static_cast<float>(place.height));
+            if (place.height <= rules.clearance && f.depth >= rules.least_depth)
+                low_.update<double>(place.node, 1, true, f.depth, place.speed, f.begins + place.time);
+        }
+        const double dt = time - f.now;
+        if (!(dt > 0)) continue;
+        const Fall state{rules.gravity, f.drag, f.speed};
+        f.speed = state.after(dt, state.acceleration(dt)).speed;
+        f.now = time;
+    }
 }
 
 namespace {
@@ -385,8 +319,11 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
     flight.particle = particle;
     flight.begins = time + jump.glide;
     flight.ends = flight.begins + jump.duration;
-    flight.climb = jump.climb;
-    flight.speed = std::hypot(jump.velocity.x, jump.velocity.y);
+    flight.now = flight.begins;
+    flight.speed = {std::hypot(jump.velocity.x, jump.velocity.y), jump.climb};
+    flight.drag = jump.drag;
+    flight.depth = get(particle, Field::volume) / get(particle, Field::area);
+    flight.over.assign(jump.over.rbegin(), jump.over.rend());
     flight.left = jump.left;
     ParticleRow& row = flight.particle;
     get(row, Field::x) = jump.to.x;
@@ -394,7 +331,7 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
     get(row, Field::u) = jump.landed.x;
     get(row, Field::v) = jump.landed.y;
     stretch(row, jump.duration, cell_area);
-    for (const Field c : {Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) get(row, c) = 0;
+    for (const Field c : {Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy, Field::flown}) get(row, c) = 0;
     next_landing_ = std::min(next_landing_, flight.ends);
     flights_.push_back(flight);
 
@@ -407,64 +344,35 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
         statistics_.from = jump.from;
         statistics_.to = jump.to;
     }
-    for (const Jump::Place& place : jump.over)
-        heights_[place.node] = std::max(heights_[place.node], static_cast<float>(place.height));
 }
-
-namespace {
-
-// Marks the nodes of a tile within k_near cells of which the splines' bed may be as steep as an edge; returns whether
-// there are any.
-bool mark_near_edges(const NodeRange& range, const NodeGrid& nodes, double edge, std::uint8_t* marks) {
-    // A particle's displacement in a step (less than a cell) and the width of an edge with the last sample.
-    constexpr std::int64_t k_near = static_cast<std::int64_t>(k_edge_width + k_sampling) + 2,
-                           k_side = k_tile + 2 * k_near;
-    const std::int64_t west = range.i0 - k_near, south = range.j0 - k_near, stride = nodes.stride();
-    const double steep = edge * nodes.cell_size() * (1 - k_rounding);
-    constexpr Interval k_cell{-0.5, 0.5};
-    std::array<std::uint8_t, k_side * k_side> edges{};
-    for (std::int64_t j = std::max<std::int64_t>(south, 1); j < std::min(range.j1 + k_near, nodes.padded_rows() - 1);
-         ++j) {
-        for (std::int64_t i = std::max<std::int64_t>(west, 1); i < std::min(range.i1 + k_near, stride - 1); ++i) {
-            const double* const z = nodes.bed.data() + j * stride + i;
-            const Interval x = slope_in(z, 1, stride, k_cell, k_cell), y = slope_in(z, stride, 1, k_cell, k_cell);
-            edges[static_cast<std::size_t>((j - south) * k_side + i - west)] =
-                root(square(x) + square(y)).greatest >= steep ? 1 : 0;
-        }
-    }
-    const bool possible = std::find(edges.begin(), edges.end(), 1) != edges.end();
-    range.for_each(stride, [&](std::size_t n, std::int64_t i, std::int64_t j) {
-        marks[n] = 0;
-        for (std::int64_t b = j - south - k_near; possible && b <= j - south + k_near; ++b)
-            for (std::int64_t a = i - west - k_near; a <= i - west + k_near; ++a)
-                marks[n] |= edges[static_cast<std::size_t>(b * k_side + a)];
-    });
-    return possible;
-}
-
-}  // namespace
 
 // The result is cached while the bed equals the terrain.
-bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double edge) {
+bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes) {
     std::uint8_t& known = edges_[static_cast<std::size_t>(tile)];
-    if (known == k_unknown || nodes.bed_changes)
-        known = mark_near_edges(NodeRange(tile, tiles, nodes), nodes, edge, near_edge_.data()) ? k_edge : k_none;
+    if (known == k_unknown || nodes.bed_changes) {
+        known = k_none;
+        NodeRange(tile, tiles, nodes).for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
+            // Rounded up by more than a float's rounding.
+            convexity_[n] = static_cast<float>(greatest_convexity(nodes, i, j) * (1 + 1e-6));
+            if (convexity_[n] > 0) known = k_edge;
+        });
+    }
     return known == k_edge;
 }
 
-void Flights::take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
-                       const JumpRules& rules, double time, double reach, std::vector<std::uint8_t>& keep,
-                       ThreadPool& pool) {
+void Flights::take_off(ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const JumpRules& rules,
+                       double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool) {
     const auto& tiles = order.tiles();
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
-    const double *volume = particles[Field::volume], *area = particles[Field::area];
+    double *const volume = particles[Field::volume], *const flown = particles[Field::flown];
+    const double* const area = particles[Field::area];
     edges_.resize(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y()), k_unknown);
     std::vector<std::size_t> steep;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         bool any = false;
         for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1; ++b)
             for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
-                any = has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes, rules.edge) || any;
+                any = has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes) || any;
         if (any) steep.push_back(t);
     }
     const NodeScale grid = nodes.scale();
@@ -472,17 +380,29 @@ void Flights::take_off(const ParticleSet& particles, const TileOrder& order, con
     pool.for_each(steep.size(), [&](std::size_t t) {
         const ParticleTile& tile = tiles[steep[t]];
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
-            if (near_edge_[grid.node_of(x[p], y[p])] == 0) continue;
-            const double clearance = std::max(volume[p] / area[p], k_least_clearance * nodes.cell_size());
-            if (auto jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, reach, clearance))
+            std::optional<Jump> jump;
+            if ((u[p] * u[p] + v[p] * v[p]) * convexity_[grid.node_of(x[p], y[p])] > rules.gravity)
+                jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, volume[p] / area[p], reach);
+            if (!jump) {
+                flown[p] = 0;
+            } else if (jump->fraction - flown[p] > k_least_part * (1 - flown[p])) {
                 found[t].emplace_back(p, std::move(*jump));
+            }
         }
     });
     for (const auto& jumps : found) {  // in the particles' order, independent of threads
         for (const auto& [p, jump] : jumps) {
-            if (keep.empty()) keep.assign(particles.size(), 1);
-            keep[p] = 0;
-            begin(particles.row(p), jump, time, nodes.cell_size() * nodes.cell_size());
+            ParticleRow row = particles.row(p);
+            if (jump.fraction == 1) {
+                if (keep.empty()) keep.assign(particles.size(), 1);
+                keep[p] = 0;
+            } else {
+                const double part = (jump.fraction - flown[p]) / (1 - flown[p]) * volume[p];
+                get(row, Field::volume) = part;
+                volume[p] -= part;
+                flown[p] = jump.fraction;
+            }
+            begin(row, jump, time, nodes.cell_size() * nodes.cell_size());
         }
     }
 }

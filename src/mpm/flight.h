@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -12,24 +13,34 @@
 #include "core/zero_array.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_report.h"
+#include "mpm/update_nodes.h"
 #include "particles/particle_set.h"
 #include "particles/tile_order.h"
+#include "physics/bed_state.h"
 
 namespace frana {
 
-/// A jump must clear the ground by the flow's depth and by this fraction of a cell; below it, the cells of the terrain
-/// do not resolve the difference between an edge and roughness.
-inline constexpr double k_least_clearance = 0.1;
+/// Length over which an edge is judged [cells], [thicknesses of the flow]: the splines smooth a step over two cells,
+/// and a flow bridges what is short against its own thickness.
+inline constexpr double k_edge_cells = 3, k_edge_thicknesses = 10;
 
-/// Greatest width of an edge, from the take-off to its steepest fall [cells]: the splines smooth a step over two cells.
-inline constexpr double k_edge_width = 2;
+/// From this much below JumpRules::angle to this much above it, the part of a flow that flies grows from 0 to 1 [rad].
+inline constexpr double k_half_ramp = 15 * std::numbers::pi / 180;
+
+/// Speed in the air [m/s]: in map view, and upwards.
+struct AirSpeed {
+    double along = 0, up = 0;
+    [[nodiscard]] double squared() const noexcept { return along * along + up * up; }
+};
 
 /// A free fall between two places on the bed.
 struct Jump {
+    double fraction = 0;  ///< of the flow that leaves the bed; 0: the rest is not computed
     Point from;           ///< local metres
     double glide = 0;     ///< time along the bed until it begins [s]
     Point velocity;       ///< in map view [m/s]
     double climb = 0;     ///< vertical velocity at the beginning [m/s]
+    double drag = 0;      ///< of the air: deceleration over squared speed [1/m]
     double duration = 0;  ///< from the beginning to landing [s]
     Point to;             ///< local metres, inside of the terrain
     Point landed;         ///< velocity along the bed (BedFrame) after landing [m/s]
@@ -38,6 +49,13 @@ struct Jump {
     struct Place {
         std::size_t node;  ///< whose cell is flown over
         double height;     ///< above the bed [m]
+        double time;       ///< since the beginning [s]
+        double speed;      ///< including the vertical part [m/s]
+
+        template <class Archive>
+        void serialise(Archive& archive) {
+            archive(node, height, time, speed);
+        }
     };
     std::vector<Place> over;
 };
@@ -46,27 +64,32 @@ struct Jump {
 struct JumpRules {
     double gravity = k_standard_gravity;  ///< [m/s2]
     bool wall = false;                    ///< edges of the terrain are walls; a particle that meets one falls down it
-    double edge = 0;                      ///< least fall of an edge in the direction of motion [-]
+    double angle = 0;        ///< by which the ground falls away below the path where half of a flow flies [rad]
+    double drag = 0;         ///< deceleration in the air times thickness over squared speed [-]
+    NodeValue friction{};    ///< Coulomb friction coefficient at landing [-]
+    double clearance = 0;    ///< height above the ground up to which what flies reaches a place [m]
+    double least_depth = 0;  ///< from which it does [m]
+    double bearing = 1;      ///< 1 - r_u: effective fraction of the normal stress under pore pressure [-]
 };
 
-/// Returns the jump, if there is one, of a particle that moves straight along its bed for a time `reach` [s]. It begins
-/// at the first place where the bed of the quadratic splines falls away faster than a free fall,
+/// Returns the jump of a particle that moves straight along its bed for a time `reach` [s], if there is a place on its
+/// way where the bed of the quadratic splines falls away faster than a free fall,
 ///
-///     v . grad grad Z . v < -g,
+///     v . grad grad Z . v < -g.
 ///
-/// from which the parabola clears the ground by more than `clearance` [m], if the edge falls by JumpRules::edge or more
-/// in its direction within k_edge_width. A fast flow also separates from gentler ground, but not as a whole: the upper
-/// part of the flow and drag retain some of it. Without that bound every bump of a gully threw particles, which then
-/// had no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On landing the velocity component
-/// normal to the bed is lost.
-/// @param along velocity along the bed (BedFrame) [m/s]
-std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
-                              double clearance);
+/// The part of the flow that leaves the bed there follows from the mean angle by which the ground falls away below the
+/// path of a free fall over k_edge_cells and k_edge_thicknesses: a dense flow bridges a bump, but not a cliff
+/// (share/doc/model.md, "Flight"). It falls under gravity and the drag of the air. On landing the velocity component
+/// normal to the bed is lost, and by friction a part of that along it.
+/// @param along velocity along the bed (BedFrame) [m/s]  @param thickness vertical depth of the flow [m]
+std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
+                              double reach);
 
-/// Returns a bound of the fall -grad Z . v / |v| [-] that such a particle can meet in its direction of motion within
-/// k_edge_width of any place where it may take off; infinity where the nodes for it do not all exist. Where it is less
-/// than JumpRules::edge there is no jump, which spares most particles on steep ground the search.
-double steepest_fall_ahead(const NodeGrid& nodes, Point place, Point along, double reach) noexcept;
+/// Returns a bound of -e . grad grad Z . e for all directions e and all places that a particle in a node's cell can
+/// reach in a step [1/m]: where it is less than g over the squared speed there is no jump, which spares most particles
+/// the search.
+/// @param column, row padded
+double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept;
 
 /// Jumps so far.
 struct JumpStatistics {
@@ -89,7 +112,7 @@ class Flights {
   public:
     Flights() = default;
     /// @param nodes padded
-    explicit Flights(std::size_t nodes) : heights_(nodes), near_edge_(nodes) {}
+    explicit Flights(std::size_t nodes) : heights_(nodes), low_(nodes), convexity_(nodes) {}
 
     [[nodiscard]] bool empty() const noexcept { return flights_.empty(); }
     [[nodiscard]] std::size_t size() const noexcept { return flights_.size(); }
@@ -97,18 +120,24 @@ class Flights {
     [[nodiscard]] double next_landing() const noexcept { return next_landing_; }
     [[nodiscard]] double volume() const noexcept;
     /// Returns the sum of V v^2 / 2 including the vertical part [m5/s2].
-    [[nodiscard]] double kinetic(double time, double gravity) const noexcept;
+    [[nodiscard]] double kinetic() const noexcept;
     /// Returns the sum of V |v| including the vertical part [m4/s].
-    [[nodiscard]] double momentum(double time, double gravity) const noexcept;
+    [[nodiscard]] double momentum() const noexcept;
     [[nodiscard]] const JumpStatistics& statistics() const noexcept { return statistics_; }
     /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
     [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
+    /// Maxima of what flew no higher than JumpRules::clearance above the ground.
+    [[nodiscard]] const Maxima& low() const noexcept { return low_; }
 
-    /// Adds the particles that leave the bed within the time `reach` to the flights: marks them 0 in `keep`, one byte
-    /// per particle, empty if there are none. Examines all particles near edges, since a step may be almost a cell long
-    /// and end beyond the edge.
+    /// Moves what flies until `time` [s].
+    void advance_to(double time, const JumpRules& rules);
+
+    /// Adds what leaves the bed within the time `reach` to the flights: takes its volume from its particle, which keeps
+    /// its area, since the upper part of a flow leaves it; marks particles that leave as a whole 0 in `keep`, one byte
+    /// per particle, empty if there are none. Field::flown remembers which part has left at the edge that a particle
+    /// passes. Examines all particles near edges, since a step may be almost a cell long and end beyond the edge.
     /// @param time of the particles' positions [s]
-    void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const JumpRules& rules,
+    void take_off(ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const JumpRules& rules,
                   double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool);
 
     struct Landed {
@@ -120,35 +149,37 @@ class Flights {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [flights, heights, next_landing, statistics, edges, near_edge] = *this;
-        archive(flights, heights, next_landing, statistics);  // edges are those of the bed
+        [[maybe_unused]] auto& [flights, heights, low, next_landing, statistics, edges, convexity] = *this;
+        archive(flights, heights, low, next_landing, statistics);  // edges are those of the bed
     }
 
   private:
     struct Flight {
         ParticleRow particle{};  // in its state after landing
-        double begins = 0, ends = 0, climb = 0;
-        double speed = 0;  // in map view [m/s]
+        double begins = 0, ends = 0;
+        AirSpeed speed;  // at `now`, at least `begins`
+        double now = 0, drag = 0, depth = 0;
         bool left = false;
+        std::vector<Jump::Place> over;  // still to come, the next one last
 
-        [[nodiscard]] double squared_speed(double time, double gravity) const noexcept;  // the vertical part included
         template <class Archive>
         void serialise(Archive& archive) {
-            archive(particle, begins, ends, climb, speed, left);
+            archive(particle, begins, ends, speed.along, speed.up, now, drag, depth, left, over);
         }
     };
 
     void begin(const ParticleRow& particle, const Jump& jump, double time, double cell_area);
 
     static constexpr std::uint8_t k_unknown = 0, k_none = 1, k_edge = 2;
-    [[nodiscard]] bool has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double edge);
+    [[nodiscard]] bool has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes);
 
     std::vector<Flight> flights_;
     ZeroArray<float> heights_;
+    Maxima low_;
     double next_landing_ = std::numeric_limits<double>::infinity();
     JumpStatistics statistics_;
-    std::vector<std::uint8_t> edges_;    // by tile: whether any of its nodes is near an edge
-    ZeroArray<std::uint8_t> near_edge_;  // padded; of the tiles known
+    std::vector<std::uint8_t> edges_;  // by tile: whether the bed is convex at any of its nodes
+    ZeroArray<float> convexity_;       // padded: greatest_convexity; of the tiles known
 };
 
 }  // namespace frana

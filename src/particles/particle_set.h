@@ -32,7 +32,8 @@ enum class Field : unsigned char {
     s_yy,  // in-plane viscous stress over density
     q_xx,
     q_xy,
-    q_yy,  // squared extents: the shape into which the flow has deformed the particle
+    q_yy,   // squared extents: the shape into which the flow has deformed the particle
+    flown,  // fraction that has left the bed at the edge that the particle passes
     // Further fields of structured solids; `volume` is of the solids alone, depth is (volume + confined) / area.
     confined,        // volume of the confined fluid
     confined_start,  // when the particle was placed
@@ -83,6 +84,7 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"q_xx", "m2", 0},
     {"q_xy", "m2", 0},
     {"q_yy", "m2", 0},
+    {"flown", "-", 0},
     {"confined", "m3", 0},
     {"confined_start", "m3", 0},
     {"pores", "m3", 0},

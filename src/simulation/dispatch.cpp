@@ -117,6 +117,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
         stages.flies = flight(numerics);
+        if (stages.flies) stages.fields = stages.fields | FieldMask{Field::flown};
     }
     const bool summed = sums_friction(material, zones, entrainment);
     choose_node_stages(numerics, summed, stages);
@@ -138,10 +139,16 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.step.cfl = courant_number(numerics, material);
     laws.step.by_wave = numerics.scheme == Scheme::standard;
     laws.minimum_depth = numerics.minimum_depth;
-    laws.flight_slope = tangent_of(numerics.flight_slope);
     laws.wall = numerics.boundary == Boundary::wall;
     laws.friction = make_friction(material, zones, entrainment, nodes, gravity);
     laws.exchange = make_exchange(entrainment, material.density);
+    laws.jumps = {gravity,
+                  laws.wall,
+                  std::atan(tangent_of(numerics.flight_angle)),
+                  0.5 * numerics.flight_drag * k_air_density / material.density,
+                  laws.friction.coefficient,
+                  numerics.flight_clearance,
+                  numerics.minimum_depth};
     laws.resample.cell_size = nodes.cell_size();
     // Splitting later loses a tenth of the accuracy on dry fronts, merging earlier some of it behind bores
     // (share/doc/numerics.md, "Speed").

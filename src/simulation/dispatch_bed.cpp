@@ -120,7 +120,9 @@ class FrictionBuilder {
     BedFriction build() {
         for (const std::string& word : bed_friction_terms(material))
             BedLaws::for_each([&]<class Law>() {
-                if (word == Law::word && has_effect<Law>(*this)) add(Law::build(*this));
+                if (word != Law::word || !has_effect<Law>(*this)) return;
+                add(Law::build(*this));
+                if (Law::row().resists_with_friction) friction_.coefficient = friction_coefficient();
             });
         friction_.summed = true;
         return std::move(friction_);
@@ -214,6 +216,7 @@ BedFriction make_friction(const Material& material, const MaterialZones& zones, 
     const auto has = [&](const char* word) { return std::find(terms.begin(), terms.end(), word) != terms.end(); };
     if (has(CoulombFriction::word)) friction.voellmy.friction_coefficient = material.bed_friction_coefficient();
     if (has(TurbulentFriction::word)) friction.voellmy.inverse_turbulence = material.inverse_turbulence();
+    if (!friction.summed) friction.coefficient = {friction.voellmy.friction_coefficient};
     friction.pore_pressure = material.pore_pressure();
     return friction;
 }

@@ -234,7 +234,7 @@ double Flow::momentum() const {
     const double *const u = p[Field::u], *const v = p[Field::v], *const volume = p[Field::volume];
     double sum = 0;
     for (std::size_t i = 0; i < p.size(); ++i) sum += volume[i] * std::sqrt(u[i] * u[i] + v[i] * v[i]);
-    return sum + state_.flights.momentum(state_.time, laws_.gravity);
+    return sum + state_.flights.momentum();
 }
 
 double Flow::volume() const {
@@ -350,6 +350,23 @@ Raster Flow::jump_height() const {
     return to_raster(state_.flights.heights());
 }
 
+std::vector<NamedRaster> Flow::low_flights() const {
+    const Maxima& low = state_.flights.low();
+    const Raster depth = to_raster(low.depth), velocity = to_raster(low.speed);
+    Raster flux = depth, head = depth;
+    depth.values.for_each_stored([&](std::size_t cell, double deep) {
+        const double speed = velocity.values[cell];
+        flux.values[cell] = deep * speed;
+        head.values[cell] = deep + speed * speed / (2 * laws_.gravity);
+    });
+    return {{"max_depth", depth},
+            {"max_velocity", velocity},
+            {"max_flux", flux},
+            {"max_head", head},
+            {"max_pressure", max_pressure(velocity)},
+            {"arrival_time", to_raster(low.arrival_plus_1, 1)}};
+}
+
 Raster Flow::max_pressure(const Raster& max_velocity) const {
     Raster pressure = max_velocity;
     pressure.values.change_each_stored(
@@ -395,6 +412,7 @@ void Flow::add_to(RunResult& result) const {
                         grid_.map_from_local(jumps.from),
                         grid_.map_from_local(jumps.to)};
         result.add("jump_height", jump_height());
+        result.low_flights = low_flights();
     }
     if (result.hard_events.non_finite == 0) add_claims_to(result);
 }

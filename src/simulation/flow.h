@@ -93,6 +93,7 @@ class Flow final : public Model {
     [[nodiscard]] Raster deposited_depth() const;
     /// Greatest height above the ground at which each cell was flown over [m]; NaN where it was not.
     [[nodiscard]] Raster jump_height() const;
+    [[nodiscard]] std::vector<NamedRaster> low_flights() const;
     [[nodiscard]] std::int64_t steps() const noexcept override { return steps_; }
     [[nodiscard]] std::int64_t particle_steps() const noexcept override { return particle_steps_; }
     /// Including particles in the air.

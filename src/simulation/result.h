@@ -225,6 +225,9 @@ struct RunResult {
     /// Returns one that every run makes: bed, release, max_depth, max_velocity, max_pressure, arrival_time,
     /// final_depth. Throws std::out_of_range for another that this run did not make.
     [[nodiscard]] const Raster& raster(const std::string& name) const;
+    /// Of what flew over places no higher than numerics.flight-clearance: the same names and units as the maxima on the
+    /// ground. Empty: nothing flew.
+    std::vector<NamedRaster> low_flights;
     void add(std::string name, Raster values) { rasters.push_back({std::move(name), std::move(values)}); }
 
     std::vector<Point> inflow_places;  ///< where material flows in, map coordinates

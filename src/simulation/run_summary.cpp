@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "analysis/runout.h"
 #include "analysis/trace.h"
@@ -27,15 +28,32 @@ const Raster& RunResult::raster(const std::string& name) const {
     return *found;
 }
 
+ReachedPlaces::ReachedPlaces(const RunResult& result) : result_(result) {
+    for (const NamedRaster& low : result.low_flights) {
+        const Raster* const on_ground = result.find_raster(low.name);
+        if (on_ground == nullptr) continue;
+        Raster& both = with_flights_.emplace(low.name, *on_ground).first->second;
+        const bool is_least = low.name == "arrival_time";
+        low.values.values.for_each_stored([&](std::size_t cell, double value) {
+            const double before = std::as_const(both).values[cell];
+            if (!std::isnan(value)) both.values[cell] = is_least ? std::fmin(before, value) : std::fmax(before, value);
+        });
+    }
+}
+
+const Raster& ReachedPlaces::operator()(const std::string& name) const {
+    const auto found = with_flights_.find(name);
+    return found != with_flights_.end() ? found->second : result_.raster(name);
+}
+
 Raster intensity_classes(const RunResult& result, const HazardScheme& scheme) {
+    const ReachedPlaces reached(result);
     // For a scheme without flux or head none is recorded; depth is passed instead and not read.
-    const Raster& depth = result.raster("max_depth");
     const auto recorded = [&](const char* name) -> const Raster& {
-        const Raster* const found = result.find_raster(name);
-        return found ? *found : depth;
+        return reached(result.find_raster(name) ? name : "max_depth");
     };
-    return hazard_classes(scheme, {depth, result.raster("max_velocity"), recorded("max_flux"), recorded("max_head"),
-                                   result.raster("max_pressure"), result.raster("final_depth")});
+    return hazard_classes(scheme, {reached("max_depth"), reached("max_velocity"), recorded("max_flux"),
+                                   recorded("max_head"), reached("max_pressure"), result.raster("final_depth")});
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,19 @@
 #include "simulation/scene.h"
 
 namespace frana {
+
+/// Maxima and arrival times of a run, of the flow on the ground and of what flew low over a place: what a house there
+/// meets. Refers to the result.
+class ReachedPlaces {
+  public:
+    explicit ReachedPlaces(const RunResult& result);
+    /// @param name a raster of the result: max_depth, max_velocity, max_pressure, max_flux, max_head, arrival_time
+    [[nodiscard]] const Raster& operator()(const std::string& name) const;
+
+  private:
+    const RunResult& result_;
+    std::map<std::string, Raster> with_flights_;
+};
 
 /// Returns the class of intensity of every cell that a run reached, NaN elsewhere.
 Raster intensity_classes(const RunResult& result, const HazardScheme& scheme);

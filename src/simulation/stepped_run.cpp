@@ -380,7 +380,10 @@ RunResult SteppedRun::finish() {
     read_ground_under(model_->nodes(), scene_.terrain, release_.bed);
     result.volume_shown = volume_of(result.raster("final_depth"));
     result.depth_is_normal = scene_.recording.normal_depth;
-    if (result.depth_is_normal) make_normal(result.rasters, release_.bed);
+    if (result.depth_is_normal) {
+        make_normal(result.rasters, release_.bed);
+        make_normal(result.low_flights, release_.bed);
+    }
     result.add("bed", std::move(release_.bed));
     result.add("release", std::move(release_.depth));
     for (const InflowSource& source : arrivals_.sources())

@@ -204,7 +204,7 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
             depth != text.metadata.end() && kind != "comparison")
             layer.notes.push_back(words.labelled(words("Flow depth"), words(depth->second)));
     }
-    if (has_flights) layer.notes.push_back(words(k_below_flights));
+    if (has_flights) layer.notes.push_back(words(k_high_flights));
     return layer;
 }
 

@@ -66,7 +66,7 @@ void ResultReader::add_study(MapSource& source) const {
         if (troubles && troubles->warned > 0 && !troubles->are_first())
             source.notes.push_back(words_("{1} of {2} runs gave warnings",
                                           {std::to_string(troubles->warned), std::to_string(troubles->runs)}));
-        if (troubles && troubles->flew > 0) source.notes.push_back(words_(k_below_flights));
+        if (troubles && troubles->flew > 0) source.notes.push_back(words_(k_high_flights));
         if (failed && *failed > 0) source.notes.push_back(words_("{1} more runs failed", {std::to_string(*failed)}));
         if (error)
             source.notes.push_back(words_("Standard error of the probabilities at most {1} %",

@@ -266,9 +266,9 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
     if (!layer) return std::nullopt;
     const Raster& terrain = prepared.scene.terrain;
     const bool is_known = !terrain.values.is_tiled() && terrain.grid.same_cells(result.raster("max_depth").grid);
-    const ExposureRasters rasters{&result.raster("max_depth"), &result.raster("max_velocity"),
-                                  &result.raster("max_pressure"), &result.raster("arrival_time"),
-                                  is_known ? &terrain : nullptr};
+    const ReachedPlaces reached(result);
+    const ExposureRasters rasters{&reached("max_depth"), &reached("max_velocity"), &reached("max_pressure"),
+                                  &reached("arrival_time"), is_known ? &terrain : nullptr};
     const auto cells = exposed_cells(*layer, result.raster("max_depth").grid);
     ExposureTotals totals =
         write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),

@@ -60,17 +60,17 @@ std::vector<float> values_at(const MemberRecord& record, const Raster& map) {
     return values;
 }
 
-void add_cells(const RunResult& result, MemberRecord& record) {
+void add_cells(const ReachedPlaces& reached, MemberRecord& record) {
     const auto number = [](double value) { return static_cast<float>(value); };
-    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+    reached("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;
         if (record.runs.empty() || record.runs.back().first + record.runs.back().count != cell)
             record.runs.push_back({cell, 0});
         ++record.runs.back().count;
         record.depth.push_back(number(depth));
-        record.arrival.push_back(number(result.raster("arrival_time").values[cell]));
+        record.arrival.push_back(number(reached("arrival_time").values[cell]));
     });
-    record.velocity = values_at(record, result.raster("max_velocity"));
+    record.velocity = values_at(record, reached("max_velocity"));
 }
 
 }  // namespace
@@ -148,8 +148,9 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
                   {}};
     record.engine_seconds = result.engine_seconds;
     record.particle_steps = result.particle_steps;
-    add_cells(result, record);
-    if (extras.pressure) record.pressure = values_at(record, result.raster("max_pressure"));
+    const ReachedPlaces reached(result);
+    add_cells(reached, record);
+    if (extras.pressure) record.pressure = values_at(record, reached("max_pressure"));
     if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
     if (extras.final_depth)
         record.final_depth = values_at(record, result.depth_is_normal

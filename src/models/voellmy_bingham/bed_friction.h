@@ -21,6 +21,7 @@ struct BedFriction {
     std::vector<FrictionSweep> sweeps;  ///< used if summed, one per law
     ExcessLaw excess;                   ///< used if summed; also one of the sweeps
     bool yields = false;                ///< whether any law of the sum holds material at rest
+    NodeValue coefficient;              ///< of friction, over the normal stress; 0 if no law has one [-]
     PorePressure pore_pressure;
     std::vector<ZeroArray<double>> node_values;  ///< targets of the laws' NodeValue, padded as the nodes are
 

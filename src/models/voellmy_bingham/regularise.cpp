@@ -150,9 +150,11 @@ void regularise(Step& now) {
 void leave_and_land(Step& now) {
     if (!now.stages.flies) return;
     State& state = now.state;
-    const JumpRules rules{now.laws.gravity, now.laws.wall, now.laws.flight_slope};
+    JumpRules rules = now.laws.jumps;
+    rules.bearing = 1 - now.laws.friction.pore_pressure.ratio(state.time);
+    state.flights.advance_to(state.time, rules);
     now.report.aloft = state.flights.volume();
-    now.report.aloft_kinetic = state.flights.kinetic(state.time, rules.gravity);
+    now.report.aloft_kinetic = state.flights.kinetic();
     std::vector<std::uint8_t> keep;
     state.flights.take_off(state.particles, state.order, state.nodes, rules, state.time, now.drift, keep, now.pool);
     const Flights::Landed landed = state.flights.land(state.time, state.particles);

@@ -82,7 +82,7 @@ struct Laws {
     StepBounds step;
     double minimum_depth = k_minimum_depth;  ///< [m]
     bool wall = false;
-    double flight_slope = 0;  ///< JumpRules::edge
+    JumpRules jumps;          ///< of particles in the air
     bool skips_rest = true;   ///< material at rest is not computed while nothing near it moves
     Point origin;             ///< release centroid, local metres
     double moving_speed = 0;  ///< speed from which volume counts as moving [m/s]

@@ -311,9 +311,16 @@ void add_numerics(std::vector<Parameter>& list) {
                           "pressure and loses the velocity normal to the bed on landing; off: it stays on the bed. "
                           "Needs curvature, scheme default and transfer apic.",
                           "on with curvature, scheme default and transfer apic"));
-    list.push_back(
-        number("numerics.flight-slope", FRANA_MEMBER(numerics.flight_slope), "degrees", Range{0, 89},
-               "Smallest slope of an edge at which material takes off, in the direction of motion; 0: any bump."));
+    list.push_back(number(
+        "numerics.flight-angle", FRANA_MEMBER(numerics.flight_angle), "degrees", Range{16, 74},
+        "Angle by which the ground falls away below the path where half of the flow leaves it: all of it from 15 "
+        "degrees more on, none up to 15 degrees less."));
+    list.push_back(number("numerics.flight-clearance", FRANA_MEMBER(numerics.flight_clearance), "m", Range{0, 100},
+                          "Height above the ground up to which what flies counts in maxima, arrival times, classes of "
+                          "intensity and exposure: a house may stand in it."));
+    list.push_back(number("numerics.flight-drag", FRANA_MEMBER(numerics.flight_drag), "", Range{0, 10},
+                          "Drag coefficient of what flies: the air slows a layer of thickness d down by flight-drag "
+                          "rho_air v^2 / (2 density d); 0: none."));
     list.push_back(declare::option("numerics.boundary", FRANA_MEMBER(numerics.boundary),
                                    declare::Words<Boundary>{{"open", Boundary::open}, {"wall", Boundary::wall}},
                                    "Edge of the working grid: open (outflow is counted) or a wall."));

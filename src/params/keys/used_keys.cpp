@@ -106,7 +106,9 @@ constexpr Condition k_conditions[] = {
          return s.zones.friction_angle || s.zones.friction_coefficient || s.zones.turbulence || s.zones.cohesion ||
                 s.zones.erodible_depth;
      }},
-    {"numerics.flight-slope", [](const SceneSpec& s) { return flight(s.numerics); }},
+    {"numerics.flight-angle", [](const SceneSpec& s) { return flight(s.numerics); }},
+    {"numerics.flight-clearance", [](const SceneSpec& s) { return flight(s.numerics); }},
+    {"numerics.flight-drag", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"time.stop-change", [](const SceneSpec& s) { return s.time.stop_change > 0; }},
     {"time.stop-window", [](const SceneSpec& s) { return s.time.stop_change > 0; }},
     {"time.stop-energy-fraction", [](const SceneSpec& s) { return s.time.stop_energy_fraction > 0; }},

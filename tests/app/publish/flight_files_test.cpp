@@ -56,7 +56,8 @@ TEST_F(FlightFiles, OfAStudyAreAWarning) {
     EXPECT_NE(read_text(path("result/summary.json")).find("m3 flew over edges, up to"), std::string::npos);
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "run_troubles.flew"), 2);
     const auto notes = app::ResultReader(path("result")).map_source().notes;
-    EXPECT_EQ(std::count(notes.begin(), notes.end(), "Nothing shown below flights"), 1);
+    EXPECT_EQ(std::count(notes.begin(), notes.end(), "What flies higher above the ground than a house is not shown"),
+              1);
 }
 
 // `converge` has no pages either: it warns of each resolution.
@@ -100,7 +101,7 @@ TEST_F(FlightFiles, AgreeWithTheParabola) {
     EXPECT_NEAR(highest, json_number(summary, "highest_m"), 1e-3);
     EXPECT_GT(only_flown_over, 0U);
     const auto notes = app::read_map_layer(path("result/max_depth.tif"), {}, Words(Language::english)).notes;
-    EXPECT_EQ(notes, std::vector<std::string>{"Nothing shown below flights"});
+    EXPECT_EQ(notes, std::vector<std::string>{"What flies higher above the ground than a house is not shown"});
     EXPECT_NE(read_text(path("result/report.html")).find("flew over edges"), std::string::npos);
     for (const char* style : {"jump_height.qml", "jump_height.sld"})
         EXPECT_TRUE(std::filesystem::exists(path(std::string("result/") + style))) << style;

@@ -47,9 +47,9 @@ TEST(UsedKeys, FollowTheModelAndItsSwitches) {
     EXPECT_FALSE(uses(scene, "output.map-size"));
     EXPECT_FALSE(uses(scene, "terrain.walls")) << "has no value";
     EXPECT_TRUE(uses(scene, "terrain.cell-size", true)) << "chosen";
-    EXPECT_TRUE(uses(scene, "numerics.flight-slope"));
+    EXPECT_TRUE(uses(scene, "numerics.flight-angle"));
     scene.numerics.flight = false;
-    EXPECT_FALSE(uses(scene, "numerics.flight-slope"));
+    EXPECT_FALSE(uses(scene, "numerics.flight-angle"));
     EXPECT_FALSE(uses(scene, "zones.beyond-dtm"));
     scene.zones.cohesion = SourceSpec{};
     EXPECT_TRUE(uses(scene, "zones.beyond-dtm"));

@@ -96,7 +96,7 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result, 
         source.scenario = headline(troubles).in(source.style.words) + ". " + source.subtitle;
     else if (troubles.any())
         source.notes.push_back(headline(troubles).in(source.style.words));
-    if (troubles.flew > 0) source.notes.push_back(source.style.words(k_below_flights));
+    if (troubles.flew > 0) source.notes.push_back(source.style.words(k_high_flights));
     source.terrain = part_of(base.scene.terrain, ground.window);
     const GridSpec& grid = source.terrain.grid;
     source.crs_label = gis::crs_name(grid.crs_wkt);
