@@ -2,7 +2,9 @@
 #include "mpm/flight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/lanes.h"
@@ -15,12 +17,17 @@
 namespace frana {
 namespace {
 
-// Interval at which a path over the bed is sampled [cells]; bisection finds an end of a free fall to 1e-9 of it.
-constexpr double k_sampling = 0.25;
+// Interval at which a path over the bed and one through the air are sampled [cells]: the bed throws over a cell or more.
+// Bisection finds an end of a free fall to 1e-9 of it.
+constexpr double k_way_sampling = 0.5, k_sampling = 0.25;
 constexpr int k_halvings = 30;
 
 // Reach of a particle in a step, from anywhere in its node's cell [cells].
 constexpr std::int64_t k_reach = 2;
+
+// How much more than edge_at, and than falls_away from the last sample of the way, the mean angle from the place where the
+// fall begins may be [rad].
+constexpr double k_edge_margin = 10 * std::numbers::pi / 180;
 
 // A part of a particle that flies is at least this fraction of it: less stays on the ground.
 constexpr double k_least_part = 0.05;
@@ -192,6 +199,29 @@ void fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
 
 }  // namespace
 
+double edge_at(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept {
+    const std::int64_t stride = nodes.stride();
+    const auto exists = [&](std::int64_t i, std::int64_t j) {
+        return i >= 0 && j >= 0 && i < stride && j < nodes.padded_rows();
+    };
+    const double* const z = nodes.bed.data() + row * stride + column;
+    double greatest = 0;
+    for (std::int64_t b = -1; b <= 1; ++b) {
+        for (std::int64_t a = -1; a <= 1; ++a) {
+            if ((a == 0 && b == 0) || !exists(column - a, row - b)) continue;
+            const std::int64_t step = b * stride + a;
+            const double length = nodes.cell_size() * std::hypot(a, b), rise = z[0] - z[-step];
+            double sum = 0;
+            for (std::int64_t k = 1; k <= k_edge_sight && exists(column + k * a, row + k * b); ++k) {
+                const double falls = (z[0] - z[k * step]) / static_cast<double>(k) + rise;
+                sum += std::atan2(std::max(0.0, falls), length);
+                if (k > 1) greatest = std::max(greatest, sum / static_cast<double>(k));
+            }
+        }
+    }
+    return greatest;
+}
+
 double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept {
     const std::int64_t stride = nodes.stride();
     double convex = 0, twist = 0;
@@ -217,13 +247,24 @@ double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
                               double reach) {
     if (along.x == 0 && along.y == 0) return std::nullopt;
-    const double search_distance = k_sampling * nodes.cell_size();
+    const double search_distance = k_way_sampling * nodes.cell_size();
     double time = 0, before = 0;
     Point last = place, way{};
     while (nodes.bounds().contains(place.x, place.y)) {
         Bed bed = bed_at(nodes, place);
         Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
+            Jump jump;
+            const auto angle_from = [&](Point from) {
+                bed = bed_at(nodes, from);
+                jump.from = from;
+                jump.velocity = bed.map_velocity(along);
+                jump.climb = jump.velocity.x * bed.z.dx + jump.velocity.y * bed.z.dy;
+                const double normal = thickness / BedFrame::of({bed.z.dx, bed.z.dy}).root;
+                jump.drag = rules.drag / std::max(rules.least_depth, normal);
+                return falls_away(nodes, rules, jump.from, jump.velocity, jump.climb, normal);
+            };
+            if (angle_from(last) < rules.angle - k_half_ramp - k_edge_margin) return jump;
             // The place where the fall begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
@@ -231,21 +272,12 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
                 const Bed there = bed_at(nodes, at(last, way, middle));
                 (there.throws(there.map_velocity(along), rules.gravity) ? thrown : supported) = middle;
             }
-            Jump jump;
-            jump.from = at(last, way, thrown);
             jump.glide = before + thrown;
-            bed = bed_at(nodes, jump.from);
-            jump.velocity = bed.map_velocity(along);
-            jump.climb = jump.velocity.x * bed.z.dx + jump.velocity.y * bed.z.dy;
-            const double normal = thickness / BedFrame::of({bed.z.dx, bed.z.dy}).root;
-            const double angle = falls_away(nodes, rules, jump.from, jump.velocity, jump.climb, normal);
-            jump.fraction = smooth_step(rules.angle - k_half_ramp, rules.angle + k_half_ramp, angle);
+            jump.fraction = smooth_step(rules.angle - k_half_ramp, rules.angle + k_half_ramp,
+                                        angle_from(at(last, way, thrown)));
             if (!(jump.fraction >= k_least_part)) jump.fraction = 0;
             if (jump.fraction > 1 - k_least_part) jump.fraction = 1;
-            if (jump.fraction > 0) {
-                jump.drag = rules.drag / std::max(rules.least_depth, normal);
-                fall(nodes, rules, jump);
-            }
+            if (jump.fraction > 0) fall(nodes, rules, jump);
             return jump;
         }
         const double speed = std::hypot(velocity.x, velocity.y);
@@ -346,17 +378,30 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
     }
 }
 
-// The result is cached while the bed equals the terrain.
-bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes) {
+// The result is cached while the bed equals the terrain. Edges of one that changes would have to be found at every step.
+bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double angle) {
     std::uint8_t& known = edges_[static_cast<std::size_t>(tile)];
-    if (known == k_unknown || nodes.bed_changes) {
-        known = k_none;
-        NodeRange(tile, tiles, nodes).for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
-            // Rounded up by more than a float's rounding.
-            convexity_[n] = static_cast<float>(greatest_convexity(nodes, i, j) * (1 + 1e-6));
-            if (convexity_[n] > 0) known = k_edge;
-        });
-    }
+    if (known != k_unknown && !nodes.bed_changes) return known == k_edge;
+    const NodeRange range(tile, tiles, nodes);
+    constexpr std::int64_t k_side = k_tile + 2 * k_reach;
+    std::array<bool, k_side * k_side> edges{};
+    const std::int64_t west = range.i0 - k_reach, south = range.j0 - k_reach;
+    nodes.cover({west - k_edge_sight, range.i1 + k_reach + k_edge_sight, south - k_edge_sight,
+                 range.j1 + k_reach + k_edge_sight});
+    for (std::int64_t j = std::max<std::int64_t>(south, 0); j < std::min(range.j1 + k_reach, nodes.padded_rows()); ++j)
+        for (std::int64_t i = std::max<std::int64_t>(west, 0); i < std::min(range.i1 + k_reach, nodes.stride()); ++i)
+            edges[static_cast<std::size_t>((j - south) * k_side + i - west)] =
+                nodes.bed_changes || edge_at(nodes, i, j) + k_edge_margin > angle - k_half_ramp;
+    known = k_none;
+    range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
+        bool near = false;
+        for (std::int64_t b = j - south - k_reach; b <= j - south + k_reach; ++b)
+            for (std::int64_t a = i - west - k_reach; a <= i - west + k_reach; ++a)
+                near = near || edges[static_cast<std::size_t>(b * k_side + a)];
+        // Rounded up by more than a float's rounding.
+        convexity_[n] = near ? static_cast<float>(greatest_convexity(nodes, i, j) * (1 + 1e-6)) : 0;
+        if (convexity_[n] > 0) known = k_edge;
+    });
     return known == k_edge;
 }
 
@@ -372,7 +417,7 @@ void Flights::take_off(ParticleSet& particles, const TileOrder& order, const Nod
         bool any = false;
         for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1; ++b)
             for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
-                any = has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes) || any;
+                any = has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes, rules.angle) || any;
         if (any) steep.push_back(t);
     }
     const NodeScale grid = nodes.scale();

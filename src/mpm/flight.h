@@ -24,6 +24,9 @@ namespace frana {
 /// and a flow bridges what is short against its own thickness.
 inline constexpr double k_edge_cells = 3, k_edge_thicknesses = 10;
 
+/// An edge is one within this many cells.
+inline constexpr std::int64_t k_edge_sight = 24;
+
 /// From this much below JumpRules::angle to this much above it, the part of a flow that flies grows from 0 to 1 [rad].
 inline constexpr double k_half_ramp = 15 * std::numbers::pi / 180;
 
@@ -84,6 +87,11 @@ struct JumpRules {
 /// @param along velocity along the bed (BedFrame) [m/s]  @param thickness vertical depth of the flow [m]
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
                               double reach);
+
+/// Returns about the greatest mean angle by which the ground falls away below the bed's tangent at a node, over any number
+/// of cells up to k_edge_sight in the eight directions of the grid [rad]: 0 or more.
+/// @param column, row padded
+double edge_at(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept;
 
 /// Returns a bound of -e . grad grad Z . e for all directions e and all places that a particle in a node's cell can
 /// reach in a step [1/m]: where it is less than g over the squared speed there is no jump, which spares most particles
@@ -171,15 +179,15 @@ class Flights {
     void begin(const ParticleRow& particle, const Jump& jump, double time, double cell_area);
 
     static constexpr std::uint8_t k_unknown = 0, k_none = 1, k_edge = 2;
-    [[nodiscard]] bool has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes);
+    [[nodiscard]] bool has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double angle);
 
     std::vector<Flight> flights_;
     ZeroArray<float> heights_;
     Maxima low_;
     double next_landing_ = std::numeric_limits<double>::infinity();
     JumpStatistics statistics_;
-    std::vector<std::uint8_t> edges_;  // by tile: whether the bed is convex at any of its nodes
-    ZeroArray<float> convexity_;       // padded: greatest_convexity; of the tiles known
+    std::vector<std::uint8_t> edges_;  // by tile: whether any of its nodes is near an edge
+    ZeroArray<float> convexity_;       // padded: greatest_convexity near an edge, otherwise 0; of the tiles known
 };
 
 }  // namespace frana

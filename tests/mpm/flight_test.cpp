@@ -266,6 +266,37 @@ TEST(Flight, NoGroundIsMoreConvexThanItsBound) {
     }
 }
 
+// The nodes that are looked at: on random ground with walls, what flies does so where one of them is near an edge.
+TEST(Flight, NoJumpIsFarFromAnEdge) {
+    std::mt19937 random(2);
+    const auto uniform = [&](double from, double to) { return from + (to - from) * 0x1p-32 * random(); };
+    constexpr double cell = 5, margin = 10 * k_degree;
+    int jumps = 0;
+    for (int terrain = 0; terrain < 30; ++terrain) {
+        const double roughness = uniform(0, 4), slope = uniform(-1, 1), wall = uniform(5, 40), width = uniform(1, 40);
+        const double turn = uniform(0, 6.3);
+        const GridSpec grid = bench::plain_grid(40, 40, cell);
+        const NodeGrid nodes(bench::sample_raster(grid, [&](Point p) {
+            const double across = std::cos(turn) * (p.x - 100) + std::sin(turn) * (p.y - 100);
+            return slope * p.x - wall * std::clamp(across / width, 0.0, 1.0) + uniform(0, roughness);
+        }));
+        for (int start = 0; start < 2000; ++start) {
+            const Point place{uniform(60, 140), uniform(60, 140)}, along{uniform(-40, 40), uniform(-40, 40)};
+            const double thickness = uniform(0.05, 3), reach = cell / std::hypot(along.x, along.y);
+            const auto jump = find_jump(nodes, k_rules, place, along, thickness, reach);
+            if (!jump || jump->fraction == 0) continue;
+            ++jumps;
+            const auto node = [](double at) { return static_cast<std::int64_t>(at / cell) + k_ghost; };
+            double edge = 0;
+            for (const std::int64_t b : {-2, -1, 0, 1, 2})
+                for (const std::int64_t a : {-2, -1, 0, 1, 2})
+                    edge = std::max(edge, edge_at(nodes, node(place.x) + a, node(place.y) + b));
+            EXPECT_GT(edge + margin, k_rules.angle - k_half_ramp) << jump->fraction;
+        }
+    }
+    EXPECT_GT(jumps, 1000);
+}
+
 TEST(Flight, OffKeepsParticlesOnTheBedAndCostsNothing) {
     Strip strip{2, cliff};
     strip.flight = false;
