@@ -88,8 +88,8 @@ struct JumpRules {
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
                               double reach);
 
-/// Returns about the greatest mean angle by which the ground falls away below the bed's tangent at a node, over any number
-/// of cells up to k_edge_sight in the eight directions of the grid [rad]: 0 or more.
+/// Returns about the greatest mean angle by which the ground falls away below the bed's tangent at a node, over any
+/// number of cells up to k_edge_sight in the eight directions of the grid [rad]: 0 or more.
 /// @param column, row padded
 double edge_at(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept;
 
