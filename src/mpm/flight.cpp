@@ -25,9 +25,9 @@ constexpr int k_halvings = 30;
 // Reach of a particle in a step, from anywhere in its node's cell [cells].
 constexpr std::int64_t k_reach = 2;
 
-// How much more than edge_at, and than falls_away from the last sample of the way, the mean angle from the place where
-// the fall begins may be [rad].
-constexpr double k_edge_margin = 10 * std::numbers::pi / 180;
+// How much more than that of edges_at, and than falls_away from the last sample of the way, the mean angle from the
+// place where the fall begins may be [rad].
+constexpr double k_edge_margin = 5 * std::numbers::pi / 180, k_sample_margin = 10 * std::numbers::pi / 180;
 
 // A part of a particle that flies is at least this fraction of it: less stays on the ground.
 constexpr double k_least_part = 0.05;
@@ -208,29 +208,49 @@ double quick_atan(double ratio) noexcept {
     return ratio <= 1 ? ratio / (1 + k_fit * ratio * ratio) : std::numbers::pi / 2 - ratio / (ratio * ratio + k_fit);
 }
 
+// Steps to the next node, by direction.
+constexpr unsigned k_directions = 8;
+struct Direction {
+    int a, b;
+};
+constexpr Direction k_steps[k_directions] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+
 }  // namespace
 
-double edge_at(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept {
+std::uint8_t edges_at(const NodeGrid& nodes, std::int64_t column, std::int64_t row, double least) noexcept {
     const std::int64_t stride = nodes.stride();
     const auto exists = [&](std::int64_t i, std::int64_t j) {
         return i >= 0 && j >= 0 && i < stride && j < nodes.padded_rows();
     };
     const double* const z = nodes.bed.data() + row * stride + column;
-    double greatest = 0;
-    for (std::int64_t b = -1; b <= 1; ++b) {
-        for (std::int64_t a = -1; a <= 1; ++a) {
-            if ((a == 0 && b == 0) || !exists(column - a, row - b)) continue;
-            const std::int64_t step = b * stride + a;
-            const double length = nodes.cell_size() * std::hypot(a, b), rise = z[0] - z[-step];
-            double sum = 0;
-            for (std::int64_t k = 1; k <= k_edge_sight && exists(column + k * a, row + k * b); ++k) {
-                const double falls = (z[0] - z[k * step]) / static_cast<double>(k) + rise;
-                sum += quick_atan(std::max(0.0, falls) / length);
-                if (k > 1) greatest = std::max(greatest, sum / static_cast<double>(k));
-            }
+    constexpr std::int64_t k_least_sight = static_cast<std::int64_t>(k_edge_cells);
+    std::uint8_t edges = 0;
+    for (unsigned d = 0; d < k_directions; ++d) {
+        const auto [a, b] = k_steps[d];
+        if (!exists(column - a, row - b)) continue;
+        const std::int64_t step = b * stride + a;
+        const double length = nodes.cell_size() * std::hypot(a, b), rise = z[0] - z[-step];
+        double sum = 0;
+        for (std::int64_t k = 1; k <= k_edge_sight && exists(column + k * a, row + k * b); ++k) {
+            const double falls = (z[0] - z[k * step]) / static_cast<double>(k) + rise;
+            sum += quick_atan(std::max(0.0, falls) / length);
+            if (k < k_least_sight || sum < least * static_cast<double>(k)) continue;
+            edges = static_cast<std::uint8_t>(edges | 1U << d);
+            break;
         }
     }
-    return greatest;
+    return edges;
+}
+
+std::uint8_t directions_near(Point along) noexcept {
+    const double x = std::abs(along.x), y = std::abs(along.y);
+    constexpr double k_tangent = 0.41421356237309503;  // of half the angle between two directions
+    const int a = x < k_tangent * y ? 0 : along.x > 0 ? 1 : -1, b = y < k_tangent * x ? 0 : along.y > 0 ? 1 : -1;
+    unsigned nearest = 0;
+    while (k_steps[nearest].a != a || k_steps[nearest].b != b) ++nearest;
+    unsigned near = 0;
+    for (const unsigned turn : {k_directions - 1, 0U, 1U}) near |= 1U << (nearest + turn) % k_directions;
+    return static_cast<std::uint8_t>(near);
 }
 
 double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept {
@@ -256,7 +276,7 @@ double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64
 }
 
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
-                              double reach) {
+                              double reach, double flown) {
     if (along.x == 0 && along.y == 0) return std::nullopt;
     const double search_distance = k_way_sampling * nodes.cell_size();
     double time = 0, before = 0;
@@ -275,7 +295,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
                 jump.drag = rules.drag / std::max(rules.least_depth, normal);
                 return falls_away(nodes, rules, jump.from, jump.velocity, jump.climb, normal);
             };
-            if (angle_from(last) < rules.angle - k_half_ramp - k_edge_margin) return jump;
+            if (angle_from(last) < rules.angle - k_half_ramp - k_sample_margin) return jump;
             // The place where the fall begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
@@ -286,9 +306,8 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
             jump.glide = before + thrown;
             jump.fraction =
                 smooth_step(rules.angle - k_half_ramp, rules.angle + k_half_ramp, angle_from(at(last, way, thrown)));
-            if (!(jump.fraction >= k_least_part)) jump.fraction = 0;
             if (jump.fraction > 1 - k_least_part) jump.fraction = 1;
-            if (jump.fraction > 0) fall(nodes, rules, jump);
+            if (jump.fraction - flown >= k_least_part * (1 - flown)) fall(nodes, rules, jump);
             return jump;
         }
         const double speed = std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y);
@@ -396,23 +415,24 @@ bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid&
     if (known != k_unknown && !nodes.bed_changes) return known == k_edge;
     const NodeRange range(tile, tiles, nodes);
     constexpr std::int64_t k_side = k_tile + 2 * k_reach;
-    std::array<bool, k_side * k_side> edges{};
+    std::array<std::uint8_t, k_side * k_side> edges{};
     const std::int64_t west = range.i0 - k_reach, south = range.j0 - k_reach;
     nodes.cover({west - k_edge_sight, range.i1 + k_reach + k_edge_sight, south - k_edge_sight,
                  range.j1 + k_reach + k_edge_sight});
+    constexpr std::uint8_t k_everywhere = 0xff;
     for (std::int64_t j = std::max<std::int64_t>(south, 0); j < std::min(range.j1 + k_reach, nodes.padded_rows()); ++j)
         for (std::int64_t i = std::max<std::int64_t>(west, 0); i < std::min(range.i1 + k_reach, nodes.stride()); ++i)
             edges[static_cast<std::size_t>((j - south) * k_side + i - west)] =
-                nodes.bed_changes || edge_at(nodes, i, j) + k_edge_margin > angle - k_half_ramp;
+                nodes.bed_changes ? k_everywhere : edges_at(nodes, i, j, angle - k_half_ramp - k_edge_margin);
     known = k_none;
     range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
-        bool near = false;
+        std::uint8_t near = 0;
         for (std::int64_t b = j - south - k_reach; b <= j - south + k_reach; ++b)
             for (std::int64_t a = i - west - k_reach; a <= i - west + k_reach; ++a)
-                near = near || edges[static_cast<std::size_t>(b * k_side + a)];
+                near |= edges[static_cast<std::size_t>(b * k_side + a)];
         // Rounded up by more than a float's rounding.
-        convexity_[n] = near ? static_cast<float>(greatest_convexity(nodes, i, j) * (1 + 1e-6)) : 0;
-        if (convexity_[n] > 0) known = k_edge;
+        near_[n] = {near != 0 ? static_cast<float>(greatest_convexity(nodes, i, j) * (1 + 1e-6)) : 0, near};
+        if (near_[n].convexity > 0) known = k_edge;
     });
     return known == k_edge;
 }
@@ -438,11 +458,13 @@ void Flights::take_off(ParticleSet& particles, const TileOrder& order, const Nod
         const ParticleTile& tile = tiles[steep[t]];
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
             std::optional<Jump> jump;
-            if ((u[p] * u[p] + v[p] * v[p]) * convexity_[grid.node_of(x[p], y[p])] > rules.gravity)
-                jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, volume[p] / area[p], reach);
+            const Near& near = near_[grid.node_of(x[p], y[p])];
+            if ((u[p] * u[p] + v[p] * v[p]) * near.convexity > rules.gravity &&
+                (near.edges & directions_near({u[p], v[p]})) != 0)
+                jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, volume[p] / area[p], reach, flown[p]);
             if (!jump) {
                 flown[p] = 0;
-            } else if (jump->fraction - flown[p] > k_least_part * (1 - flown[p])) {
+            } else if (jump->duration > 0) {
                 found[t].emplace_back(p, std::move(*jump));
             }
         }

@@ -38,13 +38,13 @@ struct AirSpeed {
 
 /// A free fall between two places on the bed.
 struct Jump {
-    double fraction = 0;  ///< of the flow that leaves the bed; 0: the rest is not computed
+    double fraction = 0;  ///< of the flow that leaves the bed at this edge
     Point from;           ///< local metres
     double glide = 0;     ///< time along the bed until it begins [s]
     Point velocity;       ///< in map view [m/s]
     double climb = 0;     ///< vertical velocity at the beginning [m/s]
     double drag = 0;      ///< of the air: deceleration over squared speed [1/m]
-    double duration = 0;  ///< from the beginning to landing [s]
+    double duration = 0;  ///< from the beginning to landing [s]; 0: hardly more leaves the bed than has flown
     Point to;             ///< local metres, inside of the terrain
     Point landed;         ///< velocity along the bed (BedFrame) after landing [m/s]
     double height = 0;    ///< greatest height above the ground [m]
@@ -85,13 +85,17 @@ struct JumpRules {
 /// (share/doc/model.md, "Flight"). It falls under gravity and the drag of the air. On landing the velocity component
 /// normal to the bed is lost, and by friction a part of that along it.
 /// @param along velocity along the bed (BedFrame) [m/s]  @param thickness vertical depth of the flow [m]
+/// @param flown Field::flown
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
-                              double reach);
+                              double reach, double flown = 0);
 
-/// Returns about the greatest mean angle by which the ground falls away below the bed's tangent at a node, over any
-/// number of cells up to k_edge_sight in the eight directions of the grid [rad]: 0 or more.
+/// Returns the directions of the grid, a bit for each of eight, in which the ground falls away below the bed's tangent
+/// at a node by about `least` [rad] or more in the mean over k_edge_cells or any number of cells up to k_edge_sight.
 /// @param column, row padded
-double edge_at(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept;
+std::uint8_t edges_at(const NodeGrid& nodes, std::int64_t column, std::int64_t row, double least) noexcept;
+
+/// Returns the direction of edges_at nearest to that of a motion, and its two neighbours.
+std::uint8_t directions_near(Point along) noexcept;
 
 /// Returns a bound of -e . grad grad Z . e for all directions e and all places that a particle in a node's cell can
 /// reach in a step [1/m]: where it is less than g over the squared speed there is no jump, which spares most particles
@@ -120,7 +124,7 @@ class Flights {
   public:
     Flights() = default;
     /// @param nodes padded
-    explicit Flights(std::size_t nodes) : heights_(nodes), low_(nodes), convexity_(nodes) {}
+    explicit Flights(std::size_t nodes) : heights_(nodes), low_(nodes), near_(nodes) {}
 
     [[nodiscard]] bool empty() const noexcept { return flights_.empty(); }
     [[nodiscard]] std::size_t size() const noexcept { return flights_.size(); }
@@ -157,7 +161,7 @@ class Flights {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [flights, heights, low, next_landing, statistics, edges, convexity] = *this;
+        [[maybe_unused]] auto& [flights, heights, low, next_landing, statistics, edges, near] = *this;
         archive(flights, heights, low, next_landing, statistics);  // edges are those of the bed
     }
 
@@ -187,7 +191,11 @@ class Flights {
     double next_landing_ = std::numeric_limits<double>::infinity();
     JumpStatistics statistics_;
     std::vector<std::uint8_t> edges_;  // by tile: whether any of its nodes is near an edge
-    ZeroArray<float> convexity_;       // padded: greatest_convexity near an edge, otherwise 0; of the tiles known
+    struct Near {
+        float convexity;     // greatest_convexity near an edge, otherwise 0
+        std::uint8_t edges;  // edges_at of the nodes within reach
+    };
+    ZeroArray<Near> near_;  // padded; of the tiles known
 };
 
 }  // namespace frana

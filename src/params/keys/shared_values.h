@@ -124,7 +124,7 @@ struct Numerics {
     SlopeCorrection slope_correction = SlopeCorrection::automatic;
     std::optional<bool> curvature;   ///< motion along a curved bed (Curved)
     std::optional<bool> flight;      ///< particles thrown off the bed fly
-    double flight_angle = 45;        ///< JumpRules::angle [degrees]
+    double flight_angle = 55;        ///< JumpRules::angle [degrees]
     double flight_drag = 1;          ///< coefficient of the air's drag on what flies [-]
     double flight_clearance = 10;    ///< JumpRules::clearance [m]
     std::optional<double> accuracy;  ///< as a fraction
