@@ -6,6 +6,7 @@
 
 #include "models/voellmy_bingham/step_stages.h"
 #include "mpm/boundary.h"
+#include "mpm/crowding.h"
 #include "mpm/shifting.h"
 
 namespace frana::voellmy_bingham {
@@ -162,6 +163,9 @@ void leave_and_land(Step& now) {
     state.volume_left += landed.left;
     if (keep.empty() && landed.count == 0) return;
     if (!keep.empty()) keep.resize(state.particles.size(), 1);
+    for (const std::size_t p :
+         make_room(state.nodes, state.order, state.particles.size() - landed.count, state.particles))
+        bound_by(state, p, now.laws);
     for (std::size_t p = state.particles.size() - landed.count; p < state.particles.size(); ++p) {
         bound_by(state, p, now.laws);
         state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
