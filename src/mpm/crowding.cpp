@@ -2,123 +2,125 @@
 #include "mpm/crowding.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <limits>
 
+#include "mpm/particle_update.h"
 #include "mpm/shape.h"
 
 namespace frana {
 namespace {
 
-// What newcomers claim of the cells around them, and their volume, by node.
-class Newcomers {
+// What lies on the cells of the nodes that newcomers touch.
+class Columns {
   public:
-    struct Sum {
-        double fraction = 0;  // of the cell
+    struct Column {
+        double fraction = 0;  // claimed of the cell
         double volume = 0;    // [m3]
+        double weight = 0;    // of such nodes in a stencil
     };
 
-    Newcomers(const NodeScale& grid, const ParticleSet& particles, std::size_t first) : grid_(grid) {
-        const double inverse_area = grid.inverse_dx * grid.inverse_dx;
-        std::vector<std::pair<std::size_t, Sum>> each;
+    Columns(const NodeScale& grid, const ParticleSet& particles, std::size_t first)
+        : grid_(grid), particles_(particles) {
+        constexpr double k_reach = 1.5;  // of a stencil [cells]
         for (std::size_t p = first; p < particles.size(); ++p) {
-            const double fraction = particles[Field::area][p] * inverse_area, volume = particles[Field::volume][p];
-            for_nodes(stencil_of(particles, p), [&](std::size_t node, double weight) {
-                each.push_back({node, {weight * fraction, weight * volume}});
-            });
+            const double x = particles[Field::x][p], y = particles[Field::y][p], reach = 2 * k_reach * grid.dx;
+            near_.west = std::min(near_.west, x - reach);
+            near_.east = std::max(near_.east, x + reach);
+            near_.south = std::min(near_.south, y - reach);
+            near_.north = std::max(near_.north, y + reach);
+            const auto s = stencil_of(p);
+            for (int b = 0; b < 3; ++b)
+                for (int a = 0; a < 3; ++a) nodes_.push_back(s.first + static_cast<std::size_t>(b * grid.stride + a));
         }
-        std::stable_sort(each.begin(), each.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        for (const auto& [node, one] : each) {
-            if (nodes_.empty() || nodes_.back() != node) {
-                nodes_.push_back(node);
-                sums_.emplace_back();
-            }
-            sums_.back().fraction += one.fraction;
-            sums_.back().volume += one.volume;
-        }
+        std::sort(nodes_.begin(), nodes_.end());
+        nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+        columns_.resize(nodes_.size());
     }
 
-    [[nodiscard]] Stencil<QuadraticSplineShape> stencil_of(const ParticleSet& particles, std::size_t p) const {
-        return {particles[Field::x][p], particles[Field::y][p], grid_};
+    // Whether a particle may touch one of the nodes.
+    [[nodiscard]] bool is_near(std::size_t p) const noexcept {
+        return near_.contains(particles_[Field::x][p], particles_[Field::y][p]);
     }
-    // At a place; 0 where none of them is near.
-    [[nodiscard]] Sum at(const Stencil<QuadraticSplineShape>& s) const {
-        Sum sum;
-        for (int b = 0; b < 3; ++b) {  // the three nodes of a row follow each other
-            const std::size_t row = s.first + static_cast<std::size_t>(b * grid_.stride);
-            for (auto i =
-                     static_cast<std::size_t>(std::lower_bound(nodes_.begin(), nodes_.end(), row) - nodes_.begin());
-                 i < nodes_.size() && nodes_[i] < row + 3; ++i) {
-                const double weight = s.wx[nodes_[i] - row] * s.wy[b];
-                sum.fraction += weight * sums_[i].fraction;
-                sum.volume += weight * sums_[i].volume;
-            }
-        }
-        return sum;
-    }
-    // What lies there without them.
-    [[nodiscard]] Sum before(const Stencil<QuadraticSplineShape>& s, const NodeMotion* nodes) const {
-        Sum sum;
-        for_nodes(s, [&](std::size_t node, double weight) {
-            sum.fraction += weight * nodes[node].fraction;
-            sum.volume += weight * nodes[node].mass;
+    void clear() { std::fill(columns_.begin(), columns_.end(), Column{}); }
+    // Returns whether the particle touches one of the nodes.
+    bool add(std::size_t p) {
+        const double fraction = particles_[Field::area][p] * grid_.inverse_dx * grid_.inverse_dx,
+                     volume = particles_[Field::volume][p];
+        bool any = false;
+        visit(p, [&](std::size_t i, double weight) {
+            columns_[i].fraction += weight * fraction;
+            columns_[i].volume += weight * volume;
+            any = true;
         });
-        return sum;
+        return any;
+    }
+    // The mean at a particle; of the fraction what exceeds a full cell, plus 1.
+    [[nodiscard]] Column at(std::size_t p) const {
+        Column mean{1, 0, 0};
+        visit(p, [&](std::size_t i, double weight) {
+            mean.fraction += weight * std::max(0.0, columns_[i].fraction - 1);
+            mean.volume += weight * columns_[i].volume;
+            mean.weight += weight;
+        });
+        mean.volume /= mean.weight;
+        return mean;
     }
 
   private:
+    [[nodiscard]] Stencil<QuadraticSplineShape> stencil_of(std::size_t p) const {
+        return {particles_[Field::x][p], particles_[Field::y][p], grid_};
+    }
     template <class Visit>
-    void for_nodes(const Stencil<QuadraticSplineShape>& s, const Visit& visit) const {
-        for (int b = 0; b < 3; ++b)
-            for (int a = 0; a < 3; ++a)
-                visit(s.first + static_cast<std::size_t>(b * grid_.stride + a), s.wx[a] * s.wy[b]);
+    void visit(std::size_t p, const Visit& each) const {
+        const auto s = stencil_of(p);
+        for (int b = 0; b < 3; ++b) {  // the three nodes of a row follow each other
+            const std::size_t row = s.first + static_cast<std::size_t>(b * grid_.stride);
+            for (auto n = std::lower_bound(nodes_.begin(), nodes_.end(), row); n != nodes_.end() && *n < row + 3; ++n)
+                each(static_cast<std::size_t>(n - nodes_.begin()), s.wx[*n - row] * s.wy[b]);
+        }
     }
 
+    static constexpr double k_far = std::numeric_limits<double>::infinity();
     const NodeScale& grid_;
+    const ParticleSet& particles_;
+    Bounds near_{k_far, k_far, -k_far, -k_far};
     std::vector<std::size_t> nodes_;  // ascending
-    std::vector<Sum> sums_;
+    std::vector<Column> columns_;
 };
 
 }  // namespace
 
 std::vector<std::size_t> make_room(const NodeGrid& nodes, const TileOrder& order, std::size_t first,
                                    ParticleSet& particles) {
-    const NodeScale grid = nodes.scale();
-    const NodeMotion* const motion = nodes.motion();
-    const double *const x = particles[Field::x], *const y = particles[Field::y], *const volume = particles[Field::volume];
-    double* const area = particles[Field::area];
-    {
-        const Newcomers wide(grid, particles, first);
-        for (std::size_t p = first; p < particles.size(); ++p) {
-            const auto s = wide.stencil_of(particles, p);
-            const Newcomers::Sum added = wide.at(s), before = wide.before(s, motion);
-            if (before.fraction + added.fraction > 1)
-                area[p] = std::min(area[p], volume[p] * grid.dx * grid.dx / (before.volume + added.volume));
-        }
-    }
-    const Newcomers newcomers(grid, particles, first);
     std::vector<std::size_t> changed;
-    const auto fit = [&](std::size_t p) {
-        const auto s = newcomers.stencil_of(particles, p);
-        const Newcomers::Sum added = newcomers.at(s);
-        if (!(added.fraction > 0)) return;
-        const double all = added.fraction + newcomers.before(s, motion).fraction;
-        if (!(all > 1)) return;
-        area[p] /= all;
-        changed.push_back(p);
-    };
-    // Between particles whose stencils share a node are at most three cells along either axis.
-    const double reach = 3 * grid.dx;
-    std::vector<std::int64_t> near;
-    for (std::size_t p = first; p < particles.size(); ++p)
-        for (int b = -1; b <= 1; ++b)
-            for (int a = -1; a <= 1; ++a) near.push_back(order.tile_of(x[p] + a * reach, y[p] + b * reach));
-    std::sort(near.begin(), near.end());
-    for (const ParticleTile& tile : order.tiles()) {
-        if (!std::binary_search(near.begin(), near.end(), tile.tile)) continue;
-        for (std::size_t p = tile.begin; p < tile.end; ++p) fit(p);
+    if (first == particles.size()) return changed;
+    const NodeScale grid = nodes.scale();
+    Columns columns(grid, particles, first);
+    std::vector<std::size_t> near;  // the newcomers at the end
+    for (const ParticleTile& tile : order.tiles())
+        for (std::size_t p = tile.begin; p < tile.end; ++p)
+            if (columns.is_near(p) && columns.add(p)) near.push_back(p);
+    for (std::size_t p = first; p < particles.size(); ++p) {
+        columns.add(p);
+        near.push_back(p);
     }
-    for (std::size_t p = first; p < particles.size(); ++p) fit(p);
+    double* const area = particles[Field::area];
+    const auto least = [&](std::size_t p, const Columns::Column& column) {
+        return particles[Field::volume][p] * grid.dx * grid.dx / column.volume;
+    };
+    for (std::size_t p = first; p < particles.size(); ++p) {
+        const Columns::Column column = columns.at(p);
+        if (column.fraction > 1) area[p] = std::min(area[p], least(p, column));
+    }
+    columns.clear();
+    for (const std::size_t p : near) columns.add(p);
+    for (const std::size_t p : near) {
+        const Columns::Column column = columns.at(p);
+        const double bound = least(p, column) / k_tower;
+        if (!(column.fraction > 1 && area[p] > bound)) continue;
+        area[p] = std::max(area[p] / column.fraction, bound);
+        changed.push_back(p);
+    }
     return changed;
 }
 

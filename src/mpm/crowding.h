@@ -10,12 +10,12 @@
 
 namespace frana {
 
-/// Makes room for particles that were appended from `first` on, where there was material already: it becomes deeper.
-/// The areas of both shrink until together they claim no more of the cells around than there is, or than was claimed
-/// before. Without that they would overlap, each with its own depth, and press with that instead of with the depth on
-/// the ground. Reads NodeMotion::fraction of the last step; volumes are unchanged.
+/// Makes room for particles that were appended from `first` on, where there was material already: together they are
+/// deeper. Newcomers that claim too much get the depth of all that lies there, then the areas of all shrink until they
+/// claim no cell more than once. Otherwise they would overlap and press each with its own depth, not with that on the
+/// ground. Volumes are unchanged.
 /// @param order of the particles before `first`
-/// @return the particles whose area changed, ascending
+/// @return the particles whose area changed
 std::vector<std::size_t> make_room(const NodeGrid& nodes, const TileOrder& order, std::size_t first,
                                    ParticleSet& particles);
 

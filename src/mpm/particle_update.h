@@ -27,6 +27,12 @@ inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxa
 /// gain proportional to the motion alone would set still water with irregular particles in motion.
 inline constexpr double k_shock_gain = 3, k_shock_threshold = 30;
 
+/// Fraction of a cell from which particles are piled up, each shallower than the pile by more than
+/// k_crowded_fraction: these shrink at the pace of waves even where nothing moves. Otherwise what crowds and stops
+/// would press for ever with its own depth instead of that on the ground. From the fraction on where they are not
+/// shifted.
+inline constexpr double k_piled_fraction = k_shift_none;
+
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
 inline constexpr double k_least_growth = 0.1;
 
@@ -128,17 +134,19 @@ template <class Number>
 /// of each cell that particles claim, and only shrinks at a free front. A shock leaves particles that overlap: where
 /// its state is held on the grid, the relaxation is as fast as the compression (k_shock_gain). A particle too thin to
 /// be split claims at most a few cells: beyond that its support would be meaningless.
-/// @param grown area after deformation by the flow  @param area before the step  @param courant |v| dt/dx
+/// @param grown area after deformation by the flow  @param area before the step
+/// @param fraction that is claimed; of a particle that is piled up, the depth on the ground over its own
+/// @param pace |v|, and of a particle that is piled up, besides, the celerity of the pile [m/s]  @param courant dt/dx
 /// @param squeezed shock_compression times dt, and the share of the state held on the grid
 template <class Number>
 [[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number fraction, Number support,
-                                                  Number speed, double courant, double cell_area, Number squeezed) {
+                                                  Number pace, double courant, double cell_area, Number squeezed) {
     using std::max;
     using std::min;
     const Number gain = select(fraction > k_crowded_fraction, Number(k_crowded_gain), Number(k_relaxation_gain));
     const Number limit(k_relaxation_limit), largest(k_largest_claim * cell_area);
     const Number shocked = min(Number(1.0), k_shock_threshold * squeezed) * k_shock_gain * squeezed;
-    const Number beta = min(limit, gain * speed * courant + shocked);
+    const Number beta = min(limit, gain * pace * courant + shocked);
     const Number relaxed = grown * (1 + beta * (1 / fraction - 1));
     return min(select((fraction > 1) | (support > 0.999), relaxed, grown), max(area, largest));
 }
@@ -177,7 +185,7 @@ struct ParticleReport {
     double kinetic = 0;        ///< sum of V v^2 / 2 [m5/s2]
     double volume = 0;         ///< inside [m3]
     double longest = 0;        ///< greatest trace of a shape that could be split [m2]
-    std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0;
+    std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0, piled = 0;
 
     void merge(const ParticleReport &r) noexcept {
         speeds.merge(r.speeds);
@@ -190,6 +198,7 @@ struct ParticleReport {
         non_finite += r.non_finite;
         no_data += r.no_data;
         clamped += r.clamped;
+        piled += r.piled;
     }
 };
 
@@ -285,7 +294,7 @@ struct ParticleSweep {
     Number wave_speed = 0.0, carried_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0,
            longest = 0.0;
     Number kinetic = 0.0, inside_volume = 0.0;
-    typename L::Count clamped{}, non_finite{}, outside{};
+    typename L::Count clamped{}, non_finite{}, outside{}, piled_up{};
     std::int64_t no_data = 0;
 
     /// Particles p to p + n - 1.
@@ -366,8 +375,17 @@ struct ParticleSweep {
             L::store(fit * yy, q_yy + p, n);
         }
         const Number speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
-        if constexpr (Relaxed)
-            new_area = relaxed_area(new_area, old_area, g.fraction, support, speed, courant, cell_area, squeezed);
+        if constexpr (Relaxed) {
+            Number pace = speed, fraction = g.fraction;
+            const Mask piled =
+                (fraction > k_piled_fraction) & (g.cell_depth * old_area > (k_crowded_fraction * cell_area) * mass);
+            if (L::any(piled)) {
+                pace = select(piled, speed + sqrt(k.gravity * g.cell_depth / cell_area), pace);
+                fraction = select(piled, g.cell_depth * old_area / (mass * cell_area), fraction);
+                L::add(piled_up, real & piled);
+            }
+            new_area = relaxed_area<Number>(new_area, old_area, fraction, support, pace, courant, cell_area, squeezed);
+        }
         const Number depth = mass / new_area;
         if constexpr (Stress::active) {
             const auto t = stress(StrainRate<Number>{g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth});
@@ -438,6 +456,7 @@ struct ParticleSweep {
         r.non_finite = L::total(non_finite);
         r.no_data = no_data;
         r.clamped = L::total(clamped);
+        r.piled = L::total(piled_up);
         return r;
     }
 };

@@ -202,6 +202,10 @@ void nodes_to_particles(Step& now) {
         state.particle_reports[static_cast<std::size_t>(tile.tile)] =
             now.stages.nodes_to_particles(tile, update, laws.stress, state.nodes, state.particles);
     });
+    for (const std::size_t i : state.active.moved()) {  // what is piled up spreads its areas without motion
+        const std::int64_t tile = tiles[i].tile;
+        if (state.particle_reports[static_cast<std::size_t>(tile)].piled > 0) state.active.reset(tile);
+    }
     for (const ParticleTile& tile : tiles)
         now.report.particles.merge(state.particle_reports[static_cast<std::size_t>(tile.tile)]);
     if (now.exchanges()) slow_down(state, now.pool);
