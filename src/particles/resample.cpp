@@ -98,7 +98,7 @@ struct TileChange {
 class TileResampler {
   public:
     TileResampler(const ResampleLimits& limits, const TileGrid& grid, const ParticleSet& particles,
-                  const ParticleTile& tile)
+                  const ParticleTile& tile, const std::uint8_t* tail)
         : limits_(limits), grid_(grid), particles_(particles), begin_(tile.begin), size_(tile.end - tile.begin) {
         const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
         const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
@@ -111,8 +111,13 @@ class TileResampler {
             volumes[cell] += volume[p];
             areas[cell] += area[p];
         }
+        wanted_.fill(&limits_.flow);
+        if (tail != nullptr) {
+            for (std::size_t p = 0; p < size_; ++p)
+                if (tail[padded_node(x[p], y[p])] != 0) wanted_[cells_[p]] = &limits_.tail;
+        }
         for (std::size_t cell = 0; cell < k_cells; ++cell)
-            is_film_[cell] = volumes[cell] < limits_.film_depth * areas[cell];
+            if (volumes[cell] < limits_.film_depth * areas[cell]) wanted_[cell] = &limits_.film;
     }
 
     TileChange operator()() {
@@ -138,13 +143,13 @@ class TileResampler {
         const auto j = static_cast<std::uint64_t>(grid_.node_y(y));
         return static_cast<std::size_t>((j % k_tile) * k_tile + i % k_tile);
     }
-    [[nodiscard]] const CellParticles& wanted(std::size_t cell) const {
-        return is_film_[cell] ? limits_.film : limits_.flow;
+    [[nodiscard]] const CellParticles& wanted(std::size_t cell) const { return *wanted_[cell]; }
+    [[nodiscard]] std::int64_t padded_node(double x, double y) const {
+        const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
+        return j * (grid_.columns + 2 * grid_.ghost) + i;
     }
     [[nodiscard]] bool in_wall(double x, double y) const {
-        if (limits_.marks == nullptr) return false;
-        const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
-        return limits_.marks[j * (grid_.columns + 2 * grid_.ghost) + i] == limits_.wall_mark;
+        return limits_.marks != nullptr && limits_.marks[padded_node(x, y)] == limits_.wall_mark;
     }
     // Indices continue from the particles of the tile to those added.
     [[nodiscard]] Outline outline(std::size_t i) const {
@@ -347,19 +352,19 @@ class TileResampler {
     // the position of tiles. Those landing in a cell count in the next pass.
     std::array<int, k_cells> counts_{};
     std::vector<std::uint8_t> cells_;  // of each particle
-    std::array<bool, k_cells> is_film_{};
+    std::array<const CellParticles*, k_cells> wanted_{};
     TileChange change_;
 };
 
 }  // namespace
 
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
-                        const std::vector<std::uint8_t>& left_alone, ThreadPool& pool) {
+                        const std::vector<std::uint8_t>& left_alone, const std::uint8_t* tail, ThreadPool& pool) {
     const auto& tiles = order.tiles();
     std::vector<TileChange> changes(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
         if (!left_alone.empty() && left_alone[t] != 0) return;
-        changes[t] = TileResampler(limits, order.grid(), particles, tiles[t])();
+        changes[t] = TileResampler(limits, order.grid(), particles, tiles[t], tail)();
     });
     ResampleCounts total;
     std::vector<std::size_t> sizes(tiles.size()), begins(tiles.size());

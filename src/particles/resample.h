@@ -27,6 +27,7 @@ struct ResampleLimits {
     double cell_size = 1;
     CellParticles flow{0.7, 0.9, 6, 10};
     CellParticles film{1, 1.2, 2, 3};     ///< in cells whose particles have a mean depth below film_depth
+    CellParticles tail{0.9, 1.1, 3, 4};   ///< in other cells that are marked as the tail of the flow
     double film_depth = 0;                ///< [m]
     double minimum_depth = 0.001;         ///< thinner particles are not split [m]
     Bounds edges;                         ///< of the terrain, local metres: no half is placed outside
@@ -41,7 +42,8 @@ struct ResampleCounts {
 /// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged pair
 /// loses only the kinetic energy of its relative motion. Needs c_* and q_*; particles must be sorted and remain sorted.
 /// @param left_alone one byte per tile: not 0 where nothing splits or merges; or empty
+/// @param tail one byte per padded node: not 0 for the cells of the flow's tail; or null
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
-                        const std::vector<std::uint8_t>& left_alone, ThreadPool& pool);
+                        const std::vector<std::uint8_t>& left_alone, const std::uint8_t* tail, ThreadPool& pool);
 
 }  // namespace frana

@@ -157,6 +157,8 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.resample.flow.most = std::max(4, (5 * seeded + 1) / 2);  // the four parts of a split particle do not merge
     laws.resample.film.split_below = seeded / 2;
     laws.resample.film.most = 3 * seeded / 4;
+    laws.resample.tail.split_below = 3 * seeded / 4;
+    laws.resample.tail.most = seeded;
     if (seeded >= k_least_seeded_of_film)
         laws.resample.film_depth = std::min(k_film * numerics.minimum_depth, k_thickest_film);
     return laws;

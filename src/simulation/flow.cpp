@@ -226,7 +226,7 @@ std::size_t Flow::bytes_per_node() const noexcept {
     const std::size_t laws = (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
                              (state_.erodible_beds.size() != 0 ? sizeof(ErodibleBed) : 0) +
                              laws_.friction.node_values.size() * sizeof(double);
-    return sizeof(double) + sizeof(NodeRecord) + level + solid + Maxima::k_bytes + laws;
+    return sizeof(double) + sizeof(NodeRecord) + level + solid + sizeof(std::uint8_t) + Maxima::k_bytes + laws;
 }
 
 double Flow::momentum() const {

@@ -45,12 +45,12 @@ ParticleRow particle(double x, double y, double length, double width, double ang
 
 constexpr FieldMask k_mask = k_basic_fields | k_affine_fields | k_shape_fields | FieldMask{Field::compression};
 
-ResampleCounts resample_with(ParticleSet& particles, ResampleLimits limits) {
+ResampleCounts resample_with(ParticleSet& particles, ResampleLimits limits, const std::uint8_t* tail = nullptr) {
     ThreadPool pool(2);
     TileOrder order({40, 40, 2, 1.0});
     order.sort(particles, {}, pool);
     limits.edges = {0, 0, 40, 40};
-    return resample(particles, order, limits, {}, pool);
+    return resample(particles, order, limits, {}, tail, pool);
 }
 
 ResampleCounts resample_once(ParticleSet& particles, int max_per_cell) {
@@ -84,6 +84,21 @@ TEST(Resample, AFilmHasFewerParticlesThanAFlow) {
         EXPECT_NEAR(after.area, before.area, 1e-15);
         EXPECT_NEAR(after.mx, before.mx, 1e-14);
     }
+}
+
+TEST(Resample, ATailHasFewerParticlesThanAFlow) {
+    // Nine in each of two cells, of which one is marked.
+    ParticleSet particles(k_mask);
+    for (const double x : {20.2, 24.2})
+        for (int i = 0; i < 9; ++i) particles.push_back(particle(x + 0.3 * (i % 3), 20.2 + 0.3 * (i / 3), 0.3, 0.3, 0));
+    constexpr std::size_t k_row = 40 + 2 * 2;
+    std::vector<std::uint8_t> tail(k_row * k_row);
+    tail[22 * k_row + 26] = 1;
+    const ResampleLimits limits;
+    resample_with(particles, limits, tail.data());
+    const double* const x = particles[Field::x];
+    EXPECT_EQ(std::count_if(x, x + particles.size(), [](double at) { return at > 23; }), limits.tail.most);
+    EXPECT_EQ(std::count_if(x, x + particles.size(), [](double at) { return at < 23; }), 9);
 }
 
 TEST(Resample, AFilmSplitsLater) {

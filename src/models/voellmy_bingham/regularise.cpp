@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "models/voellmy_bingham/step_stages.h"
+#include "models/voellmy_bingham/tail.h"
 #include "mpm/boundary.h"
 #include "mpm/crowding.h"
 #include "mpm/shifting.h"
@@ -38,6 +39,14 @@ std::vector<std::uint8_t> resting(const State& state) {
     std::vector<std::uint8_t> rests;
     for (const ParticleTile& tile : state.order.tiles()) rests.push_back(state.active.rests(tile) ? 1 : 0);
     return rests;
+}
+
+void mark_tails(State& state, const Maxima& maxima, ThreadPool& pool) {
+    const auto& tiles = state.order.node_tiles();
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        mark_tail(NodeRange(tiles[t], state.order.grid(), state.nodes), state.nodes, maxima.depth.data(),
+                  state.tail.data());
+    });
 }
 
 // Sorts by tile, drops particles outside the terrain (if there may be any) and those with `keep` 0 (if it is not
@@ -143,7 +152,10 @@ void regularise(Step& now) {
     sort_again(state, report.outside > 0, now.pool);
     now.watch.ends(Stage::sort);
     if (!now.stages.resamples) return;
-    now.report.resampled = resample(state.particles, state.order, now.laws.resample, resting(state), now.pool);
+    const bool film = now.laws.resample.film_depth > 0;
+    if (film) mark_tails(state, now.maxima, now.pool);
+    now.report.resampled = resample(state.particles, state.order, now.laws.resample, resting(state),
+                                    film ? state.tail.data() : nullptr, now.pool);
     if (now.report.resampled.split > 0) state.drift = k_split_reach;
     now.watch.ends(Stage::resample);
 }

@@ -28,7 +28,8 @@ struct State {
           order(std::move(tiles)),
           active(order.grid()),
           node_reports(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y())),
-          particle_reports(node_reports.size()) {}
+          particle_reports(node_reports.size()),
+          tail(nodes.size()) {}
 
     ParticleSet particles;
     NodeGrid nodes;
@@ -48,6 +49,7 @@ struct State {
     ZeroArray<ErodibleBed> erodible_beds;        ///< padded; empty if the bed does not change
     ExchangeReport exchanged;                    ///< with the bed, so far
     std::vector<double> kept, lost;              ///< by each particle, within a step
+    ZeroArray<std::uint8_t> tail;                ///< padded; mark_tail, within a step
     ZeroArray<Point> gathered;                   ///< padded; velocity in map view before the update; empty: not stored
 };
 
@@ -55,7 +57,7 @@ template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
                             since_sort, speeds, diffusivity, volume_left, flights, bed_states, erodible_beds, exchanged,
-                            kept, lost, gathered] = state;
+                            kept, lost, tail, gathered] = state;
     archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
             speeds, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step
