@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "particles/resample.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,66 +10,56 @@
 namespace frana {
 namespace {
 
-using Eigen::Matrix2d;
-using Eigen::Vector2d;
+// The squared extents of a particle, a symmetric matrix [m2].
+struct Shape {
+    double xx, xy, yy;
 
-// Returns the squared extents of a particle as a symmetric matrix.
-Matrix2d shape_of(double xx, double xy, double yy) {
-    return (Matrix2d() << xx, xy, xy, yy).finished();
-}
+    [[nodiscard]] double half_trace() const { return 0.5 * (xx + yy); }
+    // In closed form: it is needed for every particle.
+    [[nodiscard]] double largest_eigenvalue() const {
+        const double half = 0.5 * (xx - yy);
+        return half_trace() + std::sqrt(half * half + xy * xy);
+    }
+    // Whether both axes are equally long, except for rounding.
+    [[nodiscard]] bool is_round() const { return largest_eigenvalue() - half_trace() < 1e-9 * half_trace(); }
+    // Unit vector of the largest eigenvalue.
+    [[nodiscard]] Point long_axis() const {
+        const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+        return {std::cos(angle), std::sin(angle)};
+    }
+    // n^T Q n
+    [[nodiscard]] double squared_extent(Point n) const { return n.x * n.x * xx + 2 * n.x * n.y * xy + n.y * n.y * yy; }
+};
 
-Matrix2d shape_of(const ParticleRow& r) {
-    return shape_of(get(r, Field::q_xx), get(r, Field::q_xy), get(r, Field::q_yy));
-}
-
-void set_shape(ParticleRow& r, const Matrix2d& q) {
-    get(r, Field::q_xx) = q(0, 0);
-    get(r, Field::q_xy) = q(0, 1);
-    get(r, Field::q_yy) = q(1, 1);
-}
-
-// In closed form: it is needed for every particle.
-double largest_eigenvalue(const Matrix2d& q) {
-    const double half = 0.5 * (q(0, 0) - q(1, 1));
-    return 0.5 * q.trace() + std::sqrt(half * half + q(0, 1) * q(0, 1));
-}
-
-// Whether both axes are equally long, except for rounding.
-bool is_round(const Matrix2d& q) {
-    const double mean = 0.5 * q.trace();
-    return largest_eigenvalue(q) - mean < 1e-9 * mean;
-}
-
-// Unit vector of the largest eigenvalue.
-Vector2d long_axis(const Matrix2d& q) {
-    const double angle = 0.5 * std::atan2(2 * q(0, 1), q(0, 0) - q(1, 1));
-    return {std::cos(angle), std::sin(angle)};
-}
-
-// n^T Q n
-double squared_extent(const Matrix2d& q, const Vector2d& n) {
-    return n.x() * n.x() * q(0, 0) + 2 * n.x() * n.y() * q(0, 1) + n.y() * n.y() * q(1, 1);
+void set_shape(ParticleRow& r, const Shape& q) {
+    get(r, Field::q_xx) = q.xx;
+    get(r, Field::q_xy) = q.xy;
+    get(r, Field::q_yy) = q.yy;
 }
 
 // Properties of a particle that merging needs.
 struct Outline {
-    Vector2d place;
-    double volume;
-    Matrix2d shape;
+    double x, y, volume;
+    Shape shape;
 
     explicit Outline(const ParticleRow& r)
-        : place(get(r, Field::x), get(r, Field::y)), volume(get(r, Field::volume)), shape(shape_of(r)) {}
+        : x(get(r, Field::x)),
+          y(get(r, Field::y)),
+          volume(get(r, Field::volume)),
+          shape{get(r, Field::q_xx), get(r, Field::q_xy), get(r, Field::q_yy)} {}
     Outline(const ParticleSet& particles, std::size_t p)
-        : place(particles[Field::x][p], particles[Field::y][p]),
+        : x(particles[Field::x][p]),
+          y(particles[Field::y][p]),
           volume(particles[Field::volume][p]),
-          shape(shape_of(particles[Field::q_xx][p], particles[Field::q_xy][p], particles[Field::q_yy][p])) {}
+          shape{particles[Field::q_xx][p], particles[Field::q_xy][p], particles[Field::q_yy][p]} {}
 };
 
 // Returns the shape of two particles merged. The covariance of a uniform box of extents Q is Q / 12.
-Matrix2d merged_shape(const Outline& a, const Outline& b) {
+inline Shape merged_shape(const Outline& a, const Outline& b) {
     const double wa = a.volume / (a.volume + b.volume), wb = 1 - wa;
-    const Vector2d apart = a.place - b.place;
-    return wa * a.shape + wb * b.shape + (12 * wa * wb * apart) * apart.transpose();
+    const double x = a.x - b.x, y = a.y - b.y, gain = 12 * wa * wb;
+    return {wa * a.shape.xx + wb * b.shape.xx + gain * x * x, wa * a.shape.xy + wb * b.shape.xy + gain * x * y,
+            wa * a.shape.yy + wb * b.shape.yy + gain * y * y};
 }
 
 // Returns two particles merged.
@@ -167,21 +156,21 @@ class TileResampler {
             const std::size_t cell = cells_[p];
             if (counts_[cell] >= wanted(cell).split_below) continue;
             const double limit = wanted(cell).split_extent * limits_.cell_size;
-            if (!(largest_eigenvalue(shape_of(q_xx[p], q_xy[p], q_yy[p])) > limit * limit)) continue;
+            if (!(Shape{q_xx[p], q_xy[p], q_yy[p]}.largest_eigenvalue() > limit * limit)) continue;
             if (volume[p] > limits_.minimum_depth * area[p]) split_one(p);
         }
     }
 
     void split_one(std::size_t p) {
         const ParticleRow r = row(p);
-        const Matrix2d q = shape_of(r);
+        const Shape q = Outline(r).shape;
         std::vector<ParticleRow> parts;
-        if (is_round(q)) {
+        if (q.is_round()) {
             // As long as wide: split into four quarters, so that no axis is preferred.
-            for (const ParticleRow& half : halves(r, Vector2d::UnitX()))
-                for (const ParticleRow& quarter : halves(half, Vector2d::UnitY())) parts.push_back(quarter);
+            for (const ParticleRow& half : halves(r, {1, 0}))
+                for (const ParticleRow& quarter : halves(half, {0, 1})) parts.push_back(quarter);
         } else {
-            parts = halves(r, long_axis(q));
+            parts = halves(r, q.long_axis());
         }
         const auto fits = [&](const ParticleRow& part) {
             const double x = get(part, Field::x), y = get(part, Field::y);
@@ -195,27 +184,26 @@ class TileResampler {
     }
 
     // Returns the two halves of a particle along an axis (a unit vector).
-    [[nodiscard]] std::vector<ParticleRow> halves(ParticleRow r, const Vector2d& axis) const {
-        const Matrix2d q = shape_of(r);
-        const double length2 = squared_extent(q, axis);
+    [[nodiscard]] std::vector<ParticleRow> halves(ParticleRow r, Point axis) const {
+        const Shape q = Outline(r).shape;
+        const double length2 = q.squared_extent(axis);
         // Halves move at most half a cell, for which the drift budget of the sort has room.
         const double quarter = std::min(0.25 * std::sqrt(length2), k_split_reach * limits_.cell_size);
-        const Vector2d offset = quarter * axis;
-        const Matrix2d gradient = (Matrix2d() << get(r, Field::c_xx), get(r, Field::c_xy),  //
-                                   get(r, Field::c_yx), get(r, Field::c_yy))
-                                      .finished();
-        const Vector2d change = gradient * offset;
+        const Point offset{quarter * axis.x, quarter * axis.y};
+        const Point change{get(r, Field::c_xx) * offset.x + get(r, Field::c_xy) * offset.y,
+                           get(r, Field::c_yx) * offset.x + get(r, Field::c_yy) * offset.y};
         get(r, Field::volume) *= 0.5;
         get(r, Field::area) *= 0.5;
         // Half the extent along the axis, the same across it.
-        set_shape(r, q - (0.75 * length2 * axis) * axis.transpose());
+        const double lost = 0.75 * length2;
+        set_shape(r, {q.xx - lost * axis.x * axis.x, q.xy - lost * axis.x * axis.y, q.yy - lost * axis.y * axis.y});
         std::vector<ParticleRow> both;
         for (const double side : {-1.0, 1.0}) {
             ParticleRow half = r;
-            get(half, Field::x) += side * offset.x();
-            get(half, Field::y) += side * offset.y();
-            get(half, Field::u) += side * change.x();
-            get(half, Field::v) += side * change.y();
+            get(half, Field::x) += side * offset.x;
+            get(half, Field::y) += side * offset.y;
+            get(half, Field::u) += side * change.x;
+            get(half, Field::v) += side * change.y;
             both.push_back(half);
         }
         return both;
@@ -229,7 +217,7 @@ class TileResampler {
         constexpr std::size_t k_crowd = 8;  // times the allowed number
         while (cell.size() > k_crowd * most) {
             std::vector<std::pair<std::uint32_t, std::size_t>> along;
-            for (const std::size_t i : cell) along.emplace_back(place_on_curve(outline(i).place), i);
+            for (const std::size_t i : cell) along.emplace_back(place_on_curve(outline(i)), i);
             std::sort(along.begin(), along.end());
             const std::size_t before = cell.size();
             cell.clear();
@@ -240,7 +228,7 @@ class TileResampler {
                     break;
                 }
                 const std::size_t other = along[k + 1].second;
-                if (largest_eigenvalue(merged_shape(outline(one), outline(other))) >= limit * limit) {
+                if (merged_shape(outline(one), outline(other)).largest_eigenvalue() >= limit * limit) {
                     cell.push_back(one);
                     continue;
                 }
@@ -257,13 +245,13 @@ class TileResampler {
     }
 
     // Returns the position of a point on Morton's curve through its cell.
-    [[nodiscard]] std::uint32_t place_on_curve(const Vector2d& place) const {
+    [[nodiscard]] std::uint32_t place_on_curve(const Outline& particle) const {
         constexpr std::uint32_t k_bits = 10;
         const auto within = [&](double at) {
             const double cells = at / limits_.cell_size;
             return static_cast<std::uint32_t>((cells - std::floor(cells)) * ((1U << k_bits) - 1));
         };
-        const std::uint32_t column = within(place.x()), line = within(place.y());
+        const std::uint32_t column = within(particle.x), line = within(particle.y);
         std::uint32_t code = 0;
         for (std::uint32_t bit = 0; bit < k_bits; ++bit)
             code |= ((column >> bit & 1U) << (2 * bit)) | ((line >> bit & 1U) << (2 * bit + 1));
@@ -271,11 +259,18 @@ class TileResampler {
     }
 
     void merge() {
-        // Members of the cells that contain too many, in their order; none of them splits (ResampleLimits).
-        std::array<std::vector<std::size_t>, k_cells> cells;
+        // Members of the cells that contain too many, cell after cell in their order; none of them splits
+        // (ResampleLimits).
+        std::array<std::size_t, k_cells + 1> ends{};
+        for (std::size_t cell = 0; cell < k_cells; ++cell) {
+            const int count = counts_[cell];
+            ends[cell + 1] = ends[cell] + (count > wanted(cell).most ? static_cast<std::size_t>(count) : 0);
+        }
+        std::vector<std::size_t> members(ends.back());
+        std::array<std::size_t, k_cells + 1> next = ends;
         for (std::size_t p = 0; p < size_; ++p) {
             const std::size_t cell = cells_[p];
-            if (counts_[cell] > wanted(cell).most) cells[cell].push_back(p);
+            if (ends[cell] < ends[cell + 1]) members[next[cell]++] = p;
         }
 
         std::vector<std::uint8_t> dropped(change_.added.size(), 0);
@@ -288,8 +283,10 @@ class TileResampler {
         };
         std::vector<Outline> outlines;
         std::vector<double> least;
+        std::vector<std::size_t> cell;
         for (std::size_t at = 0; at < k_cells; ++at) {
-            std::vector<std::size_t>& cell = cells[at];
+            if (ends[at] == ends[at + 1]) continue;
+            cell.assign(members.data() + ends[at], members.data() + ends[at + 1]);
             const double limit = wanted(at).merge_extent * limits_.cell_size;
             const auto most = static_cast<std::size_t>(wanted(at).most);
             thin_out(cell, most, limit, dropped, drop);
@@ -301,7 +298,7 @@ class TileResampler {
             const std::size_t n = cell.size();
             least.assign(n * n, k_merged_away);
             const auto compare = [&](std::size_t a, std::size_t b) {
-                least[a * n + b] = 0.5 * merged_shape(outlines[a], outlines[b]).trace();
+                least[a * n + b] = merged_shape(outlines[a], outlines[b]).half_trace();
             };
             for (std::size_t a = 0; a < n; ++a)
                 for (std::size_t b = a + 1; b < n; ++b) compare(a, b);
@@ -312,7 +309,7 @@ class TileResampler {
                 for (std::size_t a = 0; a < n; ++a) {
                     for (std::size_t b = a + 1; b < n; ++b) {
                         if (least[a * n + b] >= best) continue;
-                        const double length2 = largest_eigenvalue(merged_shape(outlines[a], outlines[b]));
+                        const double length2 = merged_shape(outlines[a], outlines[b]).largest_eigenvalue();
                         if (length2 < best) {
                             best = length2;
                             best_a = a;

@@ -58,7 +58,9 @@ struct TileGrid {
         return (k_pair - origin % k_pair) % k_pair;
     }
     [[nodiscard]] std::int64_t cells(double position) const noexcept {
-        return static_cast<std::int64_t>(std::floor(position * (1 / cell_size)));
+        const double cell = position * (1 / cell_size);
+        const auto whole = static_cast<std::int64_t>(cell);  // floor() is a call of the library
+        return whole - (cell < static_cast<double>(whole) ? 1 : 0);
     }
 };
 

@@ -37,7 +37,8 @@ inline void mark_tail(const NodeRange& range, const NodeGrid& nodes, const doubl
             varies = std::max(varies, std::abs(depth(n + static_cast<std::size_t>(to)) - here));
         const double fall_x = bed[n + 1] - bed[n - 1],
                      fall_y = bed[n + static_cast<std::size_t>(stride)] - bed[n - static_cast<std::size_t>(stride)];
-        tail[n] = 0.5 * std::hypot(fall_x, fall_y) > k_tail_fall * varies ? 1 : 0;
+        const double fall2 = 0.25 * (fall_x * fall_x + fall_y * fall_y), bound = k_tail_fall * varies;
+        tail[n] = fall2 > bound * bound ? 1 : 0;
     });
 }
 
