@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "bench/set_up/lattice.h"
+#include "bench/set_up/setup.h"
 
 namespace frana::voellmy_bingham {
 namespace {
