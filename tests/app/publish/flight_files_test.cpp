@@ -18,28 +18,30 @@ class FlightFiles : public TinyScene {
         write_dtm([](int, int column) { return column < k_columns / 2 ? 140.0 : 100.0; });
         write_scene("[numerics]\ncurvature = on\n" + k_numbers_only);
     }
-    [[nodiscard]] Outcome run(const std::string& flight) const {
-        return frana({"run",
-                      "scene.ini",
-                      "--out",
-                      "result",
-                      "--overwrite",
-                      "--set",
-                      "numerics.flight=" + flight,
-                      "--set",
-                      "release.perimeter=near.geojson",
-                      "--set",
-                      "release.velocity=10",
-                      "--set",
-                      "release.direction=90",
-                      "--set",
-                      "material.friction-angle=0",
-                      "--set",
-                      "material.turbulence=1e9",
-                      "--set",
-                      "release.thickness=0.2",
-                      "--set",
-                      "time.end=8"});
+    [[nodiscard]] Outcome run(const std::string& flight, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"run",
+                                           "scene.ini",
+                                           "--out",
+                                           "result",
+                                           "--overwrite",
+                                           "--set",
+                                           "numerics.flight=" + flight,
+                                           "--set",
+                                           "release.perimeter=near.geojson",
+                                           "--set",
+                                           "release.velocity=10",
+                                           "--set",
+                                           "release.direction=90",
+                                           "--set",
+                                           "material.friction-angle=0",
+                                           "--set",
+                                           "material.turbulence=1e9",
+                                           "--set",
+                                           "release.thickness=0.2",
+                                           "--set",
+                                           "time.end=8"};
+        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
+        return frana(arguments);
     }
 };
 
@@ -105,6 +107,31 @@ TEST_F(FlightFiles, AgreeWithTheParabola) {
     EXPECT_NE(read_text(path("result/report.html")).find("flew over edges"), std::string::npos);
     for (const char* style : {"jump_height.qml", "jump_height.sld"})
         EXPECT_TRUE(std::filesystem::exists(path(std::string("result/") + style))) << style;
+}
+
+// A house stands in what flies low, and not below what flies high.
+TEST_F(FlightFiles, CountInClassesWhereTheyAreLow) {
+    write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
+    for (const bool low : {false, true}) {
+        SCOPED_TRACE(low);
+        const Outcome outcome = run("on", {"hazard.scheme=swiss-debris-flow", "hazard.minimum-depth=0.01",
+                                           std::string("numerics.flight-clearance=") + (low ? "100" : "0")});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Raster classes = gis::read_result_raster(path("result/hazard.tif"));
+        const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+        const Raster jumps = gis::read_result_raster(path("result/jump_height.tif"));
+        int flown_over = 0, with_class = 0;
+        for (std::size_t cell = 0; cell < depth.values.size(); ++cell) {
+            if (!std::isnan(depth.values[cell]) || !(jumps.values[cell] > 1)) continue;
+            ++flown_over;
+            with_class += classes.values[cell] > 0 ? 1 : 0;
+        }
+        EXPECT_GT(flown_over, 0);
+        if (low)
+            EXPECT_GT(with_class, flown_over / 2);  // the rest by films thinner than the minimum
+        else
+            EXPECT_EQ(with_class, 0);
+    }
 }
 
 TEST_F(FlightFiles, DoNotExistWithoutFlight) {
