@@ -197,10 +197,6 @@ void fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     jump.landed = landed_velocity(nodes, rules, jump.to, velocity, state.speed.up);
 }
 
-}  // namespace
-
-namespace {
-
 // atan of a ratio of 0 or more, to 0.005 (Rajan, Wang, Inkol, Joyal 2006, IEEE Signal Process. Mag. 23(3), 108): edges
 // are looked for at every node.
 double quick_atan(double ratio) noexcept {

@@ -156,6 +156,24 @@ TEST(Flight, APartThatGrowsWithTheAngleOfTheWallLeavesTheBed) {
     EXPECT_EQ(last, 1);
 }
 
+// Heights of cliffs that throw none, half and all of a film (share/doc/model.md, "Flight").
+TEST(Flight, AFilmLeavesACliffOfTwoToFiveCells) {
+    struct Heights {
+        double cell, none, half, all;
+    };
+    for (const auto& [cell, none, half, all] : {Heights{10, 20, 30, 50}, {5, 7, 12, 20}, {2.5, 3, 6, 10}}) {
+        const auto part = [cell = cell](double height) {
+            Flow flow = film_on({cell, [=](double x) { return x < 100 ? height : 0.0; }});
+            const auto jump =
+                find_jump(flow.nodes(), k_rules, {100 - 1.5 * cell, 3 * cell}, {20, 0}, 0.1, 2 * cell / 20);
+            return jump ? jump->fraction : 0;
+        };
+        EXPECT_LT(part(none), 0.05) << cell;
+        EXPECT_NEAR(part(half), 0.5, 0.15) << cell;  // heights are given to 1 or 2 digits
+        EXPECT_EQ(part(all), 1) << cell;
+    }
+}
+
 // A fall with the drag of the air, against the equation of motion in steps of 0.1 ms.
 TEST(Flight, TheAirSlowsDownWhatFlies) {
     JumpRules rules = k_rules;
