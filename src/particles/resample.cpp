@@ -86,27 +86,33 @@ struct TileChange {
 
 class TileResampler {
   public:
-    TileResampler(const ResampleLimits& limits, const TileGrid& grid, const ParticleSet& particles,
-                  const ParticleTile& tile, const std::uint8_t* tail)
-        : limits_(limits), grid_(grid), particles_(particles), begin_(tile.begin), size_(tile.end - tile.begin) {
-        const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
-        const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
+    TileResampler(const ResampleLimits& limits, const TileOrder& order, const ParticleSet& particles, std::size_t tile,
+                  const std::uint8_t* tail)
+        : limits_(limits),
+          grid_(order.grid()),
+          particles_(particles),
+          source_(order.source().data() + order.tiles()[tile].begin),
+          cells_(order.cells().data() + order.tiles()[tile].begin),
+          size_(order.tiles()[tile].end - order.tiles()[tile].begin) {
+        const double *volume = particles_[Field::volume], *area = particles_[Field::area];
         std::array<double, k_cells> volumes{}, areas{};
-        cells_.resize(size_);
         for (std::size_t p = 0; p < size_; ++p) {
-            const std::size_t cell = cell_of(x[p], y[p]);
-            cells_[p] = static_cast<std::uint8_t>(cell);
+            const std::size_t cell = cells_[p];
             ++counts_[cell];
-            volumes[cell] += volume[p];
-            areas[cell] += area[p];
+            volumes[cell] += volume[source_[p]];
+            areas[cell] += area[source_[p]];
         }
-        wanted_.fill(&limits_.flow);
-        if (tail != nullptr) {
-            for (std::size_t p = 0; p < size_; ++p)
-                if (tail[padded_node(x[p], y[p])] != 0) wanted_[cells_[p]] = &limits_.tail;
+        const std::int64_t tiles_x = grid_.tiles_x(), number = order.tiles()[tile].tile;
+        const std::int64_t west = number % tiles_x * k_tile - grid_.before_x(),
+                           south = number / tiles_x * k_tile - grid_.before_y();
+        for (std::size_t cell = 0; cell < k_cells; ++cell) {
+            const auto at = static_cast<std::int64_t>(cell);
+            const bool trails =
+                tail != nullptr && counts_[cell] > 0 && tail[padded(west + at % k_tile, south + at / k_tile)] != 0;
+            wanted_[cell] = volumes[cell] < limits_.film_depth * areas[cell] ? &limits_.film
+                            : trails                                         ? &limits_.tail
+                                                                             : &limits_.flow;
         }
-        for (std::size_t cell = 0; cell < k_cells; ++cell)
-            if (volumes[cell] < limits_.film_depth * areas[cell]) wanted_[cell] = &limits_.film;
     }
 
     TileChange operator()() {
@@ -126,38 +132,32 @@ class TileResampler {
     static_assert(k_cells <= 256);
     static constexpr double k_merged_away = std::numeric_limits<double>::infinity();
 
-    // Cell within the tile, for particles of the tile.
-    [[nodiscard]] std::size_t cell_of(double x, double y) const {
-        const auto i = static_cast<std::uint64_t>(grid_.node_x(x));
-        const auto j = static_cast<std::uint64_t>(grid_.node_y(y));
-        return static_cast<std::size_t>((j % k_tile) * k_tile + i % k_tile);
-    }
     [[nodiscard]] const CellParticles& wanted(std::size_t cell) const { return *wanted_[cell]; }
-    [[nodiscard]] std::int64_t padded_node(double x, double y) const {
-        const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
+    [[nodiscard]] std::int64_t padded(std::int64_t i, std::int64_t j) const {
         return j * (grid_.columns + 2 * grid_.ghost) + i;
     }
     [[nodiscard]] bool in_wall(double x, double y) const {
-        return limits_.marks != nullptr && limits_.marks[padded_node(x, y)] == limits_.wall_mark;
+        if (limits_.marks == nullptr) return false;
+        const NodeNumbers nodes(grid_);
+        return limits_.marks[padded(nodes.x(x) - grid_.before_x(), nodes.y(y) - grid_.before_y())] == limits_.wall_mark;
     }
     // Indices continue from the particles of the tile to those added.
     [[nodiscard]] Outline outline(std::size_t i) const {
-        return i < size_ ? Outline(particles_, begin_ + i) : Outline(change_.added[i - size_]);
+        return i < size_ ? Outline(particles_, source_[i]) : Outline(change_.added[i - size_]);
     }
     [[nodiscard]] ParticleRow row(std::size_t i) const {
-        return i < size_ ? particles_.row(begin_ + i) : change_.added[i - size_];
+        return i < size_ ? particles_.row(source_[i]) : change_.added[i - size_];
     }
 
     void split() {
-        const double *q_xx = particles_[Field::q_xx] + begin_, *q_xy = particles_[Field::q_xy] + begin_;
-        const double* q_yy = particles_[Field::q_yy] + begin_;
-        const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
-        for (std::size_t p = 0; p < size_; ++p) {
-            const std::size_t cell = cells_[p];
+        const double *q_xx = particles_[Field::q_xx], *q_xy = particles_[Field::q_xy], *q_yy = particles_[Field::q_yy];
+        const double *volume = particles_[Field::volume], *area = particles_[Field::area];
+        for (std::size_t i = 0; i < size_; ++i) {
+            const std::size_t cell = cells_[i], p = source_[i];
             if (counts_[cell] >= wanted(cell).split_below) continue;
             const double limit = wanted(cell).split_extent * limits_.cell_size;
             if (!(Shape{q_xx[p], q_xy[p], q_yy[p]}.largest_eigenvalue() > limit * limit)) continue;
-            if (volume[p] > limits_.minimum_depth * area[p]) split_one(p);
+            if (volume[p] > limits_.minimum_depth * area[p]) split_one(i);
         }
     }
 
@@ -344,11 +344,12 @@ class TileResampler {
     const ResampleLimits& limits_;
     const TileGrid& grid_;
     const ParticleSet& particles_;
-    const std::size_t begin_, size_;
+    const std::uint32_t* const source_;  // of each particle of the tile: its index, and its cell
+    const std::uint8_t* const cells_;
+    const std::size_t size_;
     // Of each cell before anything changes: halves may land in a neighbouring tile, and the result must not depend on
     // the position of tiles. Those landing in a cell count in the next pass.
     std::array<int, k_cells> counts_{};
-    std::vector<std::uint8_t> cells_;  // of each particle
     std::array<const CellParticles*, k_cells> wanted_{};
     TileChange change_;
 };
@@ -361,7 +362,7 @@ ResampleCounts resample(ParticleSet& particles, TileOrder& order, const Resample
     std::vector<TileChange> changes(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
         if (!left_alone.empty() && left_alone[t] != 0) return;
-        changes[t] = TileResampler(limits, order.grid(), particles, tiles[t], tail)();
+        changes[t] = TileResampler(limits, order, particles, t, tail)();
     });
     ResampleCounts total;
     std::vector<std::size_t> sizes(tiles.size()), begins(tiles.size());
@@ -373,18 +374,26 @@ ResampleCounts resample(ParticleSet& particles, TileOrder& order, const Resample
         begins[t] = n;
         n += sizes[t];
     }
-    if (total.split == 0 && total.merged == 0) return total;
+    if (total.split == 0 && total.merged == 0) {
+        order.apply(particles, pool);
+        return total;
+    }
 
+    const std::uint32_t* const source = order.source().data();
     particles.rebuild(
         n, tiles.size(),
         [&](Field field, const double* from, double* to, std::size_t t) {
             double* next = to + begins[t];
-            std::size_t p = tiles[t].begin;
+            const std::uint32_t* place = source + tiles[t].begin;
+            const std::uint32_t* const first = place;
+            const auto copy_until = [&](const std::uint32_t* end) {
+                for (; place != end; ++place) *next++ = from[*place];
+            };
             for (const std::size_t removed : changes[t].removed) {
-                next = std::copy(from + p, from + tiles[t].begin + removed, next);
-                p = tiles[t].begin + removed + 1;
+                copy_until(first + removed);
+                ++place;
             }
-            next = std::copy(from + p, from + tiles[t].end, next);
+            copy_until(source + tiles[t].end);
             for (const ParticleRow& row : changes[t].added) *next++ = get(row, field);
         },
         pool);

@@ -40,7 +40,8 @@ struct ResampleCounts {
 };
 
 /// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged pair
-/// loses only the kinetic energy of its relative motion. Needs c_* and q_*; particles must be sorted and remain sorted.
+/// loses only the kinetic energy of its relative motion. Needs c_* and q_*, and an order that is planned: moves all
+/// particles to their places at the same time.
 /// @param left_alone one byte per tile: not 0 where nothing splits or merges; or empty
 /// @param tail one byte per padded node: not 0 for the cells of the flow's tail; or null
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,

@@ -11,60 +11,89 @@ std::int64_t tile_at(std::int64_t node, std::int64_t count) {
     return std::clamp<std::int64_t>(node / k_tile, 0, count - 1);
 }
 
+// Particles that one task sorts, of n.
+std::size_t block_of(std::size_t n) {
+    constexpr std::size_t k_smallest = 16384, k_most_blocks = 64;
+    return std::max(k_smallest, (n + k_most_blocks - 1) / k_most_blocks);
+}
+
 }  // namespace
 
-void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
-    // Blocks are counted in parallel and placed one after another, tile by tile: a stable counting sort whose result
-    // depends neither on the blocks nor on the threads.
-    constexpr std::size_t k_smallest_block = 16384, k_most_blocks = 64;
-    const std::size_t n = particles.size();
-    const std::size_t block = std::max(k_smallest_block, (n + k_most_blocks - 1) / k_most_blocks);
-    const double* x = particles[Field::x];
-    const double* y = particles[Field::y];
+// Blocks are counted in parallel and placed one after another, tile by tile: a stable counting sort whose result
+// depends neither on the blocks nor on the threads.
+void TileOrder::plan(const ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
+    const std::size_t n = particles.size(), block = block_of(n);
     keys_.resize(n);
+    within_.resize(n);
     source_.resize(n);
+    cells_.resize(n);
     blocks_.resize((n + block - 1) / block);
     pool.for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
         std::vector<std::int32_t>& found = blocks_[begin / block].found;
         found.clear();
+        // Copies, which writing bytes cannot change.
+        const NodeNumbers nodes = nodes_;
+        const std::int64_t tiles_x = tiles_x_;
+        const double* const x = particles[Field::x];
+        const double* const y = particles[Field::y];
+        const std::uint8_t* const kept = keep.empty() ? nullptr : keep.data();
+        std::int32_t* const keys = keys_.data();
+        std::uint8_t* const within = within_.data();
+        std::int32_t last = -1;
         for (std::size_t p = begin; p < end; ++p) {
-            const std::int32_t key = keep.empty() || keep[p] ? static_cast<std::int32_t>(tile_of(x[p], y[p])) : -1;
-            keys_[p] = key;
-            if (key >= 0 && (found.empty() || found.back() != key)) found.push_back(key);
+            const std::int64_t i = nodes.x(x[p]), j = nodes.y(y[p]);
+            const bool drops = kept != nullptr && kept[p] == 0;
+            const std::int32_t key = drops ? -1 : static_cast<std::int32_t>(j / k_tile * tiles_x + i / k_tile);
+            keys[p] = key;
+            within[p] = static_cast<std::uint8_t>((j & (k_tile - 1)) * k_tile + (i & (k_tile - 1)));
+            if (key != last && key >= 0) found.push_back(key);
+            last = key;
         }
     });
     list_tiles();
     pool.for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t>& places = blocks_[begin / block].places;
         places.assign(tiles_.size(), 0);
+        const std::int32_t *const keys = keys_.data(), *const rank = rank_.data();
+        std::uint32_t* const count = places.data();
         for (std::size_t p = begin; p < end; ++p) {
-            if (keys_[p] >= 0) ++places[static_cast<std::size_t>(rank_[static_cast<std::size_t>(keys_[p])] - 1)];
+            if (keys[p] >= 0) ++count[rank[keys[p]] - 1];
         }
     });
     place_blocks();
     const std::size_t kept = tiles_.empty() ? 0 : tiles_.back().end;
     pool.for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
         Block& b = blocks_[begin / block];
-        b.in_order = true;
+        const std::int32_t *const keys = keys_.data(), *const rank = rank_.data();
+        std::uint32_t *const places = b.places.data(), *const source = source_.data();
+        std::uint8_t *const cells = cells_.data(), *const within = within_.data();
+        bool in_order = true;
         for (std::size_t p = begin; p < end; ++p) {
-            if (keys_[p] < 0) continue;
-            const std::uint32_t to =
-                b.places[static_cast<std::size_t>(rank_[static_cast<std::size_t>(keys_[p])] - 1)]++;
-            source_[to] = static_cast<std::uint32_t>(p);
-            b.in_order = b.in_order && to == p;
+            if (keys[p] < 0) continue;
+            const std::uint32_t to = places[rank[keys[p]] - 1]++;
+            source[to] = static_cast<std::uint32_t>(p);
+            cells[to] = within[p];
+            in_order = in_order && to == p;
         }
+        b.in_order = in_order;
     });
-    const bool in_order = std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.in_order; });
-    if (kept != n || !in_order) {
-        particles.rebuild(
-            kept, (kept + block - 1) / block,
-            [&](Field, const double* from, double* to, std::size_t part) {
-                const std::size_t end = std::min(kept, (part + 1) * block);
-                for (std::size_t i = part * block; i < end; ++i) to[i] = from[source_[i]];
-            },
-            pool);
-    }
-    index_tiles(particles, pool);
+    source_.resize(kept);
+    cells_.resize(kept);
+    in_place_ = kept == n && std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.in_order; });
+    index_tiles();
+}
+
+void TileOrder::apply(ParticleSet& particles, ThreadPool& pool) {
+    if (in_place_) return;
+    in_place_ = true;
+    const std::size_t n = source_.size(), block = block_of(n);
+    particles.rebuild(
+        n, (n + block - 1) / block,
+        [&](Field, const double* from, double* to, std::size_t part) {
+            const std::size_t end = std::min(n, (part + 1) * block);
+            for (std::size_t i = part * block; i < end; ++i) to[i] = from[source_[i]];
+        },
+        pool);
 }
 
 // Lists the tiles of all blocks, in ascending order, and their ranks.
@@ -105,22 +134,29 @@ void TileOrder::set_counts(const std::vector<std::size_t>& counts) {
         begin += counts[t];
         tiles_[t].end = begin;
     }
+    in_place_ = true;
 }
 
-void TileOrder::index_tiles(const ParticleSet& particles, ThreadPool& pool) {
-    const double* x = particles[Field::x];
-    const double* y = particles[Field::y];
+// The nodes that the particles of each tile can touch follow from the cells that they are in.
+void TileOrder::index_tiles() {
     // One cell more than the drift for the stencil, one for rounding.
-    const double reach = (k_drift_limit + 2) * grid_.cell_size;
-    pool.for_each(tiles_.size(), [&](std::size_t t) {
-        ParticleTile& tile = tiles_[t];
-        const auto [west, east] = std::minmax_element(x + tile.begin, x + tile.end);
-        const auto [south, north] = std::minmax_element(y + tile.begin, y + tile.end);
-        tile.x0 = tile_at(grid_.node_x(*west - reach), grid_.tiles_x());
-        tile.x1 = tile_at(grid_.node_x(*east + reach), grid_.tiles_x());
-        tile.y0 = tile_at(grid_.node_y(*south - reach), grid_.tiles_y());
-        tile.y1 = tile_at(grid_.node_y(*north + reach), grid_.tiles_y());
-    });
+    constexpr auto k_reach = static_cast<std::int64_t>(k_drift_limit) + 2;
+    static_assert(static_cast<double>(k_reach) >= k_drift_limit + 2);
+    for (ParticleTile& tile : tiles_) {
+        std::uint8_t west = k_tile - 1, east = 0, south = k_tile * k_tile - 1, north = 0;
+        for (std::size_t i = tile.begin; i < tile.end; ++i) {
+            const std::uint8_t cell = cells_[i], column = cell % k_tile;
+            west = std::min(west, column);
+            east = std::max(east, column);
+            south = std::min(south, cell);
+            north = std::max(north, cell);
+        }
+        const std::int64_t i = tile.tile % tiles_x_ * k_tile, j = tile.tile / tiles_x_ * k_tile;
+        tile.x0 = tile_at(i + west - k_reach, tiles_x_);
+        tile.x1 = tile_at(i + east + k_reach, tiles_x_);
+        tile.y0 = tile_at(j + south / k_tile - k_reach, grid_.tiles_y());
+        tile.y1 = tile_at(j + north / k_tile + k_reach, grid_.tiles_y());
+    }
     list_nodes();
 }
 
@@ -128,11 +164,11 @@ void TileOrder::list_nodes() {
     for (auto& colour : colours_) colour.clear();
     node_tiles_.clear();
     for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
-        const std::int64_t tx = tiles_[t].tile % grid_.tiles_x(), ty = tiles_[t].tile / grid_.tiles_x();
+        const std::int64_t tx = tiles_[t].tile % tiles_x_, ty = tiles_[t].tile / tiles_x_;
         colours_[static_cast<std::size_t>((ty & 1) * 2 + (tx & 1))].push_back(t);
         for (std::int64_t b = tiles_[t].y0; b <= tiles_[t].y1; ++b) {
             for (std::int64_t a = tiles_[t].x0; a <= tiles_[t].x1; ++a) {
-                node_tiles_.push_back(b * grid_.tiles_x() + a);
+                node_tiles_.push_back(b * tiles_x_ + a);
             }
         }
     }
@@ -147,10 +183,10 @@ bool TileOrder::contains(const ParticleTile& tile, double x, double y) const noe
         return place >= -dx * static_cast<double>(origin) && place <= dx * static_cast<double>(cells - origin);
     };  // false for non-finite values
     return on(x, grid_.columns, grid_.origin_x) && on(y, grid_.rows, grid_.origin_y) &&
-           tile_at(grid_.node_x(x - reach), grid_.tiles_x()) >= tile.x0 &&
-           tile_at(grid_.node_x(x + reach), grid_.tiles_x()) <= tile.x1 &&
-           tile_at(grid_.node_y(y - reach), grid_.tiles_y()) >= tile.y0 &&
-           tile_at(grid_.node_y(y + reach), grid_.tiles_y()) <= tile.y1;
+           tile_at(nodes_.x(x - reach), grid_.tiles_x()) >= tile.x0 &&
+           tile_at(nodes_.x(x + reach), grid_.tiles_x()) <= tile.x1 &&
+           tile_at(nodes_.y(y - reach), grid_.tiles_y()) >= tile.y0 &&
+           tile_at(nodes_.y(y + reach), grid_.tiles_y()) <= tile.y1;
 }
 
 bool TileOrder::restore(const ParticleSet& particles) {

@@ -48,20 +48,33 @@ struct TileGrid {
     [[nodiscard]] std::int64_t tiles_y() const noexcept {
         return (before_y() + rows + 2 * ghost + k_tile - 1) / k_tile;
     }
-    /// Index of the node of a local position, counted from the first node of the first tile.
-    [[nodiscard]] std::int64_t node_x(double x) const noexcept { return cells(x) + origin_x + ghost + before_x(); }
-    [[nodiscard]] std::int64_t node_y(double y) const noexcept { return cells(y) + origin_y + ghost + before_y(); }
 
   private:
     [[nodiscard]] static std::int64_t before(std::int64_t origin) noexcept {
         constexpr std::int64_t k_pair = 2 * k_tile;  // of different colours
         return (k_pair - origin % k_pair) % k_pair;
     }
+};
+
+/// Numbers the nodes of local positions, counted from the first node of the first tile.
+class NodeNumbers {
+  public:
+    explicit NodeNumbers(const TileGrid& grid) noexcept
+        : inverse_cell_(1 / grid.cell_size),
+          first_x_(grid.origin_x + grid.ghost + grid.before_x()),
+          first_y_(grid.origin_y + grid.ghost + grid.before_y()) {}
+    [[nodiscard]] std::int64_t x(double x) const noexcept { return cells(x) + first_x_; }
+    [[nodiscard]] std::int64_t y(double y) const noexcept { return cells(y) + first_y_; }
+
+  private:
     [[nodiscard]] std::int64_t cells(double position) const noexcept {
-        const double cell = position * (1 / cell_size);
+        const double cell = position * inverse_cell_;
         const auto whole = static_cast<std::int64_t>(cell);  // floor() is a call of the library
         return whole - (cell < static_cast<double>(whole) ? 1 : 0);
     }
+
+    double inverse_cell_;
+    std::int64_t first_x_, first_y_;
 };
 
 /// The order of particles by tile. It fixes the order of every sum over particles, for any number of threads: tiles of
@@ -72,8 +85,17 @@ class TileOrder {
 
     /// Sorts the particles by tile (stable) and drops those for which `keep` is 0. At most 2^32 particles.
     /// @param keep one byte per particle, or empty to keep all
-    void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
-    /// Rebuilds the tile runs for particles already sorted by tile, with these counts per run of tiles().
+    void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
+        plan(particles, keep, pool);
+        apply(particles, pool);
+    }
+    /// The same in two parts: tiles and places of the particles, then their moves. resample() moves them likewise.
+    void plan(const ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
+    void apply(ParticleSet& particles, ThreadPool& pool);
+    /// Between plan and apply: the present index of each place's particle, and its cell in its tile, row by row.
+    [[nodiscard]] const std::vector<std::uint32_t>& source() const noexcept { return source_; }
+    [[nodiscard]] const std::vector<std::uint8_t>& cells() const noexcept { return cells_; }
+    /// Instead of apply, by who has moved the particles: their number in each of tiles().
     void set_counts(const std::vector<std::size_t>& counts);
 
     [[nodiscard]] const std::vector<ParticleTile>& tiles() const noexcept { return tiles_; }
@@ -84,12 +106,13 @@ class TileOrder {
     [[nodiscard]] const TileGrid& grid() const noexcept { return grid_; }
 
     [[nodiscard]] std::int64_t tile_of(double x, double y) const noexcept {
-        return (grid_.node_y(y) / k_tile) * grid_.tiles_x() + grid_.node_x(x) / k_tile;
+        return (nodes_.y(y) / k_tile) * tiles_x_ + nodes_.x(x) / k_tile;
     }
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, tiles, colours, node_tiles, rank, keys, source, blocks] = *this;
+        [[maybe_unused]] auto& [grid, nodes, tiles_x, tiles, colours, node_tiles, rank, keys, within, source, cells,
+                                blocks, in_place] = *this;
         archive(tiles);  // the rest is derived or used by a sort only
     }
     /// After reading: returns whether the tiles are consistent with these particles, all of them on the grid; if so,
@@ -106,18 +129,23 @@ class TileOrder {
 
     void list_tiles();
     void place_blocks();
-    void index_tiles(const ParticleSet& particles, ThreadPool& pool);
+    void index_tiles();
     void list_nodes();
     [[nodiscard]] bool contains(const ParticleTile& tile, double x, double y) const noexcept;
 
     TileGrid grid_;
+    NodeNumbers nodes_{grid_};
+    std::int64_t tiles_x_ = grid_.tiles_x();
     std::vector<ParticleTile> tiles_;
     std::array<std::vector<std::uint32_t>, 4> colours_;
     std::vector<std::int64_t> node_tiles_;
     ZeroArray<std::int32_t> rank_;       // rank of each tile of the grid, plus one; 0 for others
     std::vector<std::int32_t> keys_;     // tile of each particle, -1 for those dropped
+    std::vector<std::uint8_t> within_;   // cell of each particle in its tile
     std::vector<std::uint32_t> source_;  // former index of the particle at each place
+    std::vector<std::uint8_t> cells_;    // within_ of the particle at each place
     std::vector<Block> blocks_;
+    bool in_place_ = true;  // whether all particles are at their places
 };
 
 }  // namespace frana

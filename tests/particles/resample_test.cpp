@@ -48,7 +48,7 @@ constexpr FieldMask k_mask = k_basic_fields | k_affine_fields | k_shape_fields |
 ResampleCounts resample_with(ParticleSet& particles, ResampleLimits limits, const std::uint8_t* tail = nullptr) {
     ThreadPool pool(2);
     TileOrder order({40, 40, 2, 1.0});
-    order.sort(particles, {}, pool);
+    order.plan(particles, {}, pool);
     limits.edges = {0, 0, 40, 40};
     return resample(particles, order, limits, {}, tail, pool);
 }

@@ -49,9 +49,10 @@ void mark_tails(State& state, const Maxima& maxima, ThreadPool& pool) {
     });
 }
 
-// Sorts by tile, drops particles outside the terrain (if there may be any) and those with `keep` 0 (if it is not
-// empty), and clears the nodes that no particle can touch any more: their old sums must not be read as a neighbour's.
-void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
+// Plans the order by tile, drops particles outside the terrain (if there may be any) and those with `keep` 0 (if it is
+// not empty), and clears the nodes that no particle can touch any more: their old sums must not be read as a
+// neighbour's. The particles are still to be moved.
+void plan_order(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
     if (drop) {
         const double *x = state.particles[Field::x], *y = state.particles[Field::y];
         const double* volume = state.particles[Field::volume];
@@ -64,7 +65,7 @@ void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, Thr
     }
     if (state.active.any_rests(state.order)) activate_where_crossed(state, pool);
     const std::vector<std::int64_t> before = state.order.node_tiles();
-    state.order.sort(state.particles, keep, pool);
+    state.order.plan(state.particles, keep, pool);
     const auto& now = state.order.node_tiles();
     cover_ground(state);
     for (const std::int64_t tile : before) {
@@ -76,8 +77,8 @@ void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, Thr
 }
 
 // The same when particles may have drifted to the limit.
-void sort_again(State& state, bool drop, ThreadPool& pool) {
-    sort_particles(state, drop, {}, pool);
+void plan_again(State& state, bool drop, ThreadPool& pool) {
+    plan_order(state, drop, {}, pool);
     state.drift = 0;
     state.since_sort = 0;
 }
@@ -124,7 +125,8 @@ bool shifts_now(const State& state, const Stages& stages) {
 }
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
-    sort_again(state, true, pool);
+    plan_again(state, true, pool);
+    state.order.apply(state.particles, pool);
     state.active.activate(state.order);
     state.speeds = {};
     for (std::size_t p = 0; p < state.particles.size(); ++p) bound_by(state, p, laws);
@@ -149,7 +151,8 @@ void regularise(Step& now) {
     const bool stretched =
         now.stages.resamples && report.longest > k_long_shape * dx * dx && state.since_sort >= k_sort_pause;
     if (!(report.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit)) return;
-    sort_again(state, report.outside > 0, now.pool);
+    plan_again(state, report.outside > 0, now.pool);
+    if (!now.stages.resamples) state.order.apply(state.particles, now.pool);
     now.watch.ends(Stage::sort);
     if (!now.stages.resamples) return;
     const bool film = now.laws.resample.film_depth > 0;
@@ -182,8 +185,8 @@ void leave_and_land(Step& now) {
         bound_by(state, p, now.laws);
         state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
-    sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: those keep their own
-                                                              // schedule
+    plan_order(state, false, std::move(keep), now.pool);  // neither shifted nor split: those keep their own schedule
+    state.order.apply(state.particles, now.pool);
     now.watch.ends(Stage::sort);
 }
 
