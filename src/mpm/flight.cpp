@@ -121,23 +121,32 @@ Point landed_velocity(const NodeGrid& nodes, const JumpRules& rules, Point place
     return {rest * along.x, rest * along.y};
 }
 
+// atan of a ratio of 0 or more, to 0.005 (Rajan, Wang, Inkol, Joyal 2006, IEEE Signal Process. Mag. 23(3), 108): edges
+// are looked for at every node, and few of the places where a fall might begin are steep enough.
+double quick_atan(double ratio) noexcept {
+    constexpr double k_fit = 0.28;
+    return ratio <= 1 ? ratio / (1 + k_fit * ratio * ratio) : std::numbers::pi / 2 - ratio / (ratio * ratio + k_fit);
+}
+
 // Returns the mean angle by which the ground falls away below the path of a free fall [rad], seen from the edge over
-// the length that a flow of this thickness does not bridge. The splines begin to fall a cell before an edge.
-double falls_away(const NodeGrid& nodes, const JumpRules& rules, Point from, Point velocity, double climb,
-                  double thickness) noexcept {
+// the length that a flow of this thickness does not bridge. The splines begin to fall a cell before an edge. `quick`:
+// to 0.005.
+double falls_away(const NodeGrid& nodes, const JumpRules& rules, const Bed& bed, Point from, Point velocity,
+                  double climb, double thickness, bool quick) noexcept {
     const double speed = std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y), dx = nodes.cell_size();
     if (!(speed > 0)) return 0;
     const double width = std::max(k_edge_cells * dx, k_edge_thicknesses * thickness);
     const int count = static_cast<int>(std::ceil(width / dx));
-    const double start = ground_at(nodes, from).value;
+    const double start = bed.z.value;
     double sum = 0;
     for (int k = 0; k < count; ++k) {
         const double beyond = (k + 0.5) * width / count, time = (dx + beyond) / speed;
         const Point place = at(from, velocity, time);
         if (!nodes.bounds().contains(place.x, place.y) || nodes.is_gap(nodes.scale().node_of(place.x, place.y)))
             return k > 0 ? sum / k : 0;
-        const double height = start + (climb - 0.5 * rules.gravity * time) * time - ground_at(nodes, place).value;
-        sum += std::atan2(std::max(0.0, height), beyond);
+        const double height =
+            std::max(0.0, start + (climb - 0.5 * rules.gravity * time) * time - ground_at(nodes, place).value);
+        sum += quick ? quick_atan(height / beyond) : std::atan2(height, beyond);
     }
     return sum / count;
 }
@@ -197,13 +206,6 @@ void fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     jump.landed = landed_velocity(nodes, rules, jump.to, velocity, state.speed.up);
 }
 
-// atan of a ratio of 0 or more, to 0.005 (Rajan, Wang, Inkol, Joyal 2006, IEEE Signal Process. Mag. 23(3), 108): edges
-// are looked for at every node.
-double quick_atan(double ratio) noexcept {
-    constexpr double k_fit = 0.28;
-    return ratio <= 1 ? ratio / (1 + k_fit * ratio * ratio) : std::numbers::pi / 2 - ratio / (ratio * ratio + k_fit);
-}
-
 // Steps to the next node, by direction.
 constexpr unsigned k_directions = 8;
 struct Direction {
@@ -226,10 +228,17 @@ std::uint8_t edges_at(const NodeGrid& nodes, std::int64_t column, std::int64_t r
         if (!exists(column - a, row - b)) continue;
         const std::int64_t step = b * stride + a;
         const double length = nodes.cell_size() * std::hypot(a, b), rise = z[0] - z[-step];
-        double sum = 0;
-        for (std::int64_t k = 1; k <= k_edge_sight && exists(column + k * a, row + k * b); ++k) {
-            const double falls = (z[0] - z[k * step]) / static_cast<double>(k) + rise;
-            sum += quick_atan(std::max(0.0, falls) / length);
+        std::array<double, k_edge_sight> falls{};
+        double greatest = 0, sum = 0;
+        std::int64_t sight = 0;
+        for (; sight < k_edge_sight && exists(column + (sight + 1) * a, row + (sight + 1) * b); ++sight) {
+            double& fall = falls[static_cast<std::size_t>(sight)];
+            fall = (z[0] - z[(sight + 1) * step]) / static_cast<double>(sight + 1) + rise;
+            greatest = std::max(greatest, fall);
+        }
+        if (quick_atan(greatest / length) < least) continue;  // nor is any mean greater
+        for (std::int64_t k = 1; k <= sight; ++k) {
+            sum += quick_atan(std::max(0.0, falls[static_cast<std::size_t>(k - 1)]) / length);
             if (k < k_least_sight || sum < least * static_cast<double>(k)) continue;
             edges = static_cast<std::uint8_t>(edges | 1U << d);
             break;
@@ -277,21 +286,21 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
     const double search_distance = k_way_sampling * nodes.cell_size();
     double time = 0, before = 0;
     Point last = place, way{};
-    while (nodes.bounds().contains(place.x, place.y)) {
-        Bed bed = bed_at(nodes, place);
-        Point velocity = bed.map_velocity(along);
+    for (Bed bed{}, behind{}; nodes.bounds().contains(place.x, place.y); behind = bed) {
+        bed = bed_at(nodes, place);
+        const Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
             Jump jump;
-            const auto angle_from = [&](Point from) {
-                bed = bed_at(nodes, from);
+            const auto angle_from = [&](Point from, bool quick) {
                 jump.from = from;
                 jump.velocity = bed.map_velocity(along);
                 jump.climb = jump.velocity.x * bed.z.dx + jump.velocity.y * bed.z.dy;
                 const double normal = thickness / BedFrame::of({bed.z.dx, bed.z.dy}).root;
                 jump.drag = rules.drag / std::max(rules.least_depth, normal);
-                return falls_away(nodes, rules, jump.from, jump.velocity, jump.climb, normal);
+                return falls_away(nodes, rules, bed, from, jump.velocity, jump.climb, normal, quick);
             };
-            if (angle_from(last) < rules.angle - k_half_ramp - k_sample_margin) return jump;
+            if (time > 0) bed = behind;
+            if (angle_from(last, true) < rules.angle - k_half_ramp - k_sample_margin) return jump;
             // The place where the fall begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
@@ -300,8 +309,9 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
                 (there.throws(there.map_velocity(along), rules.gravity) ? thrown : supported) = middle;
             }
             jump.glide = before + thrown;
-            jump.fraction =
-                smooth_step(rules.angle - k_half_ramp, rules.angle + k_half_ramp, angle_from(at(last, way, thrown)));
+            bed = bed_at(nodes, at(last, way, thrown));
+            jump.fraction = smooth_step(rules.angle - k_half_ramp, rules.angle + k_half_ramp,
+                                        angle_from(at(last, way, thrown), false));
             if (jump.fraction > 1 - k_least_part) jump.fraction = 1;
             if (jump.fraction - flown >= k_least_part * (1 - flown)) fall(nodes, rules, jump);
             return jump;
@@ -433,8 +443,8 @@ bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid&
     return known == k_edge;
 }
 
-void Flights::take_off(ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const JumpRules& rules,
-                       double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool) {
+std::vector<std::size_t> Flights::take_off(ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
+                                           const JumpRules& rules, double time, double reach, ThreadPool& pool) {
     const auto& tiles = order.tiles();
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
     double *const volume = particles[Field::volume], *const flown = particles[Field::flown];
@@ -465,12 +475,12 @@ void Flights::take_off(ParticleSet& particles, const TileOrder& order, const Nod
             }
         }
     });
+    std::vector<std::size_t> whole;
     for (const auto& jumps : found) {  // in the particles' order, independent of threads
         for (const auto& [p, jump] : jumps) {
             ParticleRow row = particles.row(p);
             if (jump.fraction == 1) {
-                if (keep.empty()) keep.assign(particles.size(), 1);
-                keep[p] = 0;
+                whole.push_back(p);
             } else {
                 const double part = (jump.fraction - flown[p]) / (1 - flown[p]) * volume[p];
                 get(row, Field::volume) = part;
@@ -480,6 +490,7 @@ void Flights::take_off(ParticleSet& particles, const TileOrder& order, const Nod
             begin(row, jump, time, nodes.cell_size() * nodes.cell_size());
         }
     }
+    return whole;
 }
 
 Flights::Landed Flights::land(double time, ParticleSet& particles) {

@@ -145,12 +145,13 @@ class Flights {
     void advance_to(double time, const JumpRules& rules);
 
     /// Adds what leaves the bed within the time `reach` to the flights: takes its volume from its particle, which keeps
-    /// its area, since the upper part of a flow leaves it; marks particles that leave as a whole 0 in `keep`, one byte
-    /// per particle, empty if there are none. Field::flown remembers which part has left at the edge that a particle
-    /// passes. Examines all particles near edges, since a step may be almost a cell long and end beyond the edge.
+    /// its area, since the upper part of a flow leaves it. Field::flown remembers which part has left at the edge that
+    /// a particle passes. Examines all particles near edges, since a step may be almost a cell long and end beyond the
+    /// edge.
     /// @param time of the particles' positions [s]
-    void take_off(ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const JumpRules& rules,
-                  double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool);
+    /// @return the particles that leave as a whole, in ascending order
+    std::vector<std::size_t> take_off(ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
+                                      const JumpRules& rules, double time, double reach, ThreadPool& pool);
 
     struct Landed {
         std::size_t count = 0;  ///< particles appended

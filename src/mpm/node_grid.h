@@ -106,8 +106,7 @@ struct NodeScale {
     }
     /// The node of the cell that contains a local point.
     [[nodiscard]] std::size_t node_of(double x, double y) const noexcept {
-        return index(static_cast<std::int64_t>(std::floor(x * inverse_dx)),
-                     static_cast<std::int64_t>(std::floor(y * inverse_dx)));
+        return index(whole_below(x * inverse_dx), whole_below(y * inverse_dx));
     }
 };
 

@@ -113,9 +113,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             if (g.u_x + g.v_y < 0) g.bend = bend_on(s, motion, grid.stride);
         }
         if constexpr (FollowsBed && Relaxed) {
-            const Interpolated z = interpolate(s, nodes.bed.data(), grid.stride);
-            g.bed_x = z.dx;
-            g.bed_y = z.dy;
+            g.bed_x = k.slopes.x[p];
+            g.bed_y = k.slopes.y[p];
         }
         update(p, std::integral_constant<std::size_t, 1>{}, x[p], y[p], g);
     }

@@ -175,6 +175,7 @@ struct ParticleUpdate {
     Point origin;            ///< release centroid, for the front distance, local metres
     double pull = 0;         ///< gravity times the duration of the forces [m/s]; for velocities along the bed
     double shift = 0;        ///< particle shifting: s of shifting.h, 0 in steps without it
+    BedSlopes slopes{};      ///< by pressure_to_nodes, when gravity acted; for velocities along the bed
 };
 
 /// Results of a tile's particles in a step; combined tile by tile in their order.

@@ -2,6 +2,7 @@
 #include "particles/tile_order.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace frana {
 namespace {
@@ -139,9 +140,6 @@ void TileOrder::set_counts(const std::vector<std::size_t>& counts) {
 
 // The nodes that the particles of each tile can touch follow from the cells that they are in.
 void TileOrder::index_tiles() {
-    // One cell more than the drift for the stencil, one for rounding.
-    constexpr auto k_reach = static_cast<std::int64_t>(k_drift_limit) + 2;
-    static_assert(static_cast<double>(k_reach) >= k_drift_limit + 2);
     for (ParticleTile& tile : tiles_) {
         std::uint8_t west = k_tile - 1, east = 0, south = k_tile * k_tile - 1, north = 0;
         for (std::size_t i = tile.begin; i < tile.end; ++i) {
@@ -152,11 +150,82 @@ void TileOrder::index_tiles() {
             north = std::max(north, cell);
         }
         const std::int64_t i = tile.tile % tiles_x_ * k_tile, j = tile.tile / tiles_x_ * k_tile;
-        tile.x0 = tile_at(i + west - k_reach, tiles_x_);
-        tile.x1 = tile_at(i + east + k_reach, tiles_x_);
-        tile.y0 = tile_at(j + south / k_tile - k_reach, grid_.tiles_y());
-        tile.y1 = tile_at(j + north / k_tile + k_reach, grid_.tiles_y());
+        tile.x0 = tile.y0 = std::numeric_limits<std::int64_t>::max();
+        reach_from(tile, i + west, i + east, j + south / k_tile, j + north / k_tile);
     }
+    list_nodes();
+}
+
+// Lets a tile touch what particles on these nodes can.
+void TileOrder::reach_from(ParticleTile& tile, std::int64_t west, std::int64_t east, std::int64_t south,
+                           std::int64_t north) const noexcept {
+    // One cell more than the drift for the stencil, one for rounding.
+    constexpr auto k_reach = static_cast<std::int64_t>(k_drift_limit) + 2;
+    static_assert(static_cast<double>(k_reach) >= k_drift_limit + 2);
+    const std::int64_t tiles_y = grid_.tiles_y();
+    tile.x0 = std::min(tile.x0, tile_at(west - k_reach, tiles_x_));
+    tile.x1 = std::max(tile.x1, tile_at(east + k_reach, tiles_x_));
+    tile.y0 = std::min(tile.y0, tile_at(south - k_reach, tiles_y));
+    tile.y1 = std::max(tile.y1, tile_at(north + k_reach, tiles_y));
+}
+
+void TileOrder::amend(ParticleSet& particles, const std::vector<std::size_t>& dropped, std::size_t first) {
+    struct Newcomer {
+        std::int64_t tile;
+        ParticleRow row;
+    };
+    std::vector<Newcomer> newcomers;
+    const auto before = [](const auto& a, const auto& b) { return a.tile < b.tile; };
+    for (std::size_t p = first; p < particles.size(); ++p) {
+        const double x = particles[Field::x][p], y = particles[Field::y][p];
+        newcomers.push_back({tile_of(x, y), particles.row(p)});
+        ParticleTile tile{0, 0, newcomers.back().tile, tiles_x_, -1, grid_.tiles_y(), -1};
+        auto at = std::lower_bound(tiles_.begin(), tiles_.end(), tile, before);
+        if (at == tiles_.end() || at->tile != tile.tile) {
+            tile.begin = tile.end = at == tiles_.end() ? first : at->begin;
+            at = tiles_.insert(at, tile);
+        }
+        reach_from(*at, nodes_.x(x), nodes_.x(x), nodes_.y(y), nodes_.y(y));
+    }
+    std::stable_sort(newcomers.begin(), newcomers.end(), before);
+
+    // Runs of particles that move alike, in ascending order of their places before and after.
+    struct Run {
+        std::size_t from, to, size;
+    };
+    std::vector<Run> runs;
+    std::size_t next = 0;  // place
+    const auto keep = [&](std::size_t begin, std::size_t end) {
+        const bool goes_on =
+            !runs.empty() && runs.back().from + runs.back().size == begin && runs.back().to + runs.back().size == next;
+        if (!goes_on) runs.push_back({begin, next, 0});
+        runs.back().size += end - begin;
+        next += end - begin;
+    };
+    auto drop = dropped.begin();
+    auto newcomer = newcomers.begin();
+    std::vector<std::size_t> places;  // of the newcomers
+    for (ParticleTile& tile : tiles_) {
+        const std::size_t begin = next;
+        std::size_t p = tile.begin;
+        for (; drop != dropped.end() && *drop < tile.end; p = *drop++ + 1) keep(p, *drop);
+        keep(p, tile.end);
+        for (; newcomer != newcomers.end() && newcomer->tile == tile.tile; ++newcomer) places.push_back(next++);
+        tile.begin = begin;
+        tile.end = next;
+    }
+    // In this order no run is written over before it has moved.
+    for (std::size_t f = 0; f < k_fields; ++f) {
+        double* const values = particles[static_cast<Field>(f)];
+        if (values == nullptr) continue;
+        for (const Run& r : runs)
+            if (r.to < r.from) std::copy(values + r.from, values + r.from + r.size, values + r.to);
+        for (auto r = runs.rbegin(); r != runs.rend(); ++r)
+            if (r->to > r->from)
+                std::copy_backward(values + r->from, values + r->from + r->size, values + r->to + r->size);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) particles.set_row(places[i], newcomers[i].row);
+    particles.resize(next);
     list_nodes();
 }
 

@@ -56,6 +56,12 @@ struct TileGrid {
     }
 };
 
+/// The greatest whole number not above a value. floor() is a call of the library.
+[[nodiscard]] inline std::int64_t whole_below(double value) noexcept {
+    const auto whole = static_cast<std::int64_t>(value);
+    return whole - (value < static_cast<double>(whole) ? 1 : 0);
+}
+
 /// Numbers the nodes of local positions, counted from the first node of the first tile.
 class NodeNumbers {
   public:
@@ -63,16 +69,10 @@ class NodeNumbers {
         : inverse_cell_(1 / grid.cell_size),
           first_x_(grid.origin_x + grid.ghost + grid.before_x()),
           first_y_(grid.origin_y + grid.ghost + grid.before_y()) {}
-    [[nodiscard]] std::int64_t x(double x) const noexcept { return cells(x) + first_x_; }
-    [[nodiscard]] std::int64_t y(double y) const noexcept { return cells(y) + first_y_; }
+    [[nodiscard]] std::int64_t x(double x) const noexcept { return whole_below(x * inverse_cell_) + first_x_; }
+    [[nodiscard]] std::int64_t y(double y) const noexcept { return whole_below(y * inverse_cell_) + first_y_; }
 
   private:
-    [[nodiscard]] std::int64_t cells(double position) const noexcept {
-        const double cell = position * inverse_cell_;
-        const auto whole = static_cast<std::int64_t>(cell);  // floor() is a call of the library
-        return whole - (cell < static_cast<double>(whole) ? 1 : 0);
-    }
-
     double inverse_cell_;
     std::int64_t first_x_, first_y_;
 };
@@ -95,6 +95,10 @@ class TileOrder {
     /// Between plan and apply: the present index of each place's particle, and its cell in its tile, row by row.
     [[nodiscard]] const std::vector<std::uint32_t>& source() const noexcept { return source_; }
     [[nodiscard]] const std::vector<std::uint8_t>& cells() const noexcept { return cells_; }
+    /// Drops particles and puts those that were appended from `first` on at the ends of their tiles; tiles and order of
+    /// the others stay, and so does the drift that they have left until the next sort. A tile may lose all particles.
+    /// @param dropped indices below `first`, ascending
+    void amend(ParticleSet& particles, const std::vector<std::size_t>& dropped, std::size_t first);
     /// Instead of apply, by who has moved the particles: their number in each of tiles().
     void set_counts(const std::vector<std::size_t>& counts);
 
@@ -130,6 +134,8 @@ class TileOrder {
     void list_tiles();
     void place_blocks();
     void index_tiles();
+    void reach_from(ParticleTile& tile, std::int64_t west, std::int64_t east, std::int64_t south,
+                    std::int64_t north) const noexcept;
     void list_nodes();
     [[nodiscard]] bool contains(const ParticleTile& tile, double x, double y) const noexcept;
 

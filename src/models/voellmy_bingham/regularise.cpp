@@ -2,7 +2,6 @@
 // Between two steps: order and number of the particles, take-off and landing.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "models/voellmy_bingham/step_stages.h"
 #include "models/voellmy_bingham/tail.h"
@@ -49,16 +48,17 @@ void mark_tails(State& state, const Maxima& maxima, ThreadPool& pool) {
     });
 }
 
-// Plans the order by tile, drops particles outside the terrain (if there may be any) and those with `keep` 0 (if it is
-// not empty), and clears the nodes that no particle can touch any more: their old sums must not be read as a
-// neighbour's. The particles are still to be moved.
-void plan_order(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
+// Plans the order by tile when particles may have drifted to the limit, drops those outside the terrain, if there may
+// be any, and clears the nodes that no particle can touch any more: their old sums must not be read as a neighbour's.
+// The particles are still to be moved.
+void plan_order(State& state, bool drop, ThreadPool& pool) {
+    std::vector<std::uint8_t> keep;
     if (drop) {
         const double *x = state.particles[Field::x], *y = state.particles[Field::y];
         const double* volume = state.particles[Field::volume];
         keep.resize(state.particles.size(), 1);
         for (std::size_t p = 0; p < keep.size(); ++p) {
-            if (keep[p] == 0 || state.nodes.bounds().contains(x[p], y[p])) continue;
+            if (state.nodes.bounds().contains(x[p], y[p])) continue;
             keep[p] = 0;
             state.volume_left += volume[p];
         }
@@ -74,11 +74,6 @@ void plan_order(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadP
             state.active.reset(tile);
         }
     }
-}
-
-// The same when particles may have drifted to the limit.
-void plan_again(State& state, bool drop, ThreadPool& pool) {
-    plan_order(state, drop, {}, pool);
     state.drift = 0;
     state.since_sort = 0;
 }
@@ -125,7 +120,7 @@ bool shifts_now(const State& state, const Stages& stages) {
 }
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
-    plan_again(state, true, pool);
+    plan_order(state, true, pool);
     state.order.apply(state.particles, pool);
     state.active.activate(state.order);
     state.speeds = {};
@@ -151,7 +146,7 @@ void regularise(Step& now) {
     const bool stretched =
         now.stages.resamples && report.longest > k_long_shape * dx * dx && state.since_sort >= k_sort_pause;
     if (!(report.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit)) return;
-    plan_again(state, report.outside > 0, now.pool);
+    plan_order(state, report.outside > 0, now.pool);
     if (!now.stages.resamples) state.order.apply(state.particles, now.pool);
     now.watch.ends(Stage::sort);
     if (!now.stages.resamples) return;
@@ -171,22 +166,21 @@ void leave_and_land(Step& now) {
     state.flights.advance_to(state.time, rules);
     now.report.aloft = state.flights.volume();
     now.report.aloft_kinetic = state.flights.kinetic();
-    std::vector<std::uint8_t> keep;
-    state.flights.take_off(state.particles, state.order, state.nodes, rules, state.time, now.drift, keep, now.pool);
+    const std::vector<std::size_t> leaving =
+        state.flights.take_off(state.particles, state.order, state.nodes, rules, state.time, now.drift, now.pool);
     const Flights::Landed landed = state.flights.land(state.time, state.particles);
     now.report.aloft -= landed.left;
     state.volume_left += landed.left;
-    if (keep.empty() && landed.count == 0) return;
-    if (!keep.empty()) keep.resize(state.particles.size(), 1);
-    for (const std::size_t p :
-         make_room(state.nodes, state.order, state.particles.size() - landed.count, state.particles))
+    if (leaving.empty() && landed.count == 0) return;
+    const std::size_t first = state.particles.size() - landed.count;
+    for (const std::size_t p : make_room(state.nodes, state.order, first, state.particles))
         bound_by(state, p, now.laws);
-    for (std::size_t p = state.particles.size() - landed.count; p < state.particles.size(); ++p) {
+    for (std::size_t p = first; p < state.particles.size(); ++p) {
         bound_by(state, p, now.laws);
         state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
-    plan_order(state, false, std::move(keep), now.pool);  // neither shifted nor split: those keep their own schedule
-    state.order.apply(state.particles, now.pool);
+    state.order.amend(state.particles, leaving, first);
+    cover_ground(state);
     now.watch.ends(Stage::sort);
 }
 

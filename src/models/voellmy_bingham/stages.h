@@ -13,7 +13,7 @@ namespace frana::voellmy_bingham {
 /// scene does not need is null.
 struct Stages {
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&) = nullptr;
-    void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&) = nullptr;
+    VectorKernels::Pressure pressure_to_nodes = nullptr;
     void (*fill_bed_states)(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*) = nullptr;
     void (*find_held_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, NodeGrid&) = nullptr;
     NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, double time,

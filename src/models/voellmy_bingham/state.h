@@ -49,6 +49,7 @@ struct State {
     ZeroArray<ErodibleBed> erodible_beds;        ///< padded; empty if the bed does not change
     ExchangeReport exchanged;                    ///< with the bed, so far
     std::vector<double> kept, lost;              ///< by each particle, within a step
+    std::vector<double> slope_x, slope_y;        ///< BedSlopes, within a step
     ZeroArray<std::uint8_t> tail;                ///< padded; mark_tail, within a step
     ZeroArray<Point> gathered;                   ///< padded; velocity in map view before the update; empty: not stored
 };
@@ -57,7 +58,7 @@ template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
                             since_sort, speeds, diffusivity, volume_left, flights, bed_states, erodible_beds, exchanged,
-                            kept, lost, tail, gathered] = state;
+                            kept, lost, slope_x, slope_y, tail, gathered] = state;
     archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
             speeds, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step

@@ -110,8 +110,11 @@ void forces_to_nodes(Step& now) {
         for (const auto* tiles : {&state.active.updated(), &state.active.gathered()})
             sweep_nodes(now, *tiles, &VectorNodeKernels::momenta_to_map, momenta_to_map);
     }
+    state.slope_x.resize(state.particles.size());
+    state.slope_y.resize(state.particles.size());
+    const BedSlopes slopes{state.slope_x.data(), state.slope_y.data()};
     for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
-        now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, state.nodes);
+        now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, slopes, state.nodes);
     });
     if (now.laws.wall) fold_forces(state.nodes);
     now.watch.ends(Stage::pressure);
@@ -194,6 +197,7 @@ void nodes_to_particles(Step& now) {
                           laws.wall,
                           laws.origin,
                           laws.gravity * now.kick};
+    update.slopes = {state.slope_x.data(), state.slope_y.data()};
     if (shifts_now(state, now.stages)) update.shift = k_shift;
     const auto& tiles = state.order.tiles();
     for (const ParticleTile& tile : tiles) state.particle_reports[static_cast<std::size_t>(tile.tile)].longest = 0;

@@ -18,8 +18,8 @@ struct VectorKernels {
     const char* instructions;  ///< their name
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*particles_and_levels_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
-    void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
-    void (*pressure_and_stress_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
+    using Pressure = void (*)(const ParticleTile&, const ParticleSet&, double gravity, const BedSlopes&, NodeGrid&);
+    Pressure pressure_to_nodes, pressure_and_stress_to_nodes;
     template <class Stress>
     struct NodesToParticles {
         using Stage = ParticleReport (*)(const ParticleTile&, const ParticleUpdate&, const Stress&, const NodeGrid&,

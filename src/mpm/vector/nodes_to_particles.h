@@ -7,13 +7,13 @@
 namespace frana {
 namespace {
 
-/// Values gathered by four particles; those needed only by FollowsBed or Shifts are not set without them.
-template <bool FollowsBed, bool Shifts>
+/// Values gathered by four particles; those needed only by Shifts are not set without it, the bed's slopes never.
+template <bool Shifts>
 struct ChunkGather : Gathered<Quad> {
     /// Each node is two quads, {u, v, back_u, back_v} and {mass, fraction, climb, support}. Particle by particle only
     /// the sums of the first along rows and along columns are computed, with the splines' weights, and the mean of the
     /// second; all else follows from those seven, for four particles at once.
-    FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeMotion* motion, const double* bed) {
+    FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeMotion* motion) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
         first_nodes(ax, ay, grid, first);
@@ -51,7 +51,6 @@ struct ChunkGather : Gathered<Quad> {
         fraction = means[1];
         climb = means[2];
         support = means[3];
-        if constexpr (FollowsBed) gather_bed(ax, ay, wx, weight_y, grid, bed, first);
         if constexpr (Shifts) gather_slopes(ax, ay, weight_x, weight_y, grid, motion, first);
         for (int a = 0; a < 3; ++a) {
             transpose(rows[a][0], rows[a][1], rows[a][2], rows[a][3]);
@@ -79,27 +78,6 @@ struct ChunkGather : Gathered<Quad> {
     }
 
   private:
-    FRANA_INLINE void gather_bed(const ChunkAxis& ax, const ChunkAxis& ay, const Quad (&wx)[3],
-                                 const double (&weight_y)[3][4], const NodeScale& grid, const double* bed,
-                                 const std::size_t (&first)[4]) {
-        alignas(32) double along_y[3][4];
-        Quad slope[3];
-        ay.slopes(grid.inverse_dx, slope);
-        for (int b = 0; b < 3; ++b) slope[b].store(along_y[b]);
-        Quad across[4], along[4];  // sums along the columns, with the splines' weights and with their slopes
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double* const ground = bed + first[k];  // rows of four lanes: the last is left out below
-            const Quad south = Quad::load(ground), middle = Quad::load(ground + grid.stride),
-                       north = Quad::load(ground + 2 * grid.stride);
-            across[k] = weight_y[0][k] * south + weight_y[1][k] * middle + weight_y[2][k] * north;
-            along[k] = along_y[0][k] * south + along_y[1][k] * middle + along_y[2][k] * north;
-        }
-        transpose(across[0], across[1], across[2], across[3]);
-        transpose(along[0], along[1], along[2], along[3]);
-        ax.slopes(grid.inverse_dx, slope);
-        bed_x = slope[0] * across[0] + slope[1] * across[1] + slope[2] * across[2];
-        bed_y = wx[0] * along[0] + wx[1] * along[1] + wx[2] * along[2];
-    }
     /// Gradients of depth and fraction, and the least fraction of any node: a separate sweep over the second quads,
     /// since few steps shift.
     FRANA_INLINE void gather_slopes(const ChunkAxis& ax, const ChunkAxis& ay, const double (&weight_x)[3][4],
@@ -156,8 +134,12 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         k, stress, nodes, particles, inverse_moment, solid_near(nodes, particles, tile.begin, tile.end)};
     for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {
         const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
-        update(p, n, old_x, old_y,
-               ChunkGather<FollowsBed, Shifts>(old_x, old_y, grid, nodes.motion(), nodes.bed.data()));
+        ChunkGather<Shifts> gathered(old_x, old_y, grid, nodes.motion());
+        if constexpr (FollowsBed) {
+            gathered.bed_x = load_some(k.slopes.x + p, n);
+            gathered.bed_y = load_some(k.slopes.y + p, n);
+        }
+        update(p, n, old_x, old_y, gathered);
     });
     return update.report();
 }
