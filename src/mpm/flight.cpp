@@ -121,8 +121,9 @@ Point landed_velocity(const NodeGrid& nodes, const JumpRules& rules, Point place
     return {rest * along.x, rest * along.y};
 }
 
-// atan of a ratio of 0 or more, to 0.005 (Rajan, Wang, Inkol, Joyal 2006, IEEE Signal Process. Mag. 23(3), 108): edges
-// are looked for at every node, and few of the places where a fall might begin are steep enough.
+// atan of a ratio of 0 or more, to k_quick_error (Rajan, Wang, Inkol, Joyal 2006, IEEE Signal Process. Mag. 23(3),
+// 108): edges are looked for at every node, and few of the places where a fall might begin are steep enough.
+constexpr double k_quick_error = 0.005;
 double quick_atan(double ratio) noexcept {
     constexpr double k_fit = 0.28;
     return ratio <= 1 ? ratio / (1 + k_fit * ratio * ratio) : std::numbers::pi / 2 - ratio / (ratio * ratio + k_fit);
@@ -130,7 +131,7 @@ double quick_atan(double ratio) noexcept {
 
 // Returns the mean angle by which the ground falls away below the path of a free fall [rad], seen from the edge over
 // the length that a flow of this thickness does not bridge. The splines begin to fall a cell before an edge. `quick`:
-// to 0.005.
+// to k_quick_error.
 double falls_away(const NodeGrid& nodes, const JumpRules& rules, const Bed& bed, Point from, Point velocity,
                   double climb, double thickness, bool quick) noexcept {
     const double speed = std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y), dx = nodes.cell_size();
@@ -300,7 +301,8 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
                 return falls_away(nodes, rules, bed, from, jump.velocity, jump.climb, normal, quick);
             };
             if (time > 0) bed = behind;
-            if (angle_from(last, true) < rules.angle - k_half_ramp - k_sample_margin) return jump;
+            const double least = rules.angle - k_half_ramp - k_sample_margin;
+            if (angle_from(last, true) < least - k_quick_error || angle_from(last, false) < least) return jump;
             // The place where the fall begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
