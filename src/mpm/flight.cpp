@@ -53,7 +53,8 @@ Interpolated ground_at(const NodeGrid& nodes, Point p) noexcept {
     return interpolate(Spline(p.x, p.y, nodes.scale()), nodes.bed.data(), nodes.stride());
 }
 
-Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
+// Inlined: the search for jumps calls it more often than anything else, and returned values go through memory.
+[[gnu::always_inline]] inline Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
     nodes.cover_round(p);
     const NodeScale grid = nodes.scale();
     const Spline s(p.x, p.y, grid);
