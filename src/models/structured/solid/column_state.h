@@ -39,6 +39,7 @@ struct ParticleLoad {
     double mass = 0;        ///< [kg]
     double depth = 0;       ///< [m]
     double cohesion = 0;    ///< present [Pa]
+    double held = 0;        ///< fraction of the initial confined fluid and structured solids that strength holds
     double structured = 0;  ///< f_sc
     double load = 0;        ///< N [Pa]
     double borne = 0;       ///< mean vertical pressure that strength bears [Pa]
@@ -65,6 +66,15 @@ inline void set_thrust(const SolidLaws& laws, double friction, bool passive, Par
     }
 }
 
+/// Fraction of its confined fluid and structured solids that a column still holds: the cohesion's, but no more than its
+/// strength bears of the mean vertical pressure, so that a cohesion that tends to zero tends to none (ours).
+/// @param ratio cohesion over initial cohesion, chi [-]
+/// @param bears uniaxial strength q [Pa]
+/// @param weight of the column on its base [Pa]
+inline double held_fraction(double ratio, double bears, double weight) noexcept {
+    return 2 * bears < ratio * weight ? 2 * bears / weight : ratio;
+}
+
 /// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive
 /// thrust, divergence of particle p.
 template <class Kind>
@@ -82,8 +92,10 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
         ratio = particles[Field::cohesion_ratio][p];
         s.cohesion = ratio * particles[Field::cohesion][p];
     }
-    s.structured = laws.initial_structured * ratio;
     s.mass = grain_density * solids + laws.basal.fluid_density * confined;
+    s.held = held_fraction(ratio, DruckerPrager::of(friction, s.cohesion).uniaxial(),
+                           laws.basal.gravity * s.mass * inverse_area);
+    s.structured = laws.initial_structured * s.held;
     s.depth = (solids + confined) * inverse_area;
     s.load = laws.basal({solids * inverse_area, confined * inverse_area, s.structured, submerged}, grain_density);
     set_thrust(

@@ -57,16 +57,18 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         particles[Field::e_yy][p] = total(1, 1);
         particles[Field::e_xy][p] = total(0, 1);
         if constexpr (Kind::cohesive) {
-            const double before = particles[Field::cohesion_ratio][p];
-            if (laws.fractures && yielded && before > 0) {
-                const double damage = particles[Field::damage][p] + laws.fragmentation.increment(strain);
-                const double after = std::min(before, laws.fragmentation.cohesion_ratio(damage));
-                particles[Field::damage][p] = damage;
-                particles[Field::cohesion_ratio][p] = after;
+            double& ratio = particles[Field::cohesion_ratio][p];
+            if (const double before = ratio; before > 0) {
+                if (laws.fractures && yielded) {
+                    double& damage = particles[Field::damage][p];
+                    damage += laws.fragmentation.increment(strain);
+                    ratio = std::min(before, laws.fragmentation.cohesion_ratio(damage));
+                }
                 if constexpr (Kind::wet) {
                     // Released fluid moves with the particle until the end of the step: the nodes' push was for both.
-                    const double confined = particles[Field::confined][p] - particles[Field::released][p];
-                    particles[Field::released][p] += confined * (1 - after / before);
+                    const double held = particles[Field::confined_start][p] * column.held * ratio / before;
+                    double& released = particles[Field::released][p];
+                    released = std::max(released, particles[Field::confined][p] - held);
                 }
             }
         }

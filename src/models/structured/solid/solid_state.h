@@ -73,7 +73,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
 void find_neighbours(SolidState& state, ThreadPool& pool);
 
 /// Longest substep of the solids alone (share/doc/structured.md, "Time step") [s]: waves, viscosity, acceleration.
-///     dt <= 0.25 l / c,   0.4 l / (s + 0.6 (a s + b |phi|)),   0.25 sqrt(l / |a|)
+///     dt <= 0.5 l / c,   0.8 l / (s + 0.6 (a s + b |phi|)),   0.25 sqrt(l / |a|)
 /// The sums' greatest frequency is 1.07 c / l and their greatest damping 1.9 a s / l on an even lattice of any spacing
 /// (ours: usual is min(l, dp)): alone, symplectic steps are stable up to 1.9 l / c and 1.0 l / s. Columns of uneven
 /// mass are stiffer by up to the root of their ratio. If all material is broken, c is 0 and s that of shallow water.

@@ -114,7 +114,7 @@ class Substeps {
 }  // namespace
 
 double stable_substep(const SolidState& state, const SolidLaws& laws) {
-    constexpr double k_viscous = 0.4, k_force = 0.25;
+    constexpr double k_viscous = 0.8, k_force = 0.25;
     const double length = laws.kernel.length();
     const double sound = state.elastic ? laws.viscosity.sound : state.sound;
     const double elastic =

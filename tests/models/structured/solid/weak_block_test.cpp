@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -13,8 +14,9 @@ namespace frana::structured::test {
 namespace {
 
 struct Spread {
-    double area = 0;     // of cells ever deeper than 0.1 m [m2]
-    double deepest = 0;  // at the end [m]
+    double area = 0;      // of cells ever deeper than 0.1 m [m2]
+    double deepest = 0;   // at the end [m]
+    double confined = 0;  // at the end [m3]
 };
 
 /// A slope that ends on 5 degrees, or, up to 5 degrees, a plain.
@@ -25,23 +27,33 @@ Raster hillside(double slope_deg) {
     });
 }
 
-// A dry block, 8 m thick and 100 m x 80 m, friction 20 degrees at the bed; cells of 10 m, 40 s.
-Spread slide_off(double cohesion, double slope_deg, EarthPressure thrust, DamageMeasure measure) {
+// A block, 8 m thick and 100 m x 80 m, friction 20 degrees at the bed; cells of 10 m, 40 s. It is dry, or half of it is
+// water: confined or, without cohesion, free from the start.
+Spread slide_off(double cohesion, double slope_deg, EarthPressure thrust, DamageMeasure measure, bool wet = false) {
     ThreadPool pool(1);
     Case c(10);
     c.laws.solid.fragmentation.measure = measure;
     c.laws.solid.earth_pressure = thrust;
     c.material.cohesion = cohesion;
     c.material.bed_friction = std::tan(20 * k_degree);
+    const bool is_free = wet && cohesion == 0;
+    c.material.solid_fraction = wet ? 0.5 : 1;
     c.fill(50, 210, 30, 24, [](Point) { return bench::Seed{8}; });
-    State state = c.start(hillside(slope_deg), pool);
+    State state = c.start(hillside(slope_deg), pool, wet);
+    if (is_free) {
+        std::vector<FluidSource> water;
+        for (std::int64_t row = 21; row < 29; ++row)
+            for (std::int64_t column = 5; column < 15; ++column)
+                water.push_back({state.grid.index(column, row), 4, 0, 0});
+        receive(water, *state.fluid, state.grid, c.laws.fluid);
+    }
     std::vector<bool> touched(state.solid->nodes.depth.size(), false);
     Spread spread;
     for (double t = 0.5; t < 40.1; t += 0.5) {
         advance_to(state, c.laws, t, pool);
         spread.deepest = 0;
         for (std::size_t n = 0; n < touched.size(); ++n) {
-            const double depth = state.solid->nodes.depth[n];
+            const double depth = state.solid->nodes.depth[n] + (wet ? state.fluid->now.depth[n] : 0);
             spread.deepest = std::max(spread.deepest, depth);
             if (depth > 0.1 && !touched[n]) {
                 touched[n] = true;
@@ -49,6 +61,8 @@ Spread slide_off(double cohesion, double slope_deg, EarthPressure thrust, Damage
             }
         }
     }
+    if (const double* confined = state.solid->particles[Field::confined]; wet && !is_free)
+        spread.confined = std::accumulate(confined, confined + state.solid->particles.size(), 0.0);
     return spread;
 }
 
@@ -73,6 +87,18 @@ INSTANTIATE_TEST_SUITE_P(ByDistortion, OnePascal,
 INSTANTIATE_TEST_SUITE_P(ByOpening, OnePascal,
                          ::testing::Combine(::testing::Values(0, 35), ::testing::Values(EarthPressure::hydrostatic),
                                             ::testing::Values(DamageMeasure::volumetric)));
+
+// Its water is held only as far as its strength bears the weight.
+TEST(OnePascalWithWater, HoldsNone) {
+    for (const double slope_deg : {0, 10, 35}) {
+        const auto of = [&](double cohesion) {
+            return slide_off(cohesion, slope_deg, EarthPressure::hydrostatic, DamageMeasure::equivalent, true);
+        };
+        const Spread none = of(0), little = of(1);
+        EXPECT_NEAR(little.area, none.area, 0.1 * none.area) << slope_deg;
+        EXPECT_LT(little.confined, 1e-4 * 4 * 8000);  // 2 q / N = 4e-5 at the start
+    }
+}
 
 // A column of 10 kPa, 28 degrees and 1700 kg/m3 bears what its strength, 2.00 c, is to the mean of its load, N / 2.
 struct Column {
