@@ -23,10 +23,6 @@ bool is_usable(double order) {
     return order <= k_scheme_order + k_rounding;
 }
 
-double limited_order(double order) {
-    return std::clamp(order, k_least_order, k_scheme_order);
-}
-
 // Bilinear at a map place; cells without data count as zero, beyond the edge the edge counts.
 double sample(const Raster& raster, Point map) {
     const GridSpec& grid = raster.grid;
@@ -71,38 +67,9 @@ const char* describe(Trend trend) {
     return "";
 }
 
-GridConvergence grid_convergence(const std::vector<Refinement>& levels) {
-    require_three(levels.size());
-    const Refinement &coarse = levels[levels.size() - 3], &middle = levels[levels.size() - 2], &fine = levels.back();
-    const double ratio = middle.cell_size / fine.cell_size;
-    const double before = middle.value - coarse.value, last = fine.value - middle.value;
-    GridConvergence result;
-    result.extrapolated = fine.value;
-    result.observed_order = k_no_data;
-    double safety = k_caution, order = 1;
-    if (last == 0) {
-        result.trend = Trend::settled;
-    } else if (before * last < 0) {
-        result.trend = Trend::oscillating;
-    } else if (std::abs(last) >= std::abs(before)) {
-        result.trend = Trend::diverging;
-    } else {
-        result.trend = Trend::converging;
-        result.observed_order = std::log(before / last) / std::log(ratio);
-        if (is_usable(result.observed_order)) {
-            order = limited_order(result.observed_order);
-            safety = k_safety;
-            result.extrapolated = fine.value + last / (std::pow(ratio, order) - 1);
-        }
-    }
-    result.error = safety * std::abs(last) / (std::pow(ratio, order) - 1);
-    result.index_percent = fine.value != 0 ? 100 * result.error / std::abs(fine.value) : 0;
-    return result;
-}
-
 namespace {
 
-constexpr double k_same_size = 1.01, k_front_order = 1, k_order_tolerance = 0.1;
+constexpr double k_same_size = 1.01;
 
 /// Levels on cells of up to `factor` times the finest: range of their values, and range of cell sizes.
 struct Window {
@@ -148,25 +115,14 @@ bool changes_in_one_direction(const std::vector<Refinement>& levels) {
     return up || down;
 }
 
-}  // namespace
-
-bool enough_levels(const std::vector<double>& cell_sizes) {
-    std::vector<Refinement> levels;
-    for (const double size : cell_sizes) levels.push_back({size, 0});
-    return !levels.empty() && window(levels, 4).count >= 3 && window(levels, 2).reaches(2);
-}
-
-GridConvergence grid_convergence(const std::vector<Refinement>& levels, double detail) {
-    const Window half = window(levels, 2), quarter = window(levels, 4);
-    require_three(half.reaches(2) ? quarter.count : 0);
+/// Trend, order and extrapolated value.
+GridConvergence trend_of(const std::vector<Refinement>& levels, double detail) {
     const double f1 = levels.back().value, f2 = value_at(levels, 2), f4 = value_at(levels, 4);
     const double before = f2 - f4, last = f1 - f2;
-    const double spread = std::max(half.first_order(), quarter.reaches(4) ? quarter.first_order() : 0.0);
     GridConvergence result;
     result.extrapolated = f1;
     result.observed_order = k_no_data;
-    result.error = k_caution * spread * std::max(1.0, detail);
-    if (quarter.range == 0) {
+    if (window(levels, 4).range == 0) {
         result.trend = Trend::settled;
     } else if (detail > 1) {
         result.trend = Trend::terrain;
@@ -178,15 +134,59 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels, double d
         result.trend = Trend::diverging;
     } else {
         result.trend = Trend::converging;
-        result.observed_order = last != 0 ? std::log2(before / last) : k_scheme_order;
-        const bool is_expected = std::abs(result.observed_order - k_front_order) <= k_order_tolerance;
-        const double order = std::clamp(result.observed_order, k_least_order, k_front_order);
-        const double rest = last / (std::pow(2.0, order) - 1);
-        if (is_expected) result.extrapolated = f1 + rest;
-        result.error = (is_expected ? k_safety : k_caution) * std::max(std::abs(rest), spread);
+        const double order = std::log2(before / last);
+        if (is_usable(order)) {
+            result.observed_order = order;
+            result.extrapolated = f1 + last / (std::pow(2.0, std::max(order, k_least_order)) - 1);
+        }
     }
-    result.index_percent = f1 != 0 ? 100 * result.error / std::abs(f1) : 0;
     return result;
+}
+
+/// S of a value.
+double first_order_change(const std::vector<Refinement>& levels) {
+    const Window half = window(levels, 2), quarter = window(levels, 4);
+    require_three(half.reaches(2) ? quarter.count : 0);
+    return std::max(half.first_order(), quarter.reaches(4) ? quarter.first_order() : 0.0);
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+}  // namespace
+
+bool enough_levels(const std::vector<double>& cell_sizes) {
+    std::vector<Refinement> levels;
+    for (const double size : cell_sizes) levels.push_back({size, 0});
+    return !levels.empty() && window(levels, 4).count >= 3 && window(levels, 2).reaches(2);
+}
+
+std::vector<GridConvergence> grid_convergence(const std::vector<std::vector<Refinement>>& values, double detail) {
+    constexpr double k_by_chance = 0.1;
+    std::vector<double> changes, relative;
+    for (const std::vector<Refinement>& levels : values) {
+        changes.push_back(first_order_change(levels));
+        const double finest = std::abs(levels.back().value);
+        if (finest > 0) relative.push_back(changes.back() / finest);
+    }
+    const double usual = median(relative);
+    std::vector<GridConvergence> results;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        GridConvergence result = trend_of(values[i], detail);
+        const double finest = std::abs(values[i].back().value);
+        result.error = k_safety * changes[i] * std::sqrt(std::max(1.0, detail));
+        if (finest > 0) {
+            const double own = std::max(changes[i] / finest, k_by_chance * usual);
+            result.error = k_safety * finest * std::sqrt(own * usual * std::max(1.0, detail));
+            result.index_percent = 100 * result.error / finest;
+        }
+        results.push_back(result);
+    }
+    return results;
 }
 
 double unseen_detail(double curvature_now, double curvature_finest) {
@@ -246,7 +246,7 @@ Raster field_uncertainty(const std::vector<Raster>& levels) {
     const double observed =
         sum_last > 0 && sum_before > sum_last ? std::log(sum_before / sum_last) / std::log(ratio) : 0;
     const bool converges = observed > 0 && is_usable(observed);
-    const double order = converges ? limited_order(observed) : 1;
+    const double order = converges ? std::max(observed, k_least_order) : 1;
     const double factor = (converges ? k_safety : k_caution) / (std::pow(ratio, order) - 1);
     for (double& value : last.values) value *= factor;
     return last;

@@ -27,38 +27,31 @@ enum class Trend {
 /// The scheme's order: values that approach faster do so by chance, which says nothing of their limit.
 inline constexpr double k_scheme_order = 2;
 
-/// Convergence of three or more resolutions, for the finest.
+/// What several resolutions say of a value on the finest.
 struct GridConvergence {
     Trend trend = Trend::settled;
-    double observed_order = 0;  ///< NaN unless converging
-    double extrapolated = 0;    ///< Richardson; the finest value itself unless converging at an order up to 2
-    double error = 0;           ///< estimated |finest - true|, in the value's unit
-    double index_percent = 0;   ///< grid convergence index of the finest, percent of its value
+    double observed_order = 0;  ///< NaN unless converging, and at an order up to the scheme's
+    double extrapolated = 0;    ///< Richardson (1911), with an order of at least 0.5; the finest value without an order
+    double error = 0;           ///< estimated |finest - limit|, in the value's unit
+    double index_percent = 0;   ///< the same, percent of the finest value
 };
 
-/// Richardson extrapolation and grid convergence index (Roache 1994) from the three finest of `levels`, given
-/// coarsest first with a constant ratio of cell sizes r:
-///
-///     p = ln(|f3 - f2| / |f2 - f1|) / ln r,   f_exact ~ f1 + (f1 - f2) / (r^p - 1),   f1 the finest
-///     GCI = F |f1 - f2| / (r^p - 1),   F = 1.25, p at least 0.5
-///
-/// F is 3 and p is taken as 1 where the values do not converge (oscillating, diverging) or the observed order is above
-/// the scheme's 2, which is then not used to extrapolate: the index is a caution, not an estimate. Throws Error(input)
-/// for fewer than three levels.
-GridConvergence grid_convergence(const std::vector<Refinement>& levels);
-
-/// The same for cell sizes whose ratios may be less than 2, on terrain with detail of its own. Of `levels`, coarsest
-/// first, S is the greater of
+/// Estimates the errors of a run's values together, each given on the same cell sizes, coarsest first, of which one is
+/// twice the finest h. Of each value f, S is the greater of
 ///
 ///     (max - min of all f on cells of up to 2 h) / (2 - 1)   and   (max - min on cells of up to 4 h) / (4 - 1)
 ///
-/// with h the finest cell size: the change of a first-order method between h and cells of size zero. If f changes
-/// monotonically from 4 h to h, the second halving changes it less than the first, and `unseen_detail` is at most 1,
-/// the order p is observed on 4 h, 2 h and h; with p limited to 0.5 to 1 the error is the greater of |f(2h) - f(h)| /
-/// (2^p - 1) and S, times 1.25 if the observed order is within a tenth of the expected 1, else times 3 (Oberkampf and
-/// Roy 2010). Otherwise the error is 3 S, times `unseen_detail` if that exceeds 1. Throws Error(input) unless
+/// the change of a first-order method between h and cells of size zero; s = S / |f|. One such difference can be small
+/// by chance, so that it is drawn towards those of the other values: with m the median of all s, and s at least a tenth
+/// of it,
+///
+///     error = 1.25 |f| sqrt(s m max(1, unseen_detail))
+///
+/// 1.25 is the safety factor of the grid convergence index (Roache 1994); the mean is ours (share/doc/accuracy.md). The
+/// order p = log2(|f(2h) - f(4h)| / |f(h) - f(2h)|) is observed if f changes monotonically from 4 h to h, the second
+/// halving changes it less than the first, and `unseen_detail` is at most 1. Throws Error(input) unless
 /// enough_levels().
-GridConvergence grid_convergence(const std::vector<Refinement>& levels, double unseen_detail);
+std::vector<GridConvergence> grid_convergence(const std::vector<std::vector<Refinement>>& values, double unseen_detail);
 
 /// Whether these cell sizes, coarsest first, suffice for grid_convergence with `unseen_detail`: three of up to 4 h, one
 /// of them 2 h.

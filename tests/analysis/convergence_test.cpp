@@ -8,100 +8,101 @@
 namespace frana {
 namespace {
 
-// f(h) = 10 + 3 h^p has order p and limit 10 exactly.
-std::vector<Refinement> power_law(double order) {
+// f(h) = scale (10 + 3 h^p) has order p and limit 10 scale exactly.
+std::vector<Refinement> power_law(double order, double scale = 1, const std::vector<double>& sizes = {8, 4, 2}) {
     std::vector<Refinement> levels;
-    for (const double h : {8.0, 4.0, 2.0}) levels.push_back({h, 10 + 3 * std::pow(h, order)});
+    for (const double h : sizes) levels.push_back({h, scale * (10 + 3 * std::pow(h, order))});
     return levels;
+}
+
+// On cells as numerics.accuracy makes them.
+const std::vector<double> k_close{12, 8, 6, 4, 3, 2};
+
+GridConvergence of_one(const std::vector<Refinement>& levels, double detail = 0) {
+    return grid_convergence({levels}, detail).front();
 }
 
 TEST(GridConvergence, RecoversOrderAndLimitOfAPowerLaw) {
     for (const double order : {0.6, 1.0, 1.7}) {
-        const GridConvergence c = grid_convergence(power_law(order));
-        EXPECT_EQ(c.trend, Trend::converging);
-        EXPECT_NEAR(c.observed_order, order, 1e-12);
-        EXPECT_NEAR(c.extrapolated, 10, 1e-10);
-        // The index is the true error times the safety factor.
-        EXPECT_NEAR(c.error, 1.25 * 3 * std::pow(2.0, order), 1e-9);
+        for (const auto& levels : {power_law(order), power_law(order, 1, k_close)}) {
+            const GridConvergence c = of_one(levels);
+            EXPECT_EQ(c.trend, Trend::converging);
+            EXPECT_NEAR(c.observed_order, order, 1e-12);
+            EXPECT_NEAR(c.extrapolated, 10, 1e-10);
+        }
     }
 }
 
-TEST(GridConvergence, IsCautiousWhereValuesDoNotConverge) {
-    const GridConvergence swing = grid_convergence({{8, 10}, {4, 12}, {2, 11}});
+TEST(GridConvergence, OfFirstOrderIsTheTrueErrorTimesTheSafetyFactor) {
+    for (const auto& levels : {power_law(1), power_law(1, 1, k_close)}) {
+        const GridConvergence c = of_one(levels);
+        EXPECT_NEAR(c.error, 1.25 * 3 * 2, 1e-9);
+        EXPECT_NEAR(c.index_percent, 100 * c.error / 16, 1e-9);
+    }
+}
+
+TEST(GridConvergence, TakesTheGreaterChangeOfTheTwoRanges) {
+    // Order two: f(8) - f(2) = 180 and f(4) - f(2) = 36; first order would leave a third of the one.
+    EXPECT_NEAR(of_one(power_law(2)).error, 1.25 * 60, 1e-9);
+    // Order 0.6: |f(4) - f(2)| is more than a third of |f(8) - f(2)|.
+    EXPECT_NEAR(of_one(power_law(0.6)).error, 1.25 * 3 * (std::pow(4, 0.6) - std::pow(2, 0.6)), 1e-9);
+    // Two equal values by chance among others that are not.
+    const GridConvergence chance = of_one({{8, 4}, {6, 13}, {4, 10}, {3, 10}, {2, 10}});
+    EXPECT_EQ(chance.trend, Trend::oscillating);
+    EXPECT_NEAR(chance.error, 1.25 * (13 - 4) / 3.0, 1e-12);
+}
+
+TEST(GridConvergence, HasNoOrderAboveTheSchemes) {
+    const GridConvergence two = of_one(power_law(2)), fast = of_one(power_law(2.8));
+    EXPECT_NEAR(two.extrapolated, 10, 1e-10);
+    EXPECT_EQ(fast.trend, Trend::converging);
+    EXPECT_TRUE(std::isnan(fast.observed_order));
+    EXPECT_EQ(fast.extrapolated, power_law(2.8).back().value);
+}
+
+TEST(GridConvergence, SaysWhereValuesDoNotConverge) {
+    const GridConvergence swing = of_one({{8, 10}, {4, 12}, {2, 11}});
     EXPECT_EQ(swing.trend, Trend::oscillating);
     EXPECT_TRUE(std::isnan(swing.observed_order));
     EXPECT_EQ(swing.extrapolated, 11);
-    EXPECT_NEAR(swing.error, 3, 1e-12);  // three times the last difference
-    EXPECT_EQ(grid_convergence({{8, 10}, {4, 11}, {2, 13}}).trend, Trend::diverging);
-    EXPECT_EQ(grid_convergence({{8, 10}, {4, 11}, {2, 11}}).trend, Trend::settled);
+    EXPECT_NEAR(swing.error, 1.25, 1e-12);
+    EXPECT_EQ(of_one({{8, 10}, {4, 11}, {2, 13}}).trend, Trend::diverging);
+    EXPECT_EQ(of_one({{8, 18}, {4, 14}, {3, 15}, {2, 12}}).trend, Trend::oscillating);  // one level between that swings
+    EXPECT_EQ(of_one({{4, 14}, {3, 13}, {2, 12}}).trend, Trend::unknown);
 }
 
-TEST(GridConvergence, DoesNotExtrapolateAtAnOrderAboveTheSchemes) {
-    const GridConvergence two = grid_convergence(power_law(2)), fast = grid_convergence(power_law(2.8));
-    EXPECT_NEAR(two.extrapolated, 10, 1e-10);
-    const double finest = power_law(2.8).back().value, last = power_law(2.8)[1].value - finest;
-    EXPECT_NEAR(fast.observed_order, 2.8, 1e-12);
-    EXPECT_EQ(fast.extrapolated, finest);
-    EXPECT_NEAR(fast.error, 3 * last, 1e-9);  // three times the last difference, as where values do not converge
+// Changes of 10 %, 0.4 % and none, whose median is 0.4 %, each by first order.
+TEST(GridConvergence, DrawsEachErrorTowardsThoseOfTheOthers) {
+    const auto changing = [](double percent) {
+        std::vector<Refinement> levels;
+        for (const double h : {8.0, 4.0, 2.0}) levels.push_back({h, 50 * (1 + percent / 100 * (h - 2) / 2)});
+        return levels;
+    };
+    const auto errors = grid_convergence({changing(10), changing(0.4), changing(0)}, 0);
+    EXPECT_NEAR(errors[0].index_percent, 1.25 * std::sqrt(10 * 0.4), 1e-9);
+    EXPECT_NEAR(errors[1].index_percent, 1.25 * 0.4, 1e-9);
+    EXPECT_NEAR(errors[2].index_percent, 1.25 * std::sqrt(0.04 * 0.4), 1e-9);  // equal by chance: a tenth of the median
+    EXPECT_EQ(errors[2].trend, Trend::settled);
+    // A value that is zero on the finest has no relative change, and does not count for the others.
+    const auto zero = grid_convergence({changing(10), changing(0.4), changing(0), {{8, 3}, {4, 1}, {2, 0}}}, 0);
+    EXPECT_NEAR(zero[3].error, 1.25 * 1, 1e-12);
+    EXPECT_EQ(zero[0].error, errors[0].error);
+    for (const GridConvergence& none : grid_convergence({changing(0), changing(0)}, 9)) EXPECT_EQ(none.error, 0);
+}
+
+TEST(GridConvergence, ExpectsWhatTheTerrainStillHides) {
+    const GridConvergence rough = of_one(power_law(1), 4);
+    EXPECT_EQ(rough.trend, Trend::terrain);
+    EXPECT_NEAR(rough.error, 2 * 1.25 * 6, 1e-9);  // by the root of it
+    EXPECT_EQ(of_one(power_law(1), 1).trend, Trend::converging);
+    EXPECT_NEAR(of_one(power_law(1), 0.5).error, 1.25 * 6, 1e-9);
 }
 
 TEST(GridConvergence, NeedsThreeLevels) {
-    EXPECT_THROW(grid_convergence({{4, 1}, {2, 2}}), Error);
+    EXPECT_THROW(of_one({{4, 1}, {2, 2}}), Error);
 }
 
-// f(h) = 10 + 3 h^p on levels as numerics.accuracy makes them.
-std::vector<Refinement> close_levels(double order) {
-    std::vector<Refinement> levels;
-    for (const double h : {12.0, 8.0, 6.0, 4.0, 3.0, 2.0}) levels.push_back({h, 10 + 3 * std::pow(h, order)});
-    return levels;
-}
-
-TEST(CloseLevels, RecoverOrderAndLimitOfFirstOrder) {
-    const GridConvergence c = grid_convergence(close_levels(1), 0.5);
-    EXPECT_EQ(c.trend, Trend::converging);
-    EXPECT_NEAR(c.observed_order, 1, 1e-12);
-    EXPECT_NEAR(c.extrapolated, 10, 1e-10);
-    EXPECT_NEAR(c.error, 1.25 * 3 * 2, 1e-9);  // the true error times the safety factor
-}
-
-TEST(CloseLevels, AreCautiousWhereTheOrderIsNotTheMethods) {
-    const GridConvergence slow = grid_convergence(close_levels(0.6), 0);
-    EXPECT_EQ(slow.trend, Trend::converging);
-    EXPECT_NEAR(slow.observed_order, 0.6, 1e-12);
-    EXPECT_NEAR(slow.error, 3 * 3 * std::pow(2.0, 0.6), 1e-9);  // three times the true error
-    // Order two: f(8) - f(2) = 180 and f(4) - f(2) = 36; first order would leave a third of the one.
-    const GridConvergence fast = grid_convergence(close_levels(2), 0);
-    EXPECT_EQ(fast.trend, Trend::converging);
-    EXPECT_NEAR(fast.observed_order, 2, 1e-12);
-    EXPECT_NEAR(fast.error, 3 * 60, 1e-9);
-}
-
-TEST(CloseLevels, AreCautiousWhereValuesDoNotConverge) {
-    // Two equal values by chance among others that are not.
-    const GridConvergence chance = grid_convergence({{8, 4}, {6, 13}, {4, 10}, {3, 10}, {2, 10}}, 0);
-    EXPECT_EQ(chance.trend, Trend::oscillating);
-    EXPECT_NEAR(chance.error, 3 * (13 - 4) / 3.0, 1e-12);
-    const GridConvergence growing = grid_convergence({{8, 10}, {4, 11}, {3, 12}, {2, 13}}, 0);
-    EXPECT_EQ(growing.trend, Trend::diverging);
-    EXPECT_NEAR(growing.error, 3 * 2, 1e-12);
-    // One level between that swings.
-    EXPECT_EQ(grid_convergence({{8, 18}, {4, 14}, {3, 15}, {2, 12}}, 0).trend, Trend::oscillating);
-    const GridConvergence few = grid_convergence({{4, 14}, {3, 13}, {2, 12}}, 0);
-    EXPECT_EQ(few.trend, Trend::unknown);
-    EXPECT_NEAR(few.error, 3 * 2, 1e-12);
-    const GridConvergence equal = grid_convergence({{8, 7}, {6, 7}, {4, 7}, {3, 7}, {2, 7}}, 9);
-    EXPECT_EQ(equal.trend, Trend::settled);
-    EXPECT_EQ(equal.error, 0);
-}
-
-TEST(CloseLevels, ExpectAsMuchAsTheTerrainStillHides) {
-    const GridConvergence rough = grid_convergence(close_levels(1), 2.5);
-    EXPECT_EQ(rough.trend, Trend::terrain);
-    EXPECT_NEAR(rough.error, 2.5 * 3 * 6, 1e-9);  // 3 (f(4) - f(2)) for each halving's worth of detail
-    EXPECT_EQ(grid_convergence(close_levels(1), 1).trend, Trend::converging);
-}
-
-TEST(CloseLevels, NeedThreeOfWhichOneIsTwiceTheFinest) {
+TEST(GridConvergence, NeedsThreeOfWhichOneIsTwiceTheFinest) {
     EXPECT_TRUE(enough_levels({8, 4, 2}));
     EXPECT_TRUE(enough_levels({4, 3, 2}));
     EXPECT_FALSE(enough_levels({4, 2}));

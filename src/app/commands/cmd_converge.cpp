@@ -9,6 +9,7 @@
 
 #include "analysis/convergence.h"
 #include "analysis/trace.h"
+#include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
 #include "app/commands/scene_variants.h"
 #include "app/input/share_directory.h"
@@ -68,6 +69,14 @@ struct Level {
     std::vector<Sentence> warnings;  ///< as `frana run` would give
 };
 
+/// All levels, the finest last, and what they say of its values.
+struct Levels : std::vector<Level> {
+    std::vector<GridConvergence> convergence;  ///< of each of reported_statistics()
+
+    /// @param own, half terrain on the finest cells and on half of them; empty: the DTM has no more detail
+    void estimate(const Raster& own, const Raster& half, double threshold);
+};
+
 Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     RunResult result = variants.run(prepared.scene);
     if (!result.run_problems.empty()) {
@@ -97,13 +106,20 @@ std::vector<RunStatistic> reported_statistics() {
     return reported;
 }
 
-GridConvergence convergence_of(const std::vector<Level>& levels, const RunStatistic& statistic) {
-    std::vector<Refinement> refinements;
-    for (const Level& level : levels) refinements.push_back({level.cell_size, statistic.of(level.statistics)});
-    return grid_convergence(refinements);
+void Levels::estimate(const Raster& own, const Raster& half, double threshold) {
+    const Raster& depth = back().depth;
+    const double detail = half.values.empty() ? 0
+                                              : unseen_detail(ground_curvature(own, depth, threshold),
+                                                              ground_curvature(half, depth, threshold));
+    std::vector<std::vector<Refinement>> values;
+    for (const RunStatistic& statistic : reported_statistics()) {
+        values.emplace_back();
+        for (const Level& level : *this) values.back().push_back({level.cell_size, statistic.of(level.statistics)});
+    }
+    convergence = grid_convergence(values, detail);
 }
 
-std::string csv_text(const std::vector<Level>& levels) {
+std::string csv_text(const Levels& levels) {
     std::string text = "cell_size_m,particles,steps,wall_seconds";
     for (const RunStatistic& name : reported_statistics()) text += std::string(",") + name.key;
     text += '\n';
@@ -116,7 +132,7 @@ std::string csv_text(const std::vector<Level>& levels) {
     return text;
 }
 
-std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) {
+std::string study_json(const Levels& levels, const SceneSpec& spec) {
     Json json{{"program", k_program},
               {"version", k_version},
               {"scene", spec.file},
@@ -124,8 +140,9 @@ std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) 
     json["warnings"] = Json::array();
     for (const Level& level : levels)
         for (const std::string& warning : texts_of(level.warnings)) json["warnings"].push_back(warning);
+    const GridConvergence* estimate = levels.convergence.data();
     for (const RunStatistic& name : reported_statistics()) {
-        const GridConvergence c = convergence_of(levels, name);
+        const GridConvergence& c = *estimate++;
         json["statistics"][name.key] = {{"finest", name.of(levels.back().statistics)},
                                         {"trend", describe(c.trend)},
                                         {"observed_order", c.observed_order},
@@ -143,7 +160,7 @@ std::string decimals(double value, int digits) {
 }
 
 /// The table for the terminal, and the sentences stored for later runs.
-std::string table_text(const std::vector<Level>& levels) {
+std::string table_text(const Levels& levels) {
     std::vector<TextTable::Column> columns;
     for (const char* title : {"cell [m]", "particles", "steps", "engine [s]", "depth [m]", "depth 99.9 % [m]",
                               "velocity [m/s]", "velocity 99.9 % [m/s]", "area [m2]", "run-out [m]"})
@@ -158,15 +175,15 @@ std::string table_text(const std::vector<Level>& levels) {
     return table.text(output_width());
 }
 
-std::string sentences(const std::vector<Level>& levels) {
+std::string sentences(const Levels& levels) {
     std::string text;
+    const GridConvergence* estimate = levels.convergence.data();
     for (const RunStatistic& name : reported_statistics()) {
-        const GridConvergence c = convergence_of(levels, name);
+        const GridConvergence& c = *estimate++;
         text += std::string(name.title) + ' ' + number_text(name.of(levels.back().statistics)) + ' ' + name.unit +
                 ", estimated error " + number_text(c.error, 2) + ' ' + name.unit + " (" +
                 number_text(c.index_percent, 2) + " %; " + describe(c.trend);
-        if (c.trend == Trend::converging) text += ", order " + number_text(c.observed_order, 2);
-        if (c.observed_order > k_scheme_order) text += ", above the scheme's: a caution";
+        if (!std::isnan(c.observed_order)) text += ", order " + number_text(c.observed_order, 2);
         text += ")\n";
     }
     return text + "from " + std::to_string(levels.size()) + " resolutions, the finest " +
@@ -176,7 +193,7 @@ std::string sentences(const std::vector<Level>& levels) {
 }
 
 /// Difference of each level's values from their extrapolated values, relative to those, against the cell size.
-render::Image chart_of(const std::vector<Level>& levels, const Words& words) {
+render::Image chart_of(const Levels& levels, const Words& words) {
     render::Chart chart{words("Convergence"),
                         words("distance from the extrapolated value, if there is one; otherwise from the finest"),
                         "",
@@ -184,8 +201,9 @@ render::Image chart_of(const std::vector<Level>& levels, const Words& words) {
                         {},
                         true,
                         words};
+    const GridConvergence* estimate = levels.convergence.data();
     for (const RunStatistic& name : reported_statistics()) {
-        const double limit = convergence_of(levels, name).extrapolated;
+        const double limit = (estimate++)->extrapolated;
         render::ChartSeries series{words("this scene"), {0, 90, 181}, {}};
         series.marker = render::Marker::circle;
         for (const Level& level : levels) {
@@ -285,12 +303,19 @@ int cmd_converge(const Arguments& arguments) {
         scenes.push_back(variants.read({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));
     }
 
+    Raster half;
+    if (begin_record(scenes.front()).terrain_cell_size < 0.99 * finest)
+        half = variants.read({"terrain.cell-size=" + shortest_text(finest / 2)}).scene.terrain;
+
     catch_stop_signals();
-    std::vector<Level> levels;
+    Levels levels;
+    Raster own;
     for (; !scenes.empty(); scenes.pop_back()) {  // the coarsest is the last
         levels.push_back(run_level(scenes.back(), variants));
         if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
+        own = std::move(scenes.back().scene.terrain);
     }
+    levels.estimate(own, half, spec.output.trace_threshold);
 
     RunLog log(quiet);
     for (const Level& level : levels)

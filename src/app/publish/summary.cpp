@@ -87,15 +87,17 @@ std::vector<ValueEstimate> value_estimates(const AccuracyRecord& record) {
     if (levels.empty() || !enough_levels(sizes)) return {};
     const AccuracyLevel& last = *levels.back();
     const double detail = unseen_detail(last.curvature, last.finest_curvature);
+    std::vector<std::vector<Refinement>> values(last.values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (const AccuracyLevel* level : levels) values[i].push_back({level->cell_size, level->values.at(i).value});
+    const std::vector<GridConvergence> convergence = grid_convergence(values, detail);
     std::vector<ValueEstimate> estimates;
-    for (std::size_t i = 0; i < last.values.size(); ++i) {
-        std::vector<Refinement> refinements;
-        for (const AccuracyLevel* level : levels) refinements.push_back({level->cell_size, level->values.at(i).value});
+    for (std::size_t i = 0; i < values.size(); ++i) {
         ValueEstimate estimate;
         estimate.value = last.values[i];
-        estimate.is_zero = std::all_of(refinements.begin(), refinements.end(),
-                                       [](const Refinement& level) { return level.value == 0; });
-        estimate.convergence = grid_convergence(refinements, detail);
+        estimate.is_zero =
+            std::all_of(values[i].begin(), values[i].end(), [](const Refinement& level) { return level.value == 0; });
+        estimate.convergence = convergence[i];
         estimate.error = std::max(estimate.convergence.error, estimate.value.resolution);
         estimate.allowed = std::max(record.asked * std::abs(estimate.value.value), estimate.value.negligible);
         estimates.push_back(std::move(estimate));
@@ -194,7 +196,8 @@ std::string estimate_lines(const std::vector<ValueEstimate>& estimates) {
                 number_text(e.error, 2) + " " + e.value.unit;
         if (e.value.value != 0) text += " (" + number_text(e.percent(), 2) + " %)";
         text += std::string("; ") + describe(e.convergence.trend);
-        if (e.convergence.trend == Trend::converging) text += ", order " + number_text(e.convergence.observed_order, 2);
+        if (!std::isnan(e.convergence.observed_order))
+            text += ", order " + number_text(e.convergence.observed_order, 2);
         text += e.is_within() ? "\n" : "; not claimed\n";
     }
     if (!text.empty()) text.pop_back();
