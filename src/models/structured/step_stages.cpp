@@ -97,8 +97,7 @@ void add_solids(State& state, const ParticleSet& solids) {
 
 SolidsOnGrid solids_on_grid(const State& state) {
     if (!state.solid) return {};
-    const SolidNodes& n = state.solid->nodes;
-    return {n.depth.data(), n.u.data(), n.v.data(), n.solid_fraction.data(), n.structured.data()};
+    return fluid_inputs(state.solid->nodes);
 }
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {

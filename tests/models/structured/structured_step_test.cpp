@@ -271,6 +271,33 @@ TEST(Coupling, SteadyStreamOverRestingSolids) {
     }
 }
 
+// Loose solids and water that fills their pores slide together on level ground without friction: the bed's stress slows
+// both alike, V = V_0/(1 + R V_0 t), R = rho_u g n^2/(d^(1/3) (m_c + m_u)).
+TEST(Coupling, TheBedSlowsTheColumnAsOne) {
+    ThreadPool pool(1);
+    constexpr double manning = 0.1, speed = 8, height = 1, seconds = 2;
+    Case c(2);
+    c.material.solid_fraction = 0.5;
+    c.material.grain_density = 2400;
+    c.material.bed_friction = c.material.cohesion = 0;
+    c.laws.fluid.manning = c.laws.coupling.column_manning = manning;
+    c.laws.fluid.manning_on_total = true;
+    c.fill(20, 0, 240, 60, [](Point) { return bench::Seed{2 * height, speed, 0}; });
+    State state = c.start(flat(120, 20, 2), pool, true);
+    std::vector<FluidSource> water;
+    for (std::int64_t j = 0; j < 20; ++j)
+        for (std::int64_t i = 10; i < 90; ++i) water.push_back({state.grid.index(i, j), height, speed * height, 0});
+    receive(water, *state.fluid, state.grid, c.laws.fluid);
+    const double mass = 2400 * height + 1000 * height;
+    const double rate = 1000 * k_standard_gravity * manning * manning / std::cbrt(2 * height) / mass;
+    advance_to(state, c.laws, seconds, pool);
+    const std::size_t middle = state.grid.index(56, 10);
+    const double exact = speed / (1 + rate * speed * seconds);
+    // First order in time: steps of 0.1 s are a hundredth of 1/(R V).
+    EXPECT_NEAR(state.solid->nodes.u[middle], exact, 0.01 * exact);
+    EXPECT_NEAR(state.fluid->now.qx[middle] / state.fluid->now.depth[middle], exact, 0.01 * exact);
+}
+
 // With drag the stream is slower, and the virtual mass leaves it at the speed that it has without.
 TEST(Coupling, SteadyStreamOverRestingSolidsWithDrag) {
     ThreadPool pool(1);

@@ -2,6 +2,11 @@
 #include "models/structured/coupling/couple_nodes.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "models/structured/fluid/fluid_resistance.h"
+#include "mpm/curvature.h"
+#include "physics/friction_sum.h"
 
 namespace frana::structured {
 namespace {
@@ -38,9 +43,9 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     nodes.push[n].submergence = filled;
     if (!(cell.free > laws.dry)) return push;
     const Point surface = surface_gradient(grid, nodes, fluid, laws.dry, n);
-    const double weight = gravity * flat;
+    const double weight = gravity * flat, density = laws.drag.fluid.density;
     if (laws.buoyancy) {
-        const double ratio = laws.drag.fluid.density * (sums.solids + sums.confined) / sums.mass;  // gamma_c
+        const double ratio = density * (sums.solids + sums.confined) / sums.mass;  // gamma_c
         push.x -= filled * ratio * weight * (surface.x - slope.x);
         push.y -= filled * ratio * weight * (surface.y - slope.y);
     }
@@ -52,16 +57,30 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     cell.friction = more.friction * inverse_area * flat;
     cell.coupled_velocity = {sums.px / sums.mass, sums.py / sums.mass};
     cell.free_velocity = {fluid.now.qx[n] / cell.free, fluid.now.qy[n] / cell.free};
+    if (laws.column_manning > 0) {
+        const double u = cell.coupled_velocity.x(), v = cell.coupled_velocity.y();
+        const double speed = speed_along_bed(u, v, flat < 1 ? slope.x * u + slope.y * v : 0);
+        const double braked = column_resistance(dt * gravity, laws.column_manning, density, fluid_inputs(nodes), n,
+                                                cell.free, std::sqrt(flat));
+        const double taken = (1 - 1 / implicit_divisor(speed, 1.0, braked)) / dt;
+        push.x -= taken * u;
+        push.y -= taken * v;
+    }
     cell.push = {push.x, push.y};
     cell.free_push = {fluid.resistance_x[n] / dt - weight * surface.x, fluid.resistance_y[n] / dt - weight * surface.y};
     const Eigen::Vector2d impulse = exchange(laws, cell, dt);
-    fluid.now.qx[n] -= impulse.x() / laws.drag.fluid.density;
-    fluid.now.qy[n] -= impulse.y() / laws.drag.fluid.density;
+    fluid.now.qx[n] -= impulse.x() / density;
+    fluid.now.qy[n] -= impulse.y() / density;
     const double per_mass = 1 / (cell.coupled_mass * dt);
     return {push.x + impulse.x() * per_mass, push.y + impulse.y() * per_mass};
 }
 
 }  // namespace
+
+SolidsOnGrid fluid_inputs(const SolidNodes& n) {
+    return {n.depth.data(),      n.u.data(),    n.v.data(),    n.solid_fraction.data(),
+            n.structured.data(), n.mass.data(), n.pores.data()};
+}
 
 void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes) {
     const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
@@ -74,6 +93,8 @@ void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidSt
         const double free = fluid ? fluid->now.depth[n] : 0;
         nodes.solid_fraction[n] = s.solids * inverse_area / (nodes.depth[n] + free);
         nodes.structured[n] = s.structured / s.solids;
+        nodes.mass[n] = s.mass * inverse_area;
+        nodes.pores[n] = fluid ? nodes.coupling[n].pores * inverse_area : 0;
     });
 }
 

@@ -8,6 +8,9 @@
 
 namespace frana::structured {
 
+/// The fluid's inputs at the nodes, as solids_to_fluid sets them.
+SolidsOnGrid fluid_inputs(const SolidNodes& nodes);
+
 /// Converts node sums to inputs of the fluid and of the drag: depth and velocity of solids with confined fluid,
 /// fractions. For one tile of the solids.
 void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);

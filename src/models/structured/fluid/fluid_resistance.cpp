@@ -6,7 +6,6 @@
 
 #include "models/structured/fluid/fluid_step.h"
 #include "mpm/curvature.h"
-#include "physics/friction_manning.h"
 #include "physics/friction_sum.h"
 
 namespace frana::structured {
@@ -27,7 +26,7 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
 namespace {
 
 // Returns V with b V + A V^2 + B max(0, V - c)^2 = left, for left, b > 0 and A, B, c not negative: backward Euler of
-// Manning's resistance by the depth of both phases (A) and, in excess of the solids' speed c, by the fluid's own (B).
+// Manning's resistance of both phases together (A) and, in excess of the solids' speed c, by the fluid's own (B).
 double speed_over_solids(double left, double b, double total, double own, double c) {
     const double together = left / implicit_divisor(left, b, total);
     if (together <= c || !(own > 0)) return together;
@@ -78,7 +77,7 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
         if (laws.manning_on_total && solid_depth > 0 && speed > 0) {
             // The solids' velocity along the fluid's, as a part of it; over solids at rest the fluid has its own depth.
             const double along = (u * solid.u[cell] + v * solid.v[cell]) / (u * u + v * v);
-            const double both = manning_resistance(dt * laws.gravity, laws.manning, total * flat);
+            const double both = column_resistance(dt * laws.gravity, laws.manning, laws.density, solid, cell, h, flat);
             if (along > 0) kept = speed_over_solids(speed, b, both, own - both, along * speed) / speed;
         }
         fields.qx[cell] = h * u * kept;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "models/structured/fluid/fluid_state.h"
+#include "physics/friction_manning.h"
 
 namespace frana::structured {
 
@@ -17,11 +18,27 @@ bool has_viscosity(const FluidLaws& laws);
 /// share/doc/structured.md, "Free fluid").
 double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcept;
 
+/// Manning's resistance of solids and fluid as one column, which both feel alike [1/m] (ours):
+///
+///     k rho_u g n^2 / d^(1/3) / (m_c + rho_u h_u),   k = (1 - f_sc) min(1, h_u / h_pores),   d = (h_u + h_c) cos
+///
+/// the bed's stress over the mass of both. k is the part of the column that moves over the bed as a fluid: not blocks,
+/// and loose solids as far as free fluid fills their pores.
+/// @param free h_u [m]
+/// @param flatness cosine of the bed's slope
+inline double column_resistance(double gravity, double manning, double density, const SolidsOnGrid& solid,
+                                std::size_t cell, double free, double flatness) noexcept {
+    const double total = free + solid.depth[cell];
+    const double filled = free < solid.pores[cell] ? free / solid.pores[cell] : 1;
+    return manning_resistance(gravity, manning, total * flatness) * density * total * (1 - solid.structured[cell]) *
+           filled / (solid.mass[cell] + density * free);
+}
+
 /// Bed resistance in one tile over dt, fully implicit, so that it slows, never reverses, and steady flow is exact:
 ///
 ///     u (1 + dt (R_n + R_v + R_s)) = u* + dt R_s u_c
 ///     R_n = g n^2 V / d^(4/3)                       Manning (paper, equation 46): V the speed along the bed,
-///                                                   d = h_u cos the thickness normal to it, or (h_u + h_c) cos;
+///                                                   d = h_u cos the thickness normal to it, or by the column;
 ///                                                   V = |u|, d = h_u on gentle ground
 ///     R_v = chi nu / h^2                            viscous shear at the bed (equation 56)
 ///     R_s = nu_A zeta alpha_s (1 - f_sc) / h^2      damping by the solids' profile (equation 45; the sign is

@@ -28,6 +28,8 @@ struct SolidsOnGrid {
     const double* v = nullptr;               ///< v_c [m/s]
     const double* solid_fraction = nullptr;  ///< alpha_s of the whole cell [-]
     const double* structured = nullptr;      ///< f_sc, fraction of the solids that is structured [-]
+    const double* mass = nullptr;            ///< m_c [kg/m2]
+    const double* pores = nullptr;           ///< between the solids when they were placed [m]
 };
 
 /// Fluid added to a cell between two steps, with its momentum: release of confined fluid, inflow.
@@ -47,9 +49,9 @@ struct FluidLaws {
     bool wall = false;                    ///< the edge of the grid; false: open
     bool gaps_are_open = true;            ///< flow may enter cells without terrain (and is counted); false: walls
     double manning = 0;                   ///< n [s/m^(1/3)]
-    /// R_n by the depth of solids and fluid together (paper, equation 46) as far as they move together; in excess of
-    /// the solids' velocity by the fluid's own (ours: a film is braked by the block that it runs over). Needs
-    /// SolidsOnGrid::u.
+    /// R_n by depth and mass of solids and fluid together (paper, equation 46) as far as they move together; in excess
+    /// of the solids' velocity by the fluid's own (ours: a film is braked by the block that it runs over). Needs
+    /// SolidsOnGrid::u, mass. The solids' part: CouplingLaws::column_manning.
     bool manning_on_total = false;
     double density = k_fluid_density;  ///< rho_u [kg/m3]
     double viscosity = 0;              ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term

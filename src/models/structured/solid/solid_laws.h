@@ -299,9 +299,9 @@ struct SolidLaws : PairLaws {
 
     double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
     double artificial_stress = 0.5;
-    double elastic_cfl = 0.5;   ///< fraction of the smoothing length that elastic waves cross in a substep
-    bool skips_rest = true;     ///< cells at rest are skipped; false, for tests: computed, with the same bits
-    double pic_fraction = 0;    ///< fraction of the grid's velocity that particles adopt in a step
+    double elastic_cfl = 0.5;  ///< fraction of the smoothing length that elastic waves cross in a substep
+    bool skips_rest = true;    ///< cells at rest are skipped; false, for tests: computed, with the same bits
+    double pic_fraction = 0;   ///< fraction of the grid's velocity that particles adopt in a step
 };
 
 }  // namespace frana::structured

@@ -22,6 +22,8 @@ SolidNodes::SolidNodes(const NodeGrid& on, bool walls_in_gaps, bool coupled)
       v(sums.size()),
       solid_fraction(sums.size()),
       structured(sums.size()),
+      mass(sums.size()),
+      pores(sums.size()),
       grid(tiles_on(on)),
       gaps_are_walls(walls_in_gaps) {
     if (coupled) coupling = ZeroArray<CouplingSums>(sums.size());
@@ -35,7 +37,7 @@ void SolidNodes::clear(const NodeGrid& on, ThreadPool& pool) {
             const auto begin = static_cast<std::size_t>(j * on.stride() + range.i0);
             std::fill_n(sums.data() + begin, count, SolidSums{});
             if (coupling.size() > 0) std::fill_n(coupling.data() + begin, count, CouplingSums{});
-            for (ZeroArray<double>* field : {&depth, &u, &v, &solid_fraction, &structured})
+            for (ZeroArray<double>* field : {&depth, &u, &v, &solid_fraction, &structured, &mass, &pores})
                 std::fill_n(field->data() + begin, count, 0.0);
         }
     });

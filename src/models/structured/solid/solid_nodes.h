@@ -52,16 +52,16 @@ class SolidNodes {
     /// Everything that steps change.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where, frame, closed_gaps] =
-            *this;
-        archive(sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where);
+        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_fraction, areal, gaps, where, frame,
+                                closed_gaps] = *this;
+        archive(sum, coupled, pushes, h, nu, nv, solids, whole_fraction, areal, gaps, where);
     }
 
     ZeroArray<SolidSums> sums;
     ZeroArray<CouplingSums> coupling;  ///< empty without fluid
     ZeroArray<NodePush> push;
-    ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< inputs of the fluid (SolidsOnGrid)
-    std::vector<std::int64_t> tiles;                            ///< ascending; outside them all sums are zero
+    ZeroArray<double> depth, u, v, solid_fraction, structured, mass, pores;  ///< inputs of the fluid (SolidsOnGrid)
+    std::vector<std::int64_t> tiles;  ///< ascending; outside them all sums are zero
     TileGrid grid;
     bool gaps_are_walls;
 };
