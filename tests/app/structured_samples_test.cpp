@@ -142,11 +142,11 @@ constexpr double k_loss_digits = 0.006, k_length_digits = 1;
 TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
     SampleRun run("fracture/2b.ini", "20");
     EXPECT_NEAR(run.at(5).lost, 0.08, k_loss_digits);
-    EXPECT_NEAR(run.at(14).length, 305, k_length_digits);
+    EXPECT_NEAR(run.at(14).length, 304, k_length_digits);
     const Statistics late = run.at(24);
-    EXPECT_NEAR(late.lost, 0.20, k_loss_digits);
-    EXPECT_NEAR(late.length, 551, k_length_digits);  // 193 m at the start
-    EXPECT_LT(late.apart, 7);                        // parts with little free water between them
+    EXPECT_NEAR(late.lost, 0.36, k_loss_digits);
+    EXPECT_NEAR(late.length, 577, k_length_digits);  // 193 m at the start
+    EXPECT_LT(late.apart, 3);
     breaks_where_it_yields(late);
 }
 
@@ -155,7 +155,7 @@ TEST(FractureSample, TwoCFlowsApartTogetherWithItsWater) {
     for (const double time : {2.0, 5.0, 10.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 3) << time << " s";
     const Statistics f = run.at(24);
     EXPECT_EQ(f.lost, 1);
-    EXPECT_NEAR(f.length, 672, 10);  // single particles at the front
+    EXPECT_NEAR(f.length, 615, 10);  // single particles at the front
 }
 
 TEST(FractureSample, ThreeAKeepsItsShape) {
@@ -173,7 +173,7 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
     EXPECT_EQ(run.at(14).lost, 0);
-    EXPECT_NEAR(run.at(24).lost, 0.75, k_loss_digits);
+    EXPECT_NEAR(run.at(24).lost, 0.71, k_loss_digits);
     EXPECT_GT(run.at(40).lost, 0.995);
     EXPECT_EQ(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83500"}).at(14).lost, 0);
     EXPECT_GT(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83000"}).at(14).lost, 0.8);
@@ -182,7 +182,7 @@ TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
 TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     SampleRun run("fracture/3c.ini", "20");
     EXPECT_GT(run.at(0.5).damaged, 1 - 1e-9);  // all of it yields
-    EXPECT_NEAR(run.at(2).lost, 0.73, k_loss_digits);
+    EXPECT_NEAR(run.at(2).lost, 0.68, k_loss_digits);
     EXPECT_EQ(run.at(5).lost, 1);
     for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 3) << time << " s";
 }
@@ -195,8 +195,8 @@ TEST(FractureSample, DependenceOnTheCells) {
         const char* cell;
         double third_c, third_b, second_b, length;
     };
-    // On 20 m they are those of the tests above: 0.73, 0.75, 0.20 and 305 m.
-    for (const Row& row : {Row{"12.5", 0.73, 0.59, 0.10, 333}, Row{"10", 0.75, 0.52, 0.07, 340}}) {
+    // On 20 m they are those of the tests above: 0.68, 0.71, 0.36 and 304 m.
+    for (const Row& row : {Row{"12.5", 0.67, 0.55, 0.20, 333}, Row{"10", 0.64, 0.49, 0.14, 340}}) {
         SampleRun three_c("fracture/3c.ini", row.cell), three_b("fracture/3b.ini", row.cell),
             two_b("fracture/2b.ini", row.cell);
         EXPECT_NEAR(three_c.at(2).lost, row.third_c, k_loss_digits) << row.cell;
@@ -251,6 +251,21 @@ TEST(FlumeSample, WhatAlternatesAtRestIsFarFromTheStrength) {
     const auto [mean, greatest] = run.stress();
     EXPECT_LT(mean, 0.001 * 4e6);
     EXPECT_LT(greatest, 0.01 * 4e6);
+}
+
+TEST(PrintSample, All) {
+    for (const char* measure : {"distortion", "volumetric"})
+        for (const char* cell : {"20", "10"})
+            for (const char* name : {"2a", "2b", "2c", "3a", "3b", "3c"}) {
+                std::vector<std::string> more;
+                if (measure[0] == 'v') more.push_back("structured.damage=volumetric");
+                SampleRun run(std::string("fracture/") + name + ".ini", cell, more);
+                for (const double time : {0.5, 2.0, 5.0, 14.0, 24.0, 40.0}) {
+                    const Statistics f = run.at(time);
+                    std::printf("%s %s %s %g lost %.3f damaged %.3f length %.0f apart %.2f strain %.3f\n", measure, cell, name,
+                                time, f.lost, f.damaged, f.length, f.apart, f.whole_strain);
+                }
+            }
 }
 
 }  // namespace
