@@ -253,20 +253,5 @@ TEST(FlumeSample, WhatAlternatesAtRestIsFarFromTheStrength) {
     EXPECT_LT(greatest, 0.01 * 4e6);
 }
 
-TEST(PrintSample, All) {
-    for (const char* measure : {"distortion", "volumetric"})
-        for (const char* cell : {"20", "10"})
-            for (const char* name : {"2a", "2b", "2c", "3a", "3b", "3c"}) {
-                std::vector<std::string> more;
-                if (measure[0] == 'v') more.push_back("structured.damage=volumetric");
-                SampleRun run(std::string("fracture/") + name + ".ini", cell, more);
-                for (const double time : {0.5, 2.0, 5.0, 14.0, 24.0, 40.0}) {
-                    const Statistics f = run.at(time);
-                    std::printf("%s %s %s %g lost %.3f damaged %.3f length %.0f apart %.2f strain %.3f\n", measure, cell, name,
-                                time, f.lost, f.damaged, f.length, f.apart, f.whole_strain);
-                }
-            }
-}
-
 }  // namespace
 }  // namespace frana::test
