@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 #include "app/commands/command_line.h"
@@ -172,6 +173,15 @@ void make_folder_of_plugins(const fs::path& profile, const std::string& name) {
                                                     system_remedy(error.value())});
 }
 
+/// Debian 12's script qgis_process passes an option that the program behind it, qgis_process.bin, does not know.
+const char* qgis_process() {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (std::error_code error; fs::exists(fs::path(folder) / "qgis_process.bin", error)) return "qgis_process.bin";
+    return "qgis_process";
+}
+
 }  // namespace
 
 int cmd_qgis_plugin(const Arguments& arguments) {
@@ -198,7 +208,8 @@ int cmd_qgis_plugin(const Arguments& arguments) {
     install_plugin(source.string(), target, working, fs::read_symlink("/proc/self/exe").string());
     std::cout << target << '\n';
     std::cerr << "frana: enable the plugin once in QGIS: Plugins, Manage and Install Plugins, Installed, frana; for "
-                 "qgis_process: qgis_process plugins enable frana\n";
+                 "qgis_process: "
+              << qgis_process() << " plugins enable frana\n";
     return static_cast<int>(ExitCode::done);
 }
 
