@@ -131,7 +131,7 @@ ENSEMBLE = (
     _raster("QUANTILE_VELOCITY_50", "Maximum velocity, median [m/s]", "quantile_max_velocity_50"),
     _raster("QUANTILE_VELOCITY_95", "Maximum velocity, 95 % quantile [m/s]", "quantile_max_velocity_95"),
     _raster("HIT_COUNT", "Number of runs that came"),
-    Output("rasters", "PROBABILITIES", "All probabilities and their standard errors", "probability_*.tif"),
+    Output("rasters", "PROBABILITIES", "All probabilities and their margins", "probability_*.tif"),
     Output("rasters", "STATISTICS", "All means, deviations and quantiles", "mean_*.tif deviation_*.tif quantile_*.tif"),
     Output("rasters", "SENSITIVITY_MAPS", "Maps of sensitivity", "sensitivity_*.tif"),
     Output("layer", "OUTLINES", "Outlines of the runs", "members.gpkg|members"),

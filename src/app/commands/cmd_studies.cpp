@@ -126,7 +126,7 @@ bool is_exact_enough(const study::StudyInput& input, const std::string& folder, 
     for (const study::MappedEvents& events : study::mapped_events(input.base.spec))
         largest = std::max(largest, study::error_of_first(result.finished, result.finished.size(), events.quantity,
                                                           result.grid, events.thresholds)
-                                        .largest);
+                                        .largest());
     return largest <= *input.reading.study.until;
 }
 

@@ -242,11 +242,12 @@ class Reference {
     Reference(const study::StudyInput& input, const Sample& sample) : events_(study::mapped_events(input.base.spec)) {
         for (const study::MappedEvents& events : events_) {
             std::vector<Raster> maps(events.thresholds.size(), Raster(sample.result.grid));
-            const study::ProbabilityEstimate estimate(sample.result.finished);
+            const study::MeanEstimate estimate(sample.result.finished);
             study::for_each_reached_cell(sample.result.finished, events.quantity, sample.result.grid,
                                          [&](std::size_t cell, std::span<const float> values) {
                                              for (std::size_t t = 0; t < maps.size(); ++t) {
-                                                 const study::Probability p = estimate.of(values, events.thresholds[t]);
+                                                 const study::Estimate p =
+                                                     estimate.probability(values, events.thresholds[t]);
                                                  if (!(p.value > 0 && p.value < 1)) continue;
                                                  maps[t].values[cell] = p.value;
                                                  squares_ += p.value * p.value;
@@ -264,15 +265,15 @@ class Reference {
     };
     [[nodiscard]] Squares of(const study::StudyResult& result) const {
         Squares sum{squares_, 0};  // as if nothing were reached
-        const study::ProbabilityEstimate estimate(result.finished);
+        const study::MeanEstimate estimate(result.finished);
         for (std::size_t e = 0; e < events_.size(); ++e) {
             study::for_each_reached_cell(result.finished, events_[e].quantity, result.grid,
                                          [&](std::size_t cell, std::span<const float> values) {
                                              for (std::size_t t = 0; t < maps_[e].size(); ++t) {
                                                  const double exact = maps_[e][t].values[cell];
                                                  if (exact == 0) continue;
-                                                 const study::Probability p =
-                                                     estimate.of(values, events_[e].thresholds[t]);
+                                                 const study::Estimate p =
+                                                     estimate.probability(values, events_[e].thresholds[t]);
                                                  sum.error += (p.value - exact) * (p.value - exact) - exact * exact;
                                                  sum.said += p.error * p.error;
                                              }

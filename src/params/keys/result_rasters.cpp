@@ -128,9 +128,9 @@ void add_study(Table& table) {
            k_even);
     of_all("worst_source", "Number of the worst source", "Number of the source that causes the greatest depth", "-", "",
            k_even);
-    ResultRaster& sensitivity =
-        for_values("sensitivity", "Sensitivity to {}", "Fraction of the variance of being reached that {} explains",
-                   "-", "velocity", k_even);
+    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
+                                           "Fraction of the variance of the distance from the outline that {} explains",
+                                           "-", "velocity", k_even);
     sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
 }
 

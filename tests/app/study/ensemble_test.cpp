@@ -391,7 +391,7 @@ TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {
     write_study("samples = 400\nuntil = 0.07\n", k_two_keys);
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(members().size(), 64U);  // 0.5 / sqrt(64) = 0.0625 at most
+    EXPECT_EQ(members().size(), 64U);  // of independent members 0.5 / sqrt(64) = 0.0625 at most
     EXPECT_LE(json_number(read_text(path("out/summary.json")), "largest_standard_error"), 0.0625);
 }
 
@@ -405,7 +405,8 @@ TEST_F(Ensemble, SensitivitiesTellWhichKeyDecides) {
     for (const auto& row : table.rows) {
         if (row[0] != "covered_area_m2") continue;
         found = true;
-        EXPECT_EQ(row[11], "Martinez");
+        EXPECT_EQ(row[11], "polynomial chaos") << "of 40 groups Martinez's estimator says nothing";
+        EXPECT_GT(std::stod(row[12]), 0.7);
         const double total = std::stod(row[3]);
         const bool decides = row[1] == "material.friction-angle";
         EXPECT_EQ(total > 0.5, decides) << row[1] << ": " << total;

@@ -26,7 +26,7 @@ class EnsembleAlgorithm(SceneAlgorithm):
     TITLE = "Give a range: many runs with uncertain values"
     GROUP = "Many runs"
     HELP = ("Runs the scene many times with values drawn from the ranges that you state, and tells how likely each place is to be "
-            "reached: probabilities with their standard error, quantiles of depth and speed, sensitivities.\n\n"
+            "reached: probabilities with their intervals, quantiles of depth and speed, sensitivities.\n\n"
             "Give the scene and at least one uncertain value, or a study file.")
     TAGS = ("probability", "uncertainty", "sensitivity", "monte carlo")
     NAMES = {**SceneAlgorithm.NAMES, "vary": "Uncertain values", "study": "Study"}
@@ -52,7 +52,7 @@ class EnsembleAlgorithm(SceneAlgorithm):
         self.add_load()
         self.add_result_folder()
         self.addOutput(QgsProcessingOutputRasterLayer("PROBABILITY",
-                                                      "Probability of the least of the depth thresholds, and standard error"))
+                                                      "Probability of the least of the depth thresholds, and margin"))
         declare(self, ENSEMBLE)
 
     def study(self, values: Values, folder: str) -> str:

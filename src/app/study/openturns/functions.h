@@ -14,20 +14,31 @@ namespace frana::app::study {
 
 /// A value and its interval of confidence.
 struct Interval {
-    double value = 0, low = 0, high = 0;  ///< low, high: of 95 %
+    double value = 0, low = 0, high = 0;  ///< low, high: of 95 %; NaN: it has none
 };
 /// Sensitivity of one figure to one key.
 struct KeySensitivity {
     std::optional<Interval> first_order, total;  ///< Sobol' indices: fractions of the variance
     /// Spearman's rank correlation; of a key without order the correlation ratio, which has no interval.
     std::optional<Interval> rank_correlation;
-    std::string method;  ///< "Martinez", "Spearman", "correlation ratio"; empty: the figure does not vary
+    std::string method;  ///< of the fractions of variance: "Martinez", "polynomial chaos", or why there are none
 };
 
-/// The inputs of members, by member and key, as SampleTable::numbers.
+/// The inputs of members, by member and key.
 struct DesignPoints {
-    std::vector<std::vector<double>> numbers;
-    std::vector<bool> nominal;  ///< by key
+    std::vector<std::vector<double>> numbers;  ///< as SampleTable::numbers
+    std::vector<bool> nominal;                 ///< by key
+    Places places;               ///< in the distributions; of a grid or a table mean ranks, even in (0, 1)
+    bool are_dependent = false;  ///< the keys of each other: no fraction of the variance is one key's
+};
+
+/// What polynomials of the keys say of an output. The output is a sum of products of orthonormal functions of single
+/// keys, y = sum c_a Psi_a, fitted by least squares: Legendre polynomials of a key's place in its distribution, of a
+/// key without order contrasts of its values. Of nested sets up to degree 3 and products of 3 keys that with the
+/// greatest q2 is taken (Sudret 2008, Reliability Engineering & System Safety 93, 964).
+struct Chaos {
+    double q2 = 0;  ///< 1 - mean square of the errors at members left out, one by one, over the variance; NaN: none
+    std::vector<double> first_order, total;  ///< by key: sums of its c_a^2, alone and with others, over the variance
 };
 
 /// Members drawn near others that explain the surveys, with the density from which they were drawn.
@@ -41,7 +52,8 @@ struct RefinedPlaces {
 struct OpenturnsFunctions {
     /// Values of a distribution of numbers at places in (0, 1).
     std::vector<double> (*quantiles)(const Distribution& distribution, const std::vector<double>& places);
-    /// Places of a study's members, independent in each coordinate.
+    /// Places of a study's members, independent in each coordinate. Member i (of Saltelli's design: group i) is from
+    /// part i % k_replicates. Of `sobol` and `random` the first places are those of fewer samples.
     Places (*independent_places)(const StudySpec& study);
     /// Gives places the rank correlations of a study; each coordinate stays even in (0, 1). False: no distribution has
     /// these correlations.
@@ -52,7 +64,9 @@ struct OpenturnsFunctions {
                              std::int64_t seed);
     /// As sobol_indices(), for outputs that vary in every matrix of the design.
     std::vector<KeySensitivity> (*indices)(const DesignPoints& points, const std::vector<double>& output,
-                                           std::size_t groups, bool with_intervals);
+                                           std::size_t groups);
+    /// The polynomials of some outputs (by output and member), all by the same decompositions.
+    std::vector<Chaos> (*chaos)(const DesignPoints& points, const std::vector<std::vector<double>>& outputs);
 };
 
 /// Loads the module when it is first called. Throws Error(environment) if that is not possible.

@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <openturns/ComposedDistribution.hxx>
 #include <openturns/Exception.hxx>
 #include <openturns/LHSExperiment.hxx>
+#include <openturns/LegendreFactory.hxx>
 #include <openturns/LogNormal.hxx>
 #include <openturns/LogNormalMuSigma.hxx>
 #include <openturns/LogUniform.hxx>
-#include <openturns/LowDiscrepancyExperiment.hxx>
 #include <openturns/MartinezSensitivityAlgorithm.hxx>
+#include <openturns/Matrix.hxx>
 #include <openturns/Mixture.hxx>
-#include <openturns/MonteCarloExperiment.hxx>
 #include <openturns/Normal.hxx>
 #include <openturns/NormalCopula.hxx>
 #include <openturns/ParametrizedDistribution.hxx>
 #include <openturns/RandomGenerator.hxx>
-#include <openturns/SobolIndicesExperiment.hxx>
 #include <openturns/SobolSequence.hxx>
 #include <openturns/TBB.hxx>
 #include <openturns/Triangular.hxx>
 #include <openturns/TruncatedDistribution.hxx>
 #include <openturns/TruncatedNormal.hxx>
 #include <openturns/Uniform.hxx>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "app/study/openturns/functions.h"
@@ -41,38 +46,77 @@ OT::CorrelationMatrix rank_correlations(const StudySpec& study) {
     return rho;
 }
 
-OT::Sample independent_points(const StudySpec& study) {
-    const OT::UnsignedInteger keys = study.vary.size(), count = static_cast<OT::UnsignedInteger>(study.samples);
-    const OT::ComposedDistribution cube{OT::Collection<OT::Distribution>(keys, OT::Uniform(0, 1))};
-    OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(study.seed));
-    switch (study.sampling) {
-        case Sampling::latin_hypercube:
-            return OT::LHSExperiment(cube, count, true, true).generate();
-        case Sampling::random:
-            return OT::MonteCarloExperiment(cube, count).generate();
-        case Sampling::saltelli: {
-            OT::LowDiscrepancyExperiment pairs(OT::SobolSequence(), cube, count / (keys + 2), true);
-            pairs.setRandomize(true);
-            return OT::SobolIndicesExperiment(pairs, false).generate();
-        }
-        case Sampling::sobol:
-        case Sampling::grid:
-        case Sampling::table:
-        case Sampling::polygons:
-            break;
+/// Scatters numbers over all 64-bit words, one to one (the finaliser of SplitMix64: Steele et al. 2014, OOPSLA).
+std::uint64_t scattered(std::uint64_t word) {
+    word += 0x9E3779B97F4A7C15ULL;
+    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    word = (word ^ (word >> 27)) * 0x94D049BB133111EBULL;
+    return word ^ (word >> 31);
+}
+
+/// Owen's nested uniform scrambling (1995) of a coordinate of a Sobol' point: each bit is turned or not by a random bit
+/// that those before it select. Points of a net remain one, each is uniform in (0, 1), and different `random` are
+/// independent.
+double scrambled(double coordinate, std::uint64_t random) {
+    constexpr int k_bits = 32, k_rest = 20;  // no sequence has 2^32 points: all other bits of a coordinate are 0
+    const auto bits = static_cast<std::uint64_t>(coordinate * 0x1p32);
+    std::uint64_t result = 0;
+    for (int bit = 0; bit < k_bits; ++bit) {
+        const std::uint64_t node = (std::uint64_t{1} << bit) + (bits >> (k_bits - bit));  // of a binary tree
+        result = result << 1 | (((bits >> (k_bits - 1 - bit)) ^ scattered(random + node)) & 1);
     }
-    OT::LowDiscrepancyExperiment sequence(OT::SobolSequence(), cube, count, true);
-    sequence.setRandomize(true);
-    return sequence.generate();
+    result = result << k_rest | scattered(random + (std::uint64_t{1} << k_bits) + bits) >> (64 - k_rest);
+    return (static_cast<double>(result) + 0.5) * 0x1p-52;
+}
+
+/// Point i is the next of a Sobol' sequence, from 0 on, that belongs to part i % k_replicates.
+Places sobol_points(std::size_t count, std::size_t coordinates, std::int64_t seed) {
+    const std::uint64_t random = scattered(static_cast<std::uint64_t>(seed));
+    const OT::SobolSequence sequence(coordinates);
+    OT::Point point(coordinates);
+    Places places(count, std::vector<double>(coordinates));
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0 && i % k_replicates == 0) point = sequence.generate();
+        for (std::size_t k = 0; k < coordinates; ++k)
+            places[i][k] = scrambled(point[k], scattered(random + k * k_replicates + i % k_replicates));
+    }
+    return places;
+}
+
+/// Saltelli's design (2010): matrices A and B, then A with one column of B each.
+Places saltelli_points(std::size_t groups, std::size_t keys, std::int64_t seed) {
+    const Places pairs = sobol_points(groups, 2 * keys, seed);
+    Places places;
+    for (std::size_t matrix = 0; matrix < keys + 2; ++matrix)
+        for (const std::vector<double>& pair : pairs) {
+            std::vector<double>& place = places.emplace_back(pair.begin(), pair.begin() + static_cast<long>(keys));
+            for (std::size_t k = 0; k < keys; ++k)
+                if (matrix == 1 || matrix == k + 2) place[k] = pair[keys + k];
+        }
+    return places;
 }
 
 /// OpenturnsFunctions::independent_places.
 Places independent_places(const StudySpec& study) {
     OT::TBB::SetThreadsNumber(1);
-    const OT::Sample points = independent_points(study);
-    Places places(points.getSize(), std::vector<double>(points.getDimension()));
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t k = 0; k < places[i].size(); ++k) places[i][k] = points(i, k);
+    const std::size_t keys = study.vary.size(), count = static_cast<std::size_t>(study.samples);
+    if (study.sampling == Sampling::saltelli) return saltelli_points(count / (keys + 2), keys, study.seed);
+    if (study.sampling != Sampling::latin_hypercube && study.sampling != Sampling::random)
+        return sobol_points(count, keys, study.seed);
+    const OT::ComposedDistribution cube{OT::Collection<OT::Distribution>(keys, OT::Uniform(0, 1))};
+    OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(study.seed));
+    Places places(count, std::vector<double>(keys));
+    if (study.sampling == Sampling::random) {
+        for (std::vector<double>& place : places)
+            for (double& one : place) one = OT::RandomGenerator::Generate();
+    } else {
+        for (std::size_t part = 0; part < std::min(count, k_replicates); ++part) {
+            const std::size_t size = (count - part - 1) / k_replicates + 1;
+            const OT::Sample points = OT::LHSExperiment(cube, size, true, true).generate();
+            for (std::size_t i = 0; i < size; ++i)
+                for (std::size_t k = 0; k < keys; ++k) places[part + i * k_replicates][k] = points(i, k);
+        }
+    }
     return places;
 }
 
@@ -135,8 +179,7 @@ OT::Sample sample_of(const std::vector<std::vector<double>>& rows) {
 }
 
 /// OpenturnsFunctions::indices.
-std::vector<KeySensitivity> indices(const DesignPoints& points, const std::vector<double>& output, std::size_t groups,
-                                    bool with_intervals) {
+std::vector<KeySensitivity> indices(const DesignPoints& points, const std::vector<double>& output, std::size_t groups) {
     OT::TBB::SetThreadsNumber(1);
     const std::size_t keys = points.nominal.size(), rows = output.size();
     OT::Sample values(rows, 1);
@@ -146,16 +189,155 @@ std::vector<KeySensitivity> indices(const DesignPoints& points, const std::vecto
     algorithm.setUseAsymptoticDistribution(true);
     const OT::Point first = algorithm.getFirstOrderIndices(), total = algorithm.getTotalOrderIndices();
     std::vector<KeySensitivity> all(keys);
-    for (std::size_t k = 0; k < keys; ++k)
-        all[k] = {Interval{first[k], first[k], first[k]}, Interval{total[k], total[k], total[k]}, {}, "Martinez"};
-    if (!with_intervals) return all;
     const OT::Interval of_first = algorithm.getFirstOrderIndicesInterval(),
                        of_total = algorithm.getTotalOrderIndicesInterval();
     for (std::size_t k = 0; k < keys; ++k) {
         all[k].first_order = Interval{first[k], of_first.getLowerBound()[k], of_first.getUpperBound()[k]};
         all[k].total = Interval{total[k], of_total.getLowerBound()[k], of_total.getUpperBound()[k]};
+        all[k].method = "Martinez";
     }
     return all;
+}
+
+/// A function of one key.
+struct KeyFunction {
+    std::size_t degree = 1;
+    std::vector<double> values;  ///< by member
+};
+/// A product of functions: the key and the number of each.
+using Term = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Weighted Helmert contrasts of the values of a key without order: each value with all before it. Orthonormal over the
+/// members; none if each member has a value of its own, as fields of error have.
+std::vector<KeyFunction> contrasts(const std::vector<double>& column) {
+    std::map<double, double> counts;
+    for (const double value : column) counts[value] += 1;
+    std::vector<KeyFunction> functions;
+    if (counts.size() == column.size()) return functions;
+    const auto members = static_cast<double>(column.size());
+    double before = counts.begin()->second;
+    for (auto one = std::next(counts.begin()); one != counts.end(); before += one++->second) {
+        const double high = std::sqrt(members * before / (one->second * (one->second + before))),
+                     low = -high * one->second / before;
+        KeyFunction& function = functions.emplace_back();
+        for (const double value : column)
+            function.values.push_back(value < one->first ? low : value == one->first ? high : 0);
+    }
+    return functions;
+}
+
+constexpr std::size_t k_most_degree = 3;
+
+std::vector<KeyFunction> polynomials(const std::vector<double>& places) {
+    const std::size_t different = std::set<double>(places.begin(), places.end()).size();
+    std::vector<KeyFunction> functions;
+    for (std::size_t degree = 1; degree <= k_most_degree && degree < different; ++degree) {
+        const OT::OrthogonalUniVariatePolynomial legendre = OT::LegendreFactory().build(degree);
+        KeyFunction& function = functions.emplace_back(KeyFunction{degree, {}});
+        for (const double place : places) function.values.push_back(legendre(2 * place - 1));
+    }
+    return functions;
+}
+
+/// Adds a term and all its products with functions of keys from `first` on.
+void add_terms(const std::vector<std::vector<KeyFunction>>& keys, const Term& term, std::size_t first,
+               std::size_t degree, std::size_t order, std::vector<Term>& all) {
+    all.push_back(term);
+    for (std::size_t k = first; k < keys.size() && order > 0; ++k)
+        for (std::size_t f = 0; f < keys[k].size(); ++f) {
+            if (keys[k][f].degree > degree) continue;
+            Term longer = term;
+            longer.emplace_back(k, f);
+            add_terms(keys, longer, k + 1, degree - keys[k][f].degree, order - 1, all);
+        }
+}
+
+/// Least squares with a set of terms for any output.
+class Regression {
+  public:
+    Regression(const std::vector<std::vector<KeyFunction>>& keys, std::vector<Term> terms, std::size_t members)
+        : terms_(std::move(terms)), q_(members, terms_.size()), leverage_(members) {
+        OT::Matrix design(members, terms_.size());
+        for (std::size_t i = 0; i < members; ++i)
+            for (std::size_t j = 0; j < terms_.size(); ++j) {
+                design(i, j) = 1;
+                for (const auto& [key, function] : terms_[j]) design(i, j) *= keys[key][function].values[i];
+            }
+        q_ = design.computeQR(r_, false);
+        for (std::size_t i = 0; i < members; ++i)
+            for (std::size_t j = 0; j < terms_.size(); ++j) leverage_[i] += q_(i, j) * q_(i, j);
+    }
+    /// Whether every term adds something, and no member decides a term alone.
+    [[nodiscard]] bool is_sound() const {
+        constexpr double k_least = 1e-6;  // of columns whose lengths are about 1
+        for (std::size_t j = 0; j < terms_.size(); ++j)
+            if (std::abs(r_(j, j)) < k_least * std::sqrt(static_cast<double>(leverage_.size()))) return false;
+        return std::all_of(leverage_.begin(), leverage_.end(), [](double one) { return one < 1 - k_least; });
+    }
+    [[nodiscard]] Chaos of(const std::vector<double>& output, std::size_t keys) const {
+        const std::size_t members = output.size(), terms = terms_.size();
+        const double mean = std::accumulate(output.begin(), output.end(), 0.0) / static_cast<double>(members);
+        std::vector<double> rest = output, coefficients(terms);
+        for (std::size_t j = 0; j < terms; ++j) {
+            for (std::size_t i = 0; i < members; ++i) coefficients[j] += q_(i, j) * output[i];
+            for (std::size_t i = 0; i < members; ++i) rest[i] -= q_(i, j) * coefficients[j];
+        }
+        for (std::size_t j = terms; j-- > 0;) {  // R c = Q^T y
+            for (std::size_t later = j + 1; later < terms; ++later)
+                coefficients[j] -= r_(j, later) * coefficients[later];
+            coefficients[j] /= r_(j, j);
+        }
+        double all = 0, left_out = 0, unexplained = 0;
+        for (std::size_t i = 0; i < members; ++i) {
+            all += (output[i] - mean) * (output[i] - mean);
+            unexplained += rest[i] * rest[i];
+            left_out += std::pow(rest[i] / (1 - leverage_[i]), 2);
+        }
+        Chaos chaos{1 - left_out / all, std::vector<double>(keys), std::vector<double>(keys)};
+        double variance = unexplained / static_cast<double>(members - terms);
+        for (std::size_t j = 0; j < terms; ++j) {
+            const double square = terms_[j].empty() ? 0 : coefficients[j] * coefficients[j];
+            variance += square;
+            for (const auto& [key, function] : terms_[j]) {
+                chaos.total[key] += square;
+                if (terms_[j].size() == 1) chaos.first_order[key] += square;
+            }
+        }
+        for (auto* const of_keys : {&chaos.first_order, &chaos.total})
+            for (double& one : *of_keys) one /= variance;
+        return chaos;
+    }
+
+  private:
+    std::vector<Term> terms_;
+    OT::Matrix q_, r_;
+    std::vector<double> leverage_;  ///< by member: how much its own output decides what is said of it
+};
+
+/// OpenturnsFunctions::chaos.
+std::vector<Chaos> chaos(const DesignPoints& points, const std::vector<std::vector<double>>& outputs) {
+    OT::TBB::SetThreadsNumber(1);
+    const std::size_t keys = points.nominal.size(), members = points.numbers.size();
+    std::vector<std::vector<KeyFunction>> functions;
+    for (std::size_t k = 0; k < keys; ++k) {
+        std::vector<double> column;
+        for (const auto& row : points.nominal[k] ? points.numbers : points.places) column.push_back(row[k]);
+        functions.push_back(points.nominal[k] ? contrasts(column) : polynomials(column));
+    }
+    std::vector<Chaos> best(outputs.size(), Chaos{std::nan(""), {}, {}});
+    constexpr std::pair<std::size_t, std::size_t> k_sets[] = {{1, 1}, {2, 1}, {3, 1}, {2, 2}, {3, 2}, {3, 3}};
+    for (const auto& [degree, order] : k_sets) {
+        std::vector<Term> terms;
+        add_terms(functions, {}, 0, degree, order, terms);
+        if (4 * terms.size() > 3 * members) continue;
+        const Regression regression(functions, std::move(terms), members);
+        if (!regression.is_sound()) continue;
+        for (std::size_t i = 0; i < outputs.size(); ++i) {
+            Chaos one = regression.of(outputs[i], keys);
+            if (std::isfinite(one.q2) && !(best[i].q2 >= one.q2)) best[i] = std::move(one);
+        }
+    }
+    return best;
 }
 
 OT::Mixture proposal(const Places& design, const std::vector<double>& weights, const std::vector<double>& widths,
@@ -198,4 +380,5 @@ FRANA_MODULE(frana::app::study::OpenturnsFunctions, {.quantiles = frana::app::st
                                                      .independent_places = frana::app::study::independent_places,
                                                      .correlate = frana::app::study::correlate,
                                                      .refined = frana::app::study::refined,
-                                                     .indices = frana::app::study::indices})
+                                                     .indices = frana::app::study::indices,
+                                                     .chaos = frana::app::study::chaos})

@@ -245,6 +245,7 @@ SampleTable draw_samples(const StudySpec& study, const std::string& label, Probl
     if (study.sampling == Sampling::grid) return full_factorial(study);
     SampleTable table = samples_at(study, draw_places(study), label, problems);
     if (study.sampling == Sampling::saltelli) table.groups = table.size() / (study.vary.size() + 2);
+    table.is_replicated = method_of(study.sampling).replicated;
     return table;
 }
 

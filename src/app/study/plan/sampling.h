@@ -43,6 +43,7 @@ struct SampleTable {
     /// Saltelli's design (Saltelli et al. 2010): members i, i + n, i + 2n, ... form group i of n groups: rows of the
     /// matrices A, B, then A with one column of B each. 0: members are independent of each other.
     std::size_t groups = 0;
+    bool is_replicated = false;  ///< SamplingMethod::replicated
     /// A run of a multilevel study.
     struct LevelRun {
         std::size_t level = 0;
@@ -52,6 +53,10 @@ struct SampleTable {
     std::vector<LevelRun> level_runs;  ///< by member; empty: all on the scene's own cells
 
     [[nodiscard]] std::size_t size() const noexcept { return values.size(); }
+    /// The part of a replicated design that a member is from.
+    [[nodiscard]] std::size_t replicate_of(std::size_t member) const noexcept {
+        return (groups > 0 ? member % groups : member) % k_replicates;
+    }
     /// Returns "key=value" of a member, in a multilevel study with its cell size.
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;
 };

@@ -115,7 +115,7 @@ void add_finished(const StudyInput& input, const std::string& folder, std::size_
                   FinishedMembers& to, std::vector<std::size_t>& places) {
     to.records.push_back(record_file(folder, member));
     to.weights.push_back(input.table.weights[member]);
-    if (input.table.groups > 0) to.groups.push_back(member % input.table.groups);
+    if (input.table.is_replicated) to.replicates.push_back(input.table.replicate_of(member));
     places.push_back(place);
 }
 
@@ -199,6 +199,20 @@ void choose_design(const StudyInput& input, const std::string& folder, StudyResu
     }
     for (const std::size_t place : result.design_at)
         result.points.numbers.push_back(table.numbers[result.members[place].member]);
+    const std::vector<std::size_t>& members = result.design_at;
+    if (!table.places.empty()) {
+        for (const std::size_t place : members)
+            result.points.places.push_back(table.places[result.members[place].member]);
+    } else {
+        result.points.places.resize(members.size(), std::vector<double>(table.keys.size()));
+        for (std::size_t k = 0; k < table.keys.size(); ++k) {
+            std::vector<double> column;
+            for (const auto& row : result.points.numbers) column.push_back(row[k]);
+            const std::vector<double> places = rank_places(column);
+            for (std::size_t i = 0; i < places.size(); ++i) result.points.places[i][k] = places[i];
+        }
+    }
+    result.points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(result.points);
 }
 
 }  // namespace
@@ -223,6 +237,19 @@ std::vector<double> StudyResult::figure(std::size_t index) const {
     std::vector<double> values;
     for (const std::size_t place : finished_at) values.push_back(members[place].figures[index].value);
     return values;
+}
+
+Estimate StudyResult::mean_of(std::size_t index) const {
+    return MeanEstimate(finished).mean(figure(index));
+}
+
+Interval StudyResult::quantile_of(std::size_t index, double q) const {
+    const std::vector<double> values = figure(index);
+    const double value = figure_quantile(values, finished.weights, q),
+                 margin = MeanEstimate(finished).probability(values, value).margin;
+    constexpr double k_infinite = std::numeric_limits<double>::infinity();
+    return {value, q > margin ? figure_quantile(values, finished.weights, q - margin) : -k_infinite,
+            q + margin < 1 ? figure_quantile(values, finished.weights, q + margin) : k_infinite};
 }
 
 double StudyResult::quantile_bound(std::size_t index, double q, bool upper) const {
@@ -272,9 +299,24 @@ std::vector<FigureSensitivity> sensitivities(const StudyResult& result) {
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         std::vector<double> output;
         for (const std::size_t place : result.design_at) output.push_back(result.members[place].figures[f].value);
-        FigureSensitivity one{result.figures()[f], {}};
-        one.keys = result.groups > 0 ? sobol_indices(result.points, {output}, result.groups).front()
-                                     : correlations.with(output);
+        const Chaos chaos = openturns().chaos(result.points, {output}).front();
+        FigureSensitivity one{result.figures()[f], {}, chaos.q2};
+        one.keys = result.groups >= k_least_groups ? sobol_indices(result.points, output, result.groups)
+                   : result.groups > 0             ? std::vector<KeySensitivity>(result.points.nominal.size())
+                                                   : correlations.with(output);
+        for (std::size_t k = 0; k < one.keys.size() && result.groups < k_least_groups; ++k) {
+            KeySensitivity& key = one.keys[k];
+            constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
+            if (std::isnan(chaos.q2) || result.points.are_dependent || chaos.q2 < k_least_q2) {
+                key.method = std::isnan(chaos.q2)          ? "not measurable"
+                             : result.points.are_dependent ? "refused: keys are correlated"
+                                                           : "refused: Q2 < " + shortest_text(k_least_q2);
+                continue;
+            }
+            key.first_order = Interval{chaos.first_order[k], k_none, k_none};
+            key.total = Interval{chaos.total[k], k_none, k_none};
+            key.method = "polynomial chaos";
+        }
         all.push_back(std::move(one));
     }
     return all;

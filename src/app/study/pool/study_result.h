@@ -53,6 +53,7 @@ struct MemberResult {
 struct FigureSensitivity {
     Figure figure;  ///< its texts
     std::vector<KeySensitivity> keys;
+    double q2 = 0;  ///< Chaos::q2
 };
 
 /// The members that ran, in the order of their numbers.
@@ -80,6 +81,12 @@ struct StudyResult {
     /// Returns an upper or a lower bound of a quantile of a figure, if the open runs exceed everything; infinite: it
     /// has none. Without such runs it is the quantile itself.
     [[nodiscard]] double quantile_bound(std::size_t index, double q, bool upper) const;
+    /// Returns the mean of a figure, not of a multilevel study.
+    [[nodiscard]] Estimate mean_of(std::size_t index) const;
+    /// Returns a quantile of a figure with its interval of 95 %: the quantiles at q -+ the margin of the probability
+    /// that it is exceeded (Woodruff 1952, J. Am. Stat. Assoc. 47, 635); infinite where the members do not reach so
+    /// far.
+    [[nodiscard]] Interval quantile_of(std::size_t index, double q) const;
     /// Texts of the figures; empty if no member finished.
     [[nodiscard]] const std::vector<Figure>& figures() const;
 };

@@ -135,7 +135,7 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
                                                   maps.probability.front().grid)
                                    .front());
         MapWriter(base, directory)
-            .write_probability(name, maps.probability.front(), maps.error.front(), bounds ? &bounds->upper : nullptr);
+            .write_probability(name, maps.probability.front(), maps.margin.front(), bounds ? &bounds->upper : nullptr);
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
         good &= is_drawn("maps/" + name, log, [&] {

@@ -13,7 +13,7 @@
 namespace frana::app::study {
 
 /// Writes posterior_EVENT.tif for each event: the probability under the posterior that the maximum depth exceeds the
-/// threshold of the survey, with its standard error as second band. The map of it shows the surveyed outline and the
+/// threshold of the survey, with its margin as second band. The map of it shows the surveyed outline and the
 /// trace of the best member. Returns false if a map could not be drawn, with a warning. Throws Error(environment).
 bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
                               const CalibrationResult& result, const Troubles& troubles,

@@ -23,12 +23,12 @@ gis::BandText MapWriter::bound_text(const std::string& name, const char* bound, 
             metadata_};
 }
 
-void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& error,
+void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& margin,
                                   const Raster* upper, const Raster* lower) const {
-    gis::BandText text{name + "_error", "Standard error of the probability", "-", metadata_};
+    gis::BandText text{name + "_margin", "Half of the interval of 95 % of the probability", "-", metadata_};
     gis::RasterBand band = band_of(name, probability);
     band.zero_elsewhere = true;
-    std::vector<gis::RasterBand> bands{band, {error, text, true}};
+    std::vector<gis::RasterBand> bands{band, {margin, text, true}};
     if (upper != nullptr) bands.push_back({*upper, bound_text(name, "upper", "-"), true});
     if (lower != nullptr) bands.push_back({*lower, bound_text(name, "lower", "-"), true});
     write(name, bands);

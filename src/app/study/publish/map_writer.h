@@ -21,8 +21,8 @@ class MapWriter {
     MapWriter(const Prepared& base, const ResultDirectory& directory);
 
     void write(const std::string& name, const Raster& raster) const;
-    /// With its standard error as second band; 0, not nodata, where nothing came. Bounds, where there are any, follow.
-    void write_probability(const std::string& name, const Raster& probability, const Raster& error,
+    /// With its margin as second band; 0, not nodata, where nothing came. Bounds, where there are any, follow.
+    void write_probability(const std::string& name, const Raster& probability, const Raster& margin,
                            const Raster* upper = nullptr, const Raster* lower = nullptr) const;
 
     /// With bounds as next bands.

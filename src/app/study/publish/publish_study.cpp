@@ -295,13 +295,25 @@ bool warn_of_failures(const StudyInput& input, const StudyResult& result, const 
     return fraction > k_most_failed || level_failed;
 }
 
-void warn_of_error(const StudyInput& input, const StudyResult& result, const MapError& error, RunLog& log) {
+void warn_of_error(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, RunLog& log) {
     log.info(std::to_string(result.finished_at.size()) + " members; standard error of the probabilities " +
-             percent(error.largest) + " at most, " + percent(error.mean) + " on average where it is not 0");
+             percent(facts.error.largest()) + " at most, " + percent(facts.error.mean()) +
+             " on average where it is not 0; where all or none came, up to " + percent(facts.least_margin) +
+             " away are still likely (95 %)");
     const auto& until = input.reading.study.until;
-    if (until && error.largest > *until)
+    if (until && facts.error.largest() > *until)
         log.warn(
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
+}
+
+void tell_sensitivities(const std::vector<FigureSensitivity>& figures, RunLog& log) {
+    std::string text;
+    for (const FigureSensitivity& figure : figures)
+        if (!std::isnan(figure.q2))
+            text += (text.empty() ? "" : ", ") + figure.figure.key + " " + number_text(figure.q2, 2);
+    if (!text.empty())
+        log.note("Q2 of polynomials of the keys (fractions of the variance from " + number_text(k_least_q2, 2) +
+                 " on): " + text);
 }
 
 /// The probabilities against the scene's surveyed outline, where it has one.
@@ -366,8 +378,9 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         } else {
             publish_study_ground(input, directory);
             figures = sensitivities(result);
+            tell_sensitivities(figures, log);
             publish_study_maps(input, result, directory, facts);
-            warn_of_error(input, result, facts.error, log);
+            warn_of_error(input, result, facts, log);
             facts.median = median_member(input, result);
             if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);
         }

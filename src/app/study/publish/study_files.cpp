@@ -84,10 +84,13 @@ std::optional<render::Chart> exceedance(const ChartData& data, const std::string
 std::optional<render::Chart> sensitivity(const ChartData& data, const std::string& title, const MapSource& source) {
     if (data.sensitivities.empty()) return std::nullopt;
     const Words& words = source.style.words;
-    const bool by_indices = data.input.table.groups > 0;
+    const bool by_indices =
+        std::any_of(data.sensitivities.begin(), data.sensitivities.end(), [](const FigureSensitivity& figure) {
+            return std::any_of(figure.keys.begin(), figure.keys.end(), [](const auto& one) { return one.total; });
+        });
     render::Chart chart = chart_sheet(
         source, title,
-        words(by_indices ? worded("bar: total Sobol' index, thin line: its interval of 95 %, circle: first order")
+        words(by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
                          : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
         "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
     for (const FigureSensitivity& figure : data.sensitivities) {
@@ -96,7 +99,8 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
                                  words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
                                  "",
                                  {}};
-        panel.note = words("the figure does not vary");
+        panel.note =
+            words(figure.q2 < k_least_q2 ? worded("the members do not tell it") : worded("the figure does not vary"));
         const double count = static_cast<double>(figure.keys.size());
         panel.has_rows = true;
         panel.on_y = {0.5, count + 0.5};
@@ -109,7 +113,8 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
             const Rgb colour = k_colours[k % std::size(k_colours)];
             render::ChartSeries bar{data.input.table.keys[k], colour, {{0, y}, {value->value, y}}, 14};
             panel.series.push_back(std::move(bar));
-            panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
+            if (std::isfinite(value->low))
+                panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
             if (!by_indices) continue;
             render::ChartSeries first{"", {20, 20, 20}, {{one.first_order->value, y}}, 1};
             first.marker = render::Marker::circle;
@@ -134,8 +139,8 @@ std::optional<render::Chart> convergence(const ChartData& data, const std::strin
     largest.marker = render::Marker::circle;
     mean.marker = render::Marker::square;
     for (const ErrorAt& at : errors) {
-        largest.points.push_back({static_cast<double>(at.members), at.error.largest});
-        mean.points.push_back({static_cast<double>(at.members), at.error.mean});
+        largest.points.push_back({static_cast<double>(at.members), at.error.largest()});
+        mean.points.push_back({static_cast<double>(at.members), at.error.mean()});
     }
     panel.series = {largest, mean};
     chart.panels.push_back(std::move(panel));
@@ -156,6 +161,7 @@ FinishedMembers independent_members(const StudyResult& result) {
     for (std::size_t i = 0; i < result.groups; ++i) {  // of whole groups, in the order of members: matrix A
         first.records.push_back(result.design.records[i]);
         first.weights.push_back(1);
+        first.replicates.push_back(result.design.replicates[i]);
     }
     return first;
 }
@@ -240,7 +246,7 @@ class Builder {
         });
     }
     void add_probabilities(std::vector<ExposureRow>& rows) const {
-        const ProbabilityEstimate estimate(result_.finished);
+        const MeanEstimate estimate(result_.finished);
         const auto add = [&](Quantity quantity, const std::vector<double>& thresholds,
                              const std::vector<std::string>& names) {
             const auto set = [&](std::size_t feature, const std::string& name, double value) {
@@ -249,7 +255,7 @@ class Builder {
             for_each_feature(result_.finished.records, quantity, result_.grid, cells_,
                              [&](std::size_t feature, Values values) {
                                  for (std::size_t t = 0; t < thresholds.size(); ++t)
-                                     set(feature, names[t], estimate.of(values, thresholds[t]).value);
+                                     set(feature, names[t], estimate.probability(values, thresholds[t]).value);
                              });
             if (!result_.open.any()) return;
             for_each(quantity, [&](std::size_t feature, Values values) {
@@ -337,9 +343,11 @@ PolygonFeature probability_outline(const Raster& probability, double least) {
     return feature;
 }
 
-double area_at_least(const Raster& probability, double least) {
+/// @param margins by which the probability may be greater (1), less (-1), or that do not count (0)
+double area_at_least(const Raster& probability, double least, const Raster& margin, int margins = 0) {
     std::int64_t cells = 0;
-    probability.values.for_each_stored([&](std::size_t, double value) { cells += value >= least; });
+    probability.values.for_each_stored(
+        [&](std::size_t cell, double value) { cells += value > 0 && value + margins * margin.values[cell] >= least; });
     return static_cast<double>(cells) * probability.grid.cell_area();
 }
 
@@ -399,14 +407,15 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input.base, directory);
     const bool on_levels = !input.levels.empty();
-    std::vector<Raster> errors;
+    const std::vector<double> none(result.finished.size());
+    facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
         QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
         std::vector<RasterInterval> bounds;
         if (result.open.any())
             bounds = probability_bounds(maps.probability, result.open, events.quantity, events.thresholds, result.grid);
         for (std::size_t t = 0; t < events.rasters.size(); ++t)
-            writer.write_probability(events.rasters[t], maps.probability[t], maps.error[t],
+            writer.write_probability(events.rasters[t], maps.probability[t], maps.margin[t],
                                      bounds.empty() ? nullptr : &bounds[t].upper,
                                      bounds.empty() || !on_levels ? nullptr : &bounds[t].lower);
         if (events.quantity == Quantity::depth) {
@@ -416,23 +425,25 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
                 facts.reached_threshold = events.thresholds.front();
                 for (const StudyQuantile& quantile : k_study_quantiles)
-                    facts.reached_m2.push_back(area_at_least(maps.probability.front(), quantile.fraction));
+                    facts.reached_m2.push_back(
+                        area_at_least(maps.probability.front(), quantile.fraction, maps.margin.front()));
+                facts.half_reached_m2 = {facts.reached_m2[1],
+                                         area_at_least(maps.probability.front(), 0.5, maps.margin.front(), -1),
+                                         area_at_least(maps.probability.front(), 0.5, maps.margin.front(), 1)};
             }
         }
         if (events.quantity == Quantity::velocity)
             write_distribution(result, maps, events.quantity, "velocity", on_levels, writer);
-        std::move(maps.error.begin(), maps.error.end(), std::back_inserter(errors));
+        facts.error.add(maps.errors);
     }
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
     for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
         writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
-    if (result.equal_weights() && result.design_at.size() > 1) {
+    if (result.equal_weights() && result.design_at.size() > 1 && !result.points.are_dependent) {
         const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
-        const std::vector<Raster> maps =
-            sensitivity_maps(result.design, result.points, result.groups, result.grid, threshold);
+        const std::vector<Raster> maps = sensitivity_maps(result.design, result.points, result.grid, threshold);
         for (std::size_t k = 0; k < maps.size(); ++k) writer.write("sensitivity_" + input.table.keys[k], maps[k]);
     }
-    facts.error = map_error(errors);
 }
 
 void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,

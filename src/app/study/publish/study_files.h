@@ -21,7 +21,7 @@ namespace frana::app::study {
 /// One point of the convergence of the probabilities.
 struct ErrorAt {
     std::size_t members = 0;
-    MapError error;
+    ErrorSummary error;
 };
 
 /// Returns the standard errors of the probabilities of depth after some numbers of members, up to all of them; of

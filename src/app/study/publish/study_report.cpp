@@ -2,6 +2,7 @@
 #include "app/study/publish/publish_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -166,10 +167,22 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
                       "The standard error of the probabilities is at most {1} %, on average {2} % where it is not 0: "
                       "it measures the number of runs, not how well model, terrain and distributions describe "
                       "nature.",
-                      {number.percent(facts.error.largest), number.percent(facts.error.mean)});
+                      {number.percent(facts.error.largest()), number.percent(facts.error.mean())});
+    text += " " + words(
+                      "Where all or none of the runs come, that is not certain: a probability {1} % away from it is "
+                      "still possible (95 % confidence).",
+                      {number.percent(facts.least_margin)});
+    const auto run_out = place_of_figure(result, k_run_out_key);
+    const Interval median = run_out ? result.quantile_of(*run_out, 0.5) : Interval{};
+    if (run_out && std::isfinite(median.low) && std::isfinite(median.high) && !facts.reached_m2.empty())
+        text += " " + words(
+                          "With any number of runs the median run-out would lie between {1} and {2} m, and the area "
+                          "with a probability of at least 50 % between {3} and {4} m² (95 % confidence).",
+                          {number.grouped(median.low), number.grouped(median.high),
+                           number.grouped(facts.half_reached_m2.low), number.grouped(facts.half_reached_m2.high)});
     if (study.until)
         text += " " +
-                (facts.error.largest <= *study.until
+                (facts.error.largest() <= *study.until
                      ? words("The error asked for (study.until = {1}) is reached.", {shortest_text(*study.until)})
                      : words("The error asked for (study.until = {1}) is not reached.", {shortest_text(*study.until)}));
     return Document().paragraph(words("How sure."), text);
@@ -364,22 +377,38 @@ Table levels_table(const std::vector<LevelSummary>& levels, const Words& words) 
 std::string interval_text(const std::optional<Interval>& one, const Words& words) {
     if (!one) return "";
     const ReportNumbers number(words);
+    if (std::isnan(one->low)) return number(one->value, 2);
     return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
 }
 
-Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, const Words& words) {
-    Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"),
-                 words("method")});
-    for (const FigureSensitivity& figure : figures)
+Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool are_dependent,
+                           const Words& words) {
+    const ReportNumbers number(words);
+    Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"), "Q2"});
+    std::vector<std::string> untold;
+    for (const FigureSensitivity& figure : figures) {
+        const std::string title = figure_title(figure.figure, words);
+        if (figure.q2 < k_least_q2) untold.push_back(title);
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            table.row({figure_title(figure.figure, words), input.table.keys[k], interval_text(one.first_order, words),
+            table.row({title, input.table.keys[k], interval_text(one.first_order, words),
                        interval_text(one.total, words), interval_text(one.rank_correlation, words),
-                       one.method.empty() ? words("not measurable") : one.method});
+                       std::isnan(figure.q2) ? words("not measurable") : number(figure.q2, 2)});
         }
-    return Document().add(table).small(
-        words("What part of the variance of a value its key explains, alone (first order) and with others (total), or "
-              "how the two are correlated; in brackets the interval of 95 %."));
+    }
+    Document section;
+    section.add(table);
+    if (are_dependent)
+        section.small(words("The varied keys are correlated: no fraction of the variance is that of one of them."));
+    else if (!untold.empty())
+        section.small(
+            words("No fraction of the variance is told of {1}: there polynomials of the keys do not predict "
+                  "the runs (Q2 less than {2}). More runs may help.",
+                  {joined(untold, ", "), number(k_least_q2)}));
+    return section.small(
+        words("First order and total are fractions of the variance of a value that its key explains, alone and with "
+              "others. The rank correlation is no fraction: it tells whether the two rise together. In brackets the "
+              "interval of 95 %. Q2: part of the variance that polynomials of the keys predict of runs left out."));
 }
 
 Paragraph median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory,
@@ -457,7 +486,8 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     page.part(k_comparison_section, {});
     add_inputs(input, facts, words, page);
     if (!figures.empty())
-        page.heading("sensitivity", words("Sensitivity")).add(sensitivity_table(input, figures, words));
+        page.heading("sensitivity", words("Sensitivity"))
+            .add(sensitivity_table(input, figures, result.points.are_dependent, words));
     page.charts(study_charts(), folder, words);
     if (facts.median)
         page.heading("median", words("Median member")).add(median_paragraph(input, *facts.median, directory, words));

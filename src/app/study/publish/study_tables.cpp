@@ -126,7 +126,7 @@ std::string figure_cell(const MemberResult& member, const std::string& key) {
 }
 
 std::string cells(const std::optional<Interval>& interval) {
-    if (!interval) return ",";
+    if (!interval || std::isnan(interval->low)) return ",";
     return shortest_text(interval->low) + "," + shortest_text(interval->high);
 }
 
@@ -185,14 +185,15 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
     std::string text =
-        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method\n";
+        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method,q2\n";
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
             text += csv_cell(figure.figure.key) + "," + csv_cell(input.table.keys[k]) + "," +
                     value_cell(one.first_order) + "," + value_cell(one.total) + "," + cells(one.first_order) + "," +
                     cells(one.total) + "," + value_cell(one.rank_correlation) + "," + cells(one.rank_correlation) +
-                    "," + (one.method.empty() ? "not measurable" : one.method) + "\n";
+                    "," + (one.method.empty() ? "not measurable" : one.method) + "," +
+                    (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "\n";
         }
     }
     return text;
@@ -233,11 +234,12 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                                   {"variance", level.statistics.variance},
                                   {"particle_steps_per_member", level.statistics.cost}});
     if (!study.per_polygon()) {
-        json["largest_standard_error"] = facts.error.largest;
-        json["mean_standard_error"] = facts.error.mean;
+        json["largest_standard_error"] = facts.error.largest();
+        json["mean_standard_error"] = facts.error.mean();
+        json["margin_at_0_and_1"] = facts.least_margin;
     }
     if (study.until)
-        json["until"] = {{"standard_error", *study.until}, {"reached", facts.error.largest <= *study.until}};
+        json["until"] = {{"standard_error", *study.until}, {"reached", facts.error.largest() <= *study.until}};
     json["grid"] = {{"columns", grid.columns},
                     {"rows", grid.rows},
                     {"cell_size", grid.cell_size},
@@ -252,13 +254,16 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
         const std::vector<double>& weights = result.finished.weights;
         Json& figure = json["figures"][result.figures()[f].key];
         figure["mean"] = weighted_mean(values, weights);
+        if (facts.levels.empty()) figure["standard_error_of_mean"] = result.mean_of(f).error;
+        const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
         for (const StudyQuantile& quantile : k_study_quantiles) {
             const std::string name = std::string("q") + quantile.name;
-            figure[name] = figure_quantile(values, weights, quantile.fraction);
+            const Interval of_q = result.quantile_of(f, quantile.fraction);
+            figure[name] = of_q.value;
+            figure["interval_95"][name] = {number(of_q.low), number(of_q.high)};
             if (!result.open.any()) continue;
             // Runs whose full reach is not known may have come farther: null is "more than q".
-            const double bound = result.quantile_bound(f, quantile.fraction, true);
-            figure["upper_bound"][name] = std::isfinite(bound) ? Json(bound) : Json();
+            figure["upper_bound"][name] = number(result.quantile_bound(f, quantile.fraction, true));
             if (!facts.levels.empty()) figure["lower_bound"][name] = result.quantile_bound(f, quantile.fraction, false);
         }
     }

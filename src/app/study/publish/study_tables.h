@@ -43,7 +43,8 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
 /// What a study's summary.json contains besides its members.
 struct StudyFacts {
     Troubles troubles;
-    MapError error;  ///< of all maps of probability
+    ErrorSummary error;       ///< of all maps of probability
+    double least_margin = 1;  ///< Estimate::margin of a probability of 0 or 1
     std::optional<MedianMember> median;
     std::vector<LevelSummary> levels;  ///< of a multilevel study
     std::optional<ExposureTotals> exposure;
@@ -51,6 +52,7 @@ struct StudyFacts {
     /// Areas deeper than the threshold at some time [m2]: with the probability of each of k_study_quantiles at least;
     /// of sources that fail alone one value, that of all of them. Empty: there is no such map.
     std::vector<double> reached_m2;
+    Interval half_reached_m2;         ///< the area with 50 %, where the interval of its probability allows it
     double reached_threshold = 0;     ///< [m]
     std::vector<HazardArea> degrees;  ///< of hazard, of a region with return periods
     double wall_seconds = 0;

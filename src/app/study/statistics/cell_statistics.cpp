@@ -2,9 +2,12 @@
 #include "app/study/statistics/cell_statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "core/error.h"
@@ -14,14 +17,6 @@ namespace {
 
 constexpr std::size_t k_budget_bytes = 256'000'000;
 
-MemberRecord require_record(const std::string& path) {
-    auto record = read_record(path);
-    if (!record)
-        throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", path, "", "",
-                                                    "Check the disk; --resume computes that member again"});
-    return *std::move(record);
-}
-
 CellWindow inside(const CellWindow& window, const GridSpec& grid) {
     const std::int64_t top = std::max<std::int64_t>(0, window.row), left = std::max<std::int64_t>(0, window.column);
     return {top, left, std::min(window.row + window.rows, grid.rows) - top,
@@ -29,6 +24,14 @@ CellWindow inside(const CellWindow& window, const GridSpec& grid) {
 }
 
 }  // namespace
+
+MemberRecord require_record(const std::string& path) {
+    auto record = read_record(path);
+    if (!record)
+        throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", path, "", "",
+                                                    "Check the disk; --resume computes that member again"});
+    return *std::move(record);
+}
 
 double FinishedMembers::effective_size() const {
     double sum = 0, squares = 0;
@@ -101,7 +104,8 @@ double LevelDifferences::Level::variance() const noexcept {
     return std::max(0.0, squares - sum * sum / count) / (count - 1);
 }
 
-std::vector<LevelDifferences::Level> LevelDifferences::of(std::span<const float> values, double threshold) const {
+template <class Value>
+std::vector<LevelDifferences::Level> LevelDifferences::of(std::span<const Value> values, double threshold) const {
     std::vector<Level> levels;
     const auto happened = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1 : 0; };
     for (std::size_t m = 0; m < values.size(); ++m) {
@@ -117,46 +121,82 @@ std::vector<LevelDifferences::Level> LevelDifferences::of(std::span<const float>
     return levels;
 }
 
-ProbabilityEstimate::ProbabilityEstimate(const FinishedMembers& members)
-    : members_(members), differences_(members), effective_size_(members.effective_size()) {
-    for (const std::size_t group : members.groups) group_count_ = std::max(group_count_, group + 1);
+MeanEstimate::MeanEstimate(const FinishedMembers& members)
+    : members_(members),
+      effective_size_(members.effective_size()),
+      parts_(std::set<std::size_t>(members.replicates.begin(), members.replicates.end()).size()) {}
+
+namespace {
+
+/// k_normal's of Student's t distribution with 1, 2 ... degrees of freedom.
+constexpr double k_student[] = {12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646};
+static_assert(std::size(k_student) + 1 == k_replicates);
+constexpr double k_unknown_error = 0.5;  // of a probability, where one member or one replicate says nothing of others
+
+}  // namespace
+
+template <class ValueOf>
+Estimate MeanEstimate::of(const ValueOf& value) const {
+    const std::vector<double>& weights = members_.weights;
+    Estimate estimate;
+    double sum = 0, all = 0;
+    for (std::size_t m = 0; m < weights.size(); ++m) {
+        sum += weights[m] * value(m);
+        all += weights[m];
+    }
+    estimate.value = sum / all;
+    double squares = 0;
+    if (parts_ == 0) {
+        for (std::size_t m = 0; m < weights.size(); ++m)
+            squares += weights[m] / all * (value(m) - estimate.value) * (value(m) - estimate.value);
+        estimate.error = std::sqrt(squares / effective_size_);
+        estimate.margin = k_normal * estimate.error;
+    } else {
+        std::array<double, k_replicates> differences{};
+        for (std::size_t m = 0; m < weights.size(); ++m)
+            differences[members_.replicates[m]] += weights[m] / all * (value(m) - estimate.value);
+        for (const double difference : differences) squares += difference * difference;
+        const auto parts = static_cast<double>(parts_);
+        estimate.error =
+            parts_ > 1 ? std::sqrt(parts / (parts - 1) * squares) : std::numeric_limits<double>::infinity();
+        estimate.margin = parts_ > 1 ? k_student[parts_ - 2] * estimate.error : estimate.error;
+    }
+    return estimate;
 }
 
-Probability ProbabilityEstimate::of(std::span<const float> values, double threshold) const {
-    Probability p;
+template <class Value>
+Estimate MeanEstimate::probability_of(std::span<const Value> values, double threshold) const {
+    Estimate p;
     if (!members_.levels.empty()) {
         double squares = 0;
-        for (const LevelDifferences::Level& level : differences_.of(values, threshold)) {
+        for (const LevelDifferences::Level& level : LevelDifferences(members_).of(values, threshold)) {
             p.value += level.mean();
             squares += level.variance() / level.count;
         }
-        constexpr double k_unknown = 0.5;  // where a level has a single member
-        return {std::clamp(p.value, 0.0, 1.0), std::isfinite(squares) ? std::sqrt(squares) : k_unknown};
+        p.value = std::clamp(p.value, 0.0, 1.0);
+        p.error = std::sqrt(squares);
+        p.margin = k_normal * p.error;
+    } else {
+        p = of([&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1.0 : 0.0; });
+        const double nearer_half = (effective_size_ * p.value + 2) / (effective_size_ + 4);
+        if (parts_ == 0) p.margin = k_normal * std::sqrt(nearer_half * (1 - nearer_half) / effective_size_);
     }
-    double hits = 0, misses = 0;
-    for (std::size_t m = 0; m < values.size(); ++m)
-        (static_cast<double>(values[m]) > threshold ? hits : misses) += members_.weights[m];
-    // Weights add up to 1 but for rounding; where all members came, p is 1 and its error 0.
-    p.value = hits / (hits + misses);
-    p.error = group_count_ > 0 ? group_error(p.value, values, threshold)
-                               : std::sqrt(std::max(0.0, p.value * (1 - p.value)) / effective_size_);
-    return p;
+    if (!std::isfinite(p.error)) return {p.value, k_unknown_error, 1};
+    constexpr double k_rounding = 1e-9;  // of sums of weights; no member has so little
+    const bool is_alike = p.error < k_rounding;
+    return {p.value, is_alike ? 0 : p.error, std::min(1.0, is_alike ? 3 / effective_size_ : p.margin)};
 }
 
-double ProbabilityEstimate::group_error(double probability, std::span<const float> values, double threshold) const {
-    std::vector<double> hits(group_count_), size(group_count_);
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        hits[members_.groups[m]] += static_cast<double>(values[m]) > threshold ? 1 : 0;
-        size[members_.groups[m]] += 1;
-    }
-    double squares = 0, used = 0;
-    for (std::size_t g = 0; g < group_count_; ++g) {
-        if (size[g] == 0) continue;
-        const double difference = hits[g] / size[g] - probability;
-        squares += difference * difference;
-        used += 1;
-    }
-    return used > 1 ? std::sqrt(squares / (used - 1) / used) : 0.5;
+Estimate MeanEstimate::probability(std::span<const float> values, double threshold) const {
+    return probability_of(values, threshold);
+}
+
+Estimate MeanEstimate::probability(std::span<const double> values, double threshold) const {
+    return probability_of(values, threshold);
+}
+
+Estimate MeanEstimate::mean(std::span<const double> values) const {
+    return of([&](std::size_t m) { return values[m]; });
 }
 
 namespace {

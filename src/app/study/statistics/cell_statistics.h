@@ -20,7 +20,7 @@ struct FinishedMembers {
     /// As many; their sum is 1. In a multilevel study the coarser run of a pair has the negative weight of its finer
     /// one.
     std::vector<double> weights;
-    std::vector<std::size_t> groups;  ///< of Saltelli's design: the group of each; empty: all are independent
+    std::vector<std::size_t> replicates;  ///< SampleTable::replicate_of each; empty: all are independent
     /// Of a multilevel study: the level of each run; the coarser one of a pair follows its finer one. Empty: one level.
     std::vector<std::size_t> levels{};
 
@@ -45,6 +45,9 @@ struct OpenRuns {
 /// Returns a bound of the probability that a value exceeds a threshold, from the values of all runs.
 double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper);
 
+/// Returns the record in a file. Throws Error(environment) if it cannot be read.
+MemberRecord require_record(const std::string& path);
+
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
 /// for each member, 0 (arrival: infinity) where it did not come. A run on larger cells has one value for all cells of
 /// the grid within each of its own. Reads the records window by window: memory is bounded by a budget, whatever the
@@ -68,33 +71,50 @@ class LevelDifferences {
     };
     explicit LevelDifferences(const FinishedMembers& members) : members_(members) {}
     /// @return by level; the event is that a value exceeds the threshold
-    [[nodiscard]] std::vector<Level> of(std::span<const float> values, double threshold) const;
+    template <class Value>
+    [[nodiscard]] std::vector<Level> of(std::span<const Value> values, double threshold) const;
 
   private:
     const FinishedMembers& members_;
 };
 
-struct Probability {
+/// 97.5 % quantile of the normal distribution: of intervals of 95 %.
+inline constexpr double k_normal = 1.959963984540054;
+
+/// A mean over the members and how far it may be off because their number is finite.
+struct Estimate {
     double value = 0;
-    double error = 0;  ///< standard error; 0 where all members are alike
+    double error = 0;   ///< standard error; 0 where all members, or all replicates, are alike
+    double margin = 0;  ///< value +- margin is the interval of 95 %
 };
 
-/// Estimates the probability p that a value exceeds a threshold, p = sum w_i I_i with the indicators I_i in each
-/// member. Error: sqrt(p (1 - p) / n_effective) for independent members; with groups sqrt(var(group means) / groups);
-/// with levels sqrt(sum var_l / n_l) of the differences of each level, and p is set to 0 or 1 where the sum lies
-/// beyond.
-class ProbabilityEstimate {
+/// Estimates means m = sum w_i v_i, and the probability p that a value exceeds a threshold: the mean of its indicators.
+/// Standard error of independent members: sqrt(sum w_i (v_i - m)^2 / n_effective), for p sqrt(p (1 - p) / n_effective);
+/// of replicates with the weights W_r and the means m_r: sqrt(R / (R - 1) sum W_r^2 (m_r - m)^2). Margin: with the
+/// quantile of the normal distribution, of replicates that of Student's t with R - 1 degrees of freedom; of independent
+/// members p is moved to (n p + 2) / (n + 4) for it, since an error estimated from few is too small (Agresti & Coull
+/// 1998, American Statistician 52, 119). Where a
+/// standard error is 0 a probability is not certain: of n members none of which exceeds, 3 / n is exceeded with 5 %
+/// (1 - p)^n; likewise of R replicates that all count alike one may differ by one of n / R members with 3 / R.
+/// With levels the standard error of p is sqrt(sum var_l / n_l) of the differences of each level, and p is set to 0 or
+/// 1 where the sum lies beyond.
+class MeanEstimate {
   public:
-    explicit ProbabilityEstimate(const FinishedMembers& members);
-    [[nodiscard]] Probability of(std::span<const float> values, double threshold) const;
+    explicit MeanEstimate(const FinishedMembers& members);
+    [[nodiscard]] Estimate probability(std::span<const float> values, double threshold) const;
+    [[nodiscard]] Estimate probability(std::span<const double> values, double threshold) const;
+    /// Not with levels.
+    [[nodiscard]] Estimate mean(std::span<const double> values) const;
 
   private:
-    [[nodiscard]] double group_error(double probability, std::span<const float> values, double threshold) const;
+    template <class ValueOf>
+    [[nodiscard]] Estimate of(const ValueOf& value) const;
+    template <class Value>
+    [[nodiscard]] Estimate probability_of(std::span<const Value> values, double threshold) const;
 
     const FinishedMembers& members_;
-    LevelDifferences differences_;
     double effective_size_;
-    std::size_t group_count_ = 0;
+    std::size_t parts_ = 0;  ///< replicates that have members; 0: all members are independent
 };
 
 /// Of the sum of weights: what additions leave.

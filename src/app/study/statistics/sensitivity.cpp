@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/study/openturns/functions.h"
+#include "app/study/statistics/cell_statistics.h"
 
 namespace frana::app::study {
 namespace {
@@ -72,7 +73,6 @@ double correlation_ratio(const std::vector<double>& classes, const std::vector<d
 
 /// Fisher's transformation with the variance of Bonett and Wright (2000) for Spearman's rho.
 Interval rank_interval(double rho, std::size_t count) {
-    constexpr double k_normal = 1.959963984540054;  // 97.5 % quantile
     if (count <= 3 || std::abs(rho) >= 1) return {rho, count <= 3 ? -1.0 : rho, count <= 3 ? 1.0 : rho};
     const double z = std::atanh(rho), half = k_normal * std::sqrt((1 + rho * rho / 2) / static_cast<double>(count - 3));
     return {rho, std::tanh(z - half), std::tanh(z + half)};
@@ -92,15 +92,27 @@ std::vector<double> column_of(const DesignPoints& points, std::size_t key) {
 
 }  // namespace
 
-std::vector<std::vector<KeySensitivity>> sobol_indices(const DesignPoints& points,
-                                                       const std::vector<std::vector<double>>& outputs,
-                                                       std::size_t groups) {
-    std::vector<std::vector<KeySensitivity>> all(outputs.size(), std::vector<KeySensitivity>(points.nominal.size()));
-    if (groups < 2) return all;
-    for (std::size_t q = 0; q < outputs.size(); ++q)
-        if (varies_in_every_matrix(outputs[q], groups))
-            all[q] = openturns().indices(points, outputs[q], groups, outputs.size() == 1);
-    return all;
+std::vector<KeySensitivity> sobol_indices(const DesignPoints& points, const std::vector<double>& output,
+                                          std::size_t groups) {
+    if (groups > 1 && varies_in_every_matrix(output, groups)) return openturns().indices(points, output, groups);
+    return std::vector<KeySensitivity>(points.nominal.size());
+}
+
+std::vector<double> rank_places(const std::vector<double>& values) {
+    std::vector<double> places = ranks_of(values);
+    for (double& place : places) place = (place + 0.5) / static_cast<double>(places.size());
+    return places;
+}
+
+bool are_correlated(const DesignPoints& points) {
+    std::vector<std::vector<double>> ranks;
+    for (std::size_t k = 0; k < points.nominal.size(); ++k)
+        if (!points.nominal[k]) ranks.push_back(ranks_of(column_of(points, k)));
+    const double most = 4 / std::sqrt(static_cast<double>(points.numbers.size()));
+    for (std::size_t a = 0; a < ranks.size(); ++a)
+        for (std::size_t b = a + 1; b < ranks.size(); ++b)
+            if (std::abs(correlation(ranks[a], ranks[b])) > most) return true;
+    return false;
 }
 
 RankCorrelations::RankCorrelations(const DesignPoints& points) : nominal_(points.nominal) {
@@ -118,16 +130,10 @@ std::vector<KeySensitivity> RankCorrelations::with(const std::vector<double>& ou
         if (!measurable_[k]) continue;
         const double value = nominal_[k] ? correlation_ratio(columns_[k], ranks) : correlation(columns_[k], ranks);
         if (std::isnan(value)) continue;
-        all[k].rank_correlation = nominal_[k] ? Interval{value, value, value} : rank_interval(value, output.size());
-        all[k].method = nominal_[k] ? "correlation ratio" : "Spearman";
+        constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
+        all[k].rank_correlation = nominal_[k] ? Interval{value, k_none, k_none} : rank_interval(value, output.size());
     }
     return all;
-}
-
-double RankCorrelations::with_event(std::size_t key, const std::vector<char>& happened) const {
-    if (!measurable_[key]) return std::numeric_limits<double>::quiet_NaN();
-    const std::vector<double> output(happened.begin(), happened.end());
-    return nominal_[key] ? correlation_ratio(columns_[key], output) : correlation(columns_[key], output);
 }
 
 }  // namespace frana::app::study

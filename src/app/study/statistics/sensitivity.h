@@ -10,15 +10,25 @@
 
 namespace frana::app::study {
 
-/// Returns Sobol' indices by Martinez's estimator (2011), for one or more outputs; of a single one with
-/// intervals from the estimator's asymptotic distribution.
+/// Least q2 of polynomials from which fractions of the variance are told, and least groups of Saltelli's design: with
+/// fewer the estimator's interval does not hold the truth as often as it says.
+inline constexpr double k_least_q2 = 0.7;
+inline constexpr std::size_t k_least_groups = 500;
+
+/// Returns Sobol' indices by Martinez's estimator (2011), with intervals from its asymptotic distribution.
 /// @param points rows of Saltelli's design: A, B, then A with one column of B each
-/// @param outputs by output and row
+/// @param output by row
 /// @param groups rows of A
-/// @return by output and key
-std::vector<std::vector<KeySensitivity>> sobol_indices(const DesignPoints& points,
-                                                       const std::vector<std::vector<double>>& outputs,
-                                                       std::size_t groups);
+/// @return by key; without method where the output does not vary
+std::vector<KeySensitivity> sobol_indices(const DesignPoints& points, const std::vector<double>& output,
+                                          std::size_t groups);
+
+/// Returns mean ranks, even in (0, 1): equal values share the mean of theirs.
+std::vector<double> rank_places(const std::vector<double>& values);
+
+/// Returns whether two keys of a table correlate more than independent ones do in one of thousands of tables:
+/// Spearman's rho beyond 4 / sqrt(members).
+bool are_correlated(const DesignPoints& points);
 
 /// Rank correlations of inputs with outputs, for independent members of equal weight.
 class RankCorrelations {
@@ -27,9 +37,6 @@ class RankCorrelations {
     /// @param output by member
     /// @return by key
     [[nodiscard]] std::vector<KeySensitivity> with(const std::vector<double>& output) const;
-    /// Returns the correlation of a key with an event of which it is known in which members it happened: the same for
-    /// an output of 0 and 1, without sorting. NaN if it happened in all or in none.
-    [[nodiscard]] double with_event(std::size_t key, const std::vector<char>& happened) const;
 
   private:
     std::vector<bool> nominal_;                 ///< by key

@@ -20,13 +20,10 @@ namespace {
 template <class Visit>
 void for_each_cell(const std::vector<UnionMember>& members, const GridSpec& grid, const Visit& visit) {
     for (const UnionMember& member : members) {
-        const auto record = read_record(member.record);
-        if (!record)
-            throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", member.record, "", "",
-                                                        "Check the disk; --resume computes that member again"});
-        record->for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+        const MemberRecord record = require_record(member.record);
+        record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
             if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
-            visit(member, *record, static_cast<std::size_t>(row * grid.columns + column), index);
+            visit(member, record, static_cast<std::size_t>(row * grid.columns + column), index);
         });
     }
 }
@@ -127,39 +124,59 @@ void add_moments(std::span<const float> values, const std::vector<double>& weigh
     maps.hits.values[cell] = hits;
 }
 
-/// Greatest and mean of the errors that are not 0.
-class ErrorSummary {
-  public:
-    void add(double error) {
-        if (!(error > 0)) return;
-        greatest_ = std::max(greatest_, error);
-        sum_ += error;
-        count_ += 1;
-    }
-    [[nodiscard]] MapError result() const { return {greatest_, count_ > 0 ? sum_ / count_ : 0}; }
-
-  private:
-    double greatest_ = 0, sum_ = 0, count_ = 0;
-};
-
-/// Cells that wait until so many can be given to the estimator at once.
-constexpr std::size_t k_cells_at_once = 256;
+/// Of the distances of cells from the outlines of all members: each lot of cells reads every record again.
+constexpr std::size_t k_distance_bytes = 256'000'000;
 
 }  // namespace
+
+void ErrorSummary::add(const Estimate& probability) {
+    if (!(probability.error > 0)) return;
+    const auto at = static_cast<std::size_t>(static_cast<double>(classes_.size()) * probability.value);
+    Class& one = classes_[std::min(at, classes_.size() - 1)];
+    one.count += 1;
+    one.sum += probability.error;
+    one.squares += probability.error * probability.error;
+}
+
+void ErrorSummary::add(const ErrorSummary& other) {
+    for (std::size_t i = 0; i < classes_.size(); ++i) {
+        classes_[i].count += other.classes_[i].count;
+        classes_[i].sum += other.classes_[i].sum;
+        classes_[i].squares += other.classes_[i].squares;
+    }
+}
+
+double ErrorSummary::largest() const {
+    double square = 0;
+    for (const Class& one : classes_)
+        if (one.count > 0) square = std::max(square, one.squares / one.count);
+    return std::sqrt(square);
+}
+
+double ErrorSummary::mean() const {
+    double sum = 0, count = 0;
+    for (const Class& one : classes_) {
+        sum += one.sum;
+        count += one.count;
+    }
+    return count > 0 ? sum / count : 0;
+}
 
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds) {
     QuantityMaps maps;
     const bool arrival = quantity == Quantity::arrival,
                has_distribution = quantity == Quantity::depth || quantity == Quantity::velocity;
+    const MeanEstimate estimate(members);
     if (!arrival) {
         maps.probability.assign(thresholds.size(), Raster(grid));
-        maps.error.assign(thresholds.size(), Raster(grid));
+        const std::vector<float> nowhere(members.size());
+        const double margin = members.size() > 0 ? estimate.probability(nowhere, 0).margin : 1;
+        maps.margin.assign(thresholds.size(), Raster(grid, margin));
     }
     if (has_distribution) maps.mean = maps.deviation = maps.hits = Raster(grid, k_no_data);
     if (has_distribution || arrival) maps.quantile.assign(std::size(k_study_quantiles), Raster(grid, k_no_data));
     if (members.size() == 0) return maps;
-    const ProbabilityEstimate estimate(members);
     std::vector<std::size_t> order;
     for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
         if (arrival) {
@@ -170,9 +187,10 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
             return;
         }
         for (std::size_t t = 0; t < thresholds.size(); ++t) {
-            const Probability probability = estimate.of(values, thresholds[t]);
+            const Estimate probability = estimate.probability(values, thresholds[t]);
             maps.probability[t].values[cell] = probability.value;
-            maps.error[t].values[cell] = probability.error;
+            maps.margin[t].values[cell] = probability.margin;
+            maps.errors.add(probability);
         }
         if (!has_distribution) return;
         for (std::size_t q = 0; q < std::size(k_study_quantiles); ++q) {
@@ -226,66 +244,123 @@ std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool up
     return bounds;
 }
 
-MapError map_error(const std::vector<Raster>& errors) {
-    ErrorSummary all;
-    for (const Raster& raster : errors)
-        raster.values.for_each_stored([&](std::size_t, double error) { all.add(error); });
-    return all.result();
-}
-
-MapError error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
-                        const std::vector<double>& thresholds) {
+ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
+                            const std::vector<double>& thresholds) {
     FinishedMembers first = members;
     first.records.resize(count);
     first.weights.resize(count);
-    if (!first.groups.empty()) first.groups.resize(count);
+    if (!first.replicates.empty()) first.replicates.resize(count);
     if (!first.levels.empty()) first.levels.resize(count);
-    double sum = 0;
-    for (const double weight : first.weights) sum += weight;
-    for (double& weight : first.weights) weight /= sum;
-    const ProbabilityEstimate estimate(first);
+    const MeanEstimate estimate(first);
     ErrorSummary all;
     for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
-        for (const double threshold : thresholds) all.add(estimate.of(values, threshold).error);
+        for (const double threshold : thresholds) all.add(estimate.probability(values, threshold));
     });
-    return all.result();
+    return all;
 }
 
-std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, std::size_t groups,
-                                     const GridSpec& grid, double threshold) {
-    const std::size_t keys = points.nominal.size();
-    std::vector<Raster> maps(keys, Raster(grid, k_no_data));
-    const RankCorrelations correlations(points);
-    std::vector<std::size_t> cells;
-    std::vector<std::vector<double>> outputs;
-    const auto flush = [&] {
-        if (outputs.empty()) return;
-        const auto indices = sobol_indices(points, outputs, groups);
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            for (std::size_t k = 0; k < keys; ++k)
-                if (const auto& first = indices[i][k].first_order)
-                    maps[k].values[cells[i]] = std::clamp(first->value, 0.0, 1.0);
-        cells.clear();
-        outputs.clear();
+namespace {
+
+constexpr double k_unreached = std::numeric_limits<double>::infinity();
+
+/// Replaces the squared distances along one axis by those in the plane: the least (i - k)^2 + f(k), by the lower
+/// envelope of parabolas (Felzenszwalb & Huttenlocher 2012, Theory of Computing 8, 415).
+void add_axis(std::vector<double>& f, std::vector<double>& from, std::vector<std::size_t>& roots) {
+    roots.clear();
+    from.clear();
+    const auto square = [](std::size_t i) { return static_cast<double>(i) * static_cast<double>(i); };
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (f[i] == k_unreached) continue;
+        double meets = -k_unreached;
+        while (!roots.empty()) {
+            const std::size_t k = roots.back();
+            meets = (f[i] + square(i) - f[k] - square(k)) / (2 * static_cast<double>(i - k));
+            if (meets > from.back()) break;
+            roots.pop_back();
+            from.pop_back();
+            meets = -k_unreached;
+        }
+        roots.push_back(i);
+        from.push_back(meets);
+    }
+    if (roots.empty()) return;
+    const std::vector<double> old = f;
+    for (std::size_t i = 0, at = 0; i < f.size(); ++i) {
+        while (at + 1 < roots.size() && from[at + 1] < static_cast<double>(i)) ++at;
+        const double apart = static_cast<double>(i) - static_cast<double>(roots[at]);
+        f[i] = apart * apart + old[roots[at]];
+    }
+}
+
+/// Distances in cells from the nearest cell that is `kind`.
+std::vector<double> distances_to(const std::vector<char>& cells, std::size_t columns, char kind) {
+    std::vector<double> squares(cells.size()), line, from;
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < cells.size(); ++i) squares[i] = cells[i] == kind ? 0 : k_unreached;
+    const auto along = [&](std::size_t first, std::size_t step, std::size_t count) {
+        line.resize(count);
+        for (std::size_t i = 0; i < count; ++i) line[i] = squares[first + i * step];
+        add_axis(line, from, roots);
+        for (std::size_t i = 0; i < count; ++i) squares[first + i * step] = line[i];
     };
-    for_each_reached_cell(members, Quantity::depth, grid, [&](std::size_t cell, std::span<const float> values) {
-        std::vector<char> happened(values.size());
-        std::transform(values.begin(), values.end(), happened.begin(),
-                       [&](float value) { return static_cast<char>(static_cast<double>(value) > threshold); });
-        const auto count = static_cast<std::size_t>(std::count(happened.begin(), happened.end(), 1));
-        if (count == 0 || count == happened.size()) return;
-        if (groups > 0) {
-            cells.push_back(cell);
-            outputs.emplace_back(happened.begin(), happened.end());
-            if (cells.size() == k_cells_at_once) flush();
-            return;
-        }
-        for (std::size_t k = 0; k < keys; ++k) {
-            const double rho = correlations.with_event(k, happened);
-            maps[k].values[cell] = rho * rho;
-        }
+    for (std::size_t column = 0; column < columns; ++column) along(column, columns, cells.size() / columns);
+    for (std::size_t first = 0; first < cells.size(); first += columns) along(first, 1, columns);
+    for (double& square : squares) square = std::sqrt(square);
+    return squares;
+}
+
+/// Signed distances of some cells of a grid from a member's outline, in cells.
+/// @param window beyond which no member comes
+std::vector<double> distances_from_outline(const MemberRecord& record, const GridSpec& grid, const CellWindow& window,
+                                           double threshold, const std::vector<std::size_t>& cells) {
+    const auto columns = static_cast<std::size_t>(window.columns + 2);  // with a border where nothing comes
+    std::vector<char> inside(columns * static_cast<std::size_t>(window.rows + 2));
+    const auto place = [&](std::int64_t row, std::int64_t column) {
+        return static_cast<std::size_t>(row - window.row + 1) * columns +
+               static_cast<std::size_t>(column - window.column + 1);
+    };
+    record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+        inside[place(row, column)] = static_cast<double>(record.depth[index]) > threshold ? 1 : 0;
     });
-    flush();
+    const std::vector<double> in = distances_to(inside, columns, 1), out = distances_to(inside, columns, 0);
+    const double farthest = std::hypot(static_cast<double>(window.rows), static_cast<double>(window.columns));
+    std::vector<double> distances;
+    for (const std::size_t cell : cells) {
+        const std::size_t at =
+            place(static_cast<std::int64_t>(cell) / grid.columns, static_cast<std::int64_t>(cell) % grid.columns);
+        distances.push_back(inside[at] != 0 ? out[at] - 0.5 : std::max(0.5 - in[at], -farthest));
+    }
+    return distances;
+}
+
+}  // namespace
+
+std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, const GridSpec& grid,
+                                     double threshold) {
+    std::vector<Raster> maps(points.nominal.size(), Raster(grid, k_no_data));
+    std::vector<std::size_t> rim;  // cells that some members reach and others do not
+    for_each_reached_cell(members, Quantity::depth, grid, [&](std::size_t cell, std::span<const float> values) {
+        const auto exceeds = [&](float value) { return static_cast<double>(value) > threshold; };
+        const auto count = static_cast<std::size_t>(std::count_if(values.begin(), values.end(), exceeds));
+        if (count > 0 && count < values.size()) rim.push_back(cell);
+    });
+    const CellWindow window = reached_window(members, grid);
+    const std::size_t at_once = std::max<std::size_t>(1, k_distance_bytes / (sizeof(double) * members.size()));
+    for (std::size_t first = 0; first < rim.size(); first += at_once) {
+        const std::vector<std::size_t> cells(
+            rim.begin() + static_cast<std::ptrdiff_t>(first),
+            rim.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, rim.size())));
+        std::vector<std::vector<double>> outputs(cells.size());
+        for (const std::string& file : members.records) {
+            const std::vector<double> distances =
+                distances_from_outline(require_record(file), grid, window, threshold, cells);
+            for (std::size_t i = 0; i < cells.size(); ++i) outputs[i].push_back(distances[i]);
+        }
+        const std::vector<Chaos> all = openturns().chaos(points, outputs);
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            for (std::size_t k = 0; k < maps.size() && all[i].q2 >= k_least_q2; ++k)
+                maps[k].values[cells[i]] = all[i].first_order[k];
+    }
     return maps;
 }
 

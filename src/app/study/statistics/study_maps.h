@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,11 +42,30 @@ Raster earliest_arrival(const std::vector<UnionMember>& members, const GridSpec&
 /// Greatest degree of hazard; NaN also where no member has intensity and return period.
 Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees);
 
+/// Standard errors of probabilities over a map: as one cell's is known to a quarter only, those of alike probabilities
+/// are taken together.
+class ErrorSummary {
+  public:
+    void add(const Estimate& probability);
+    void add(const ErrorSummary& other);
+    /// The greatest root mean square of the standard errors in ten classes of the probability, where they are not 0.
+    [[nodiscard]] double largest() const;
+    /// The mean where they are not 0.
+    [[nodiscard]] double mean() const;
+
+  private:
+    struct Class {
+        double count = 0, sum = 0, squares = 0;
+    };
+    std::array<Class, 10> classes_{};
+};
+
 /// What the members together say of one quantity, cell by cell. Rasters are NaN where no member came, except the
-/// probabilities and their errors, which are 0 there.
+/// probabilities, which are 0 there, and their margins.
 struct QuantityMaps {
     std::vector<Raster> probability;  ///< of exceeding each threshold
-    std::vector<Raster> error;        ///< its standard error
+    std::vector<Raster> margin;       ///< Estimate::margin
+    ErrorSummary errors;              ///< of all thresholds
     std::vector<Raster> quantile;     ///< for each of k_study_quantiles; NaN where it is 0
     Raster mean, deviation;           ///< with 0 where a member did not come
     Raster hits;                      ///< number of members that came
@@ -73,21 +93,15 @@ std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probab
 std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool upper, Quantity quantity,
                                                    const GridSpec& grid);
 
-/// Greatest and mean of the standard errors of probabilities over the cells where they are not 0.
-struct MapError {
-    double largest = 0, mean = 0;
-};
-MapError map_error(const std::vector<Raster>& errors);
+/// The standard errors of the first members alone, of one quantity and all thresholds, without keeping maps.
+ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
+                            const std::vector<double>& thresholds);
 
-/// The same for the first members alone, of one quantity and all thresholds, without keeping maps.
-MapError error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
-                        const std::vector<double>& thresholds);
-
-/// Returns for each key the fraction of the variance of the event "deeper than the threshold" that it explains alone:
-/// first-order Sobol' indices with Saltelli's design (a group that has lost a member must not be among them), otherwise
-/// squared rank correlations. NaN where all or none of the members exceed it, and below 0 by estimate set to 0.
-/// @param groups rows of matrix A; 0: independent members
-std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, std::size_t groups,
-                                     const GridSpec& grid, double threshold);
+/// Returns for each key the fraction of the variance of the signed distance of a cell from the outline of what is
+/// deeper than the threshold, positive inside, that it explains alone (Chaos::first_order): unlike the event itself,
+/// which is 0 or 1, the distance is a smooth function of the keys. NaN where all or none of the members exceed the
+/// threshold, and where Chaos::q2 is less than k_least_q2.
+std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, const GridSpec& grid,
+                                     double threshold);
 
 }  // namespace frana::app::study

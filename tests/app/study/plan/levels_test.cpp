@@ -36,7 +36,7 @@ TEST_F(Levels, TheirDifferencesAddUpToTheProbabilityOnTheFinestCells) {
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
     EXPECT_DOUBLE_EQ(maps.probability[0].at(0, 0), 0.7);
     // Sample variances 2.5 / 9 of the coarse runs and 1.6 / 9 of the differences (2 of 10), each over its 10 members.
-    EXPECT_DOUBLE_EQ(maps.error[0].at(0, 0), std::sqrt(2.5 / 90 + 1.6 / 90));
+    EXPECT_DOUBLE_EQ(maps.errors.largest(), std::sqrt(2.5 / 90 + 1.6 / 90));
     EXPECT_DOUBLE_EQ(maps.mean.at(0, 0), 0.7);
     const std::vector<double> variances = level_variances(members_, Quantity::depth, grid_, {0.5, 2}, 2);
     EXPECT_DOUBLE_EQ(variances[0], 2.5 / 9);
@@ -48,7 +48,7 @@ TEST_F(Levels, ASumBeyondOneIsSetToOne) {
     for (int u = 0; u < 4; ++u) add_member(1, 0.25, true, u > 0);
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 1);
-    EXPECT_DOUBLE_EQ(maps.error[0].at(0, 0), 0.25);  // differences 1, 0, 0, 0: variance 1/4, of 4 members
+    EXPECT_DOUBLE_EQ(maps.errors.largest(), 0.25);  // differences 1, 0, 0, 0: variance 1/4, of 4 members
 }
 
 TEST_F(Levels, OneMemberTellsNoError) {
@@ -57,7 +57,7 @@ TEST_F(Levels, OneMemberTellsNoError) {
     add_member(1, 1, true, true);
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 0.5);
-    EXPECT_EQ(maps.error[0].at(0, 0), 0.5);
+    EXPECT_EQ(maps.errors.largest(), 0.5);
 }
 
 // A cell of 20 m covers four of 10 m.

@@ -48,10 +48,10 @@ double deviation(const std::vector<double>& values) {
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// Moments of each distribution in closed form. 1000 points of a Sobol' sequence give means of smooth functions to about
-// a thousandth of the deviation.
+// Moments of each distribution in closed form. 8 scrambled Sobol' sequences of 1000 points give means of smooth
+// functions to about a thousandth of the deviation.
 TEST(Sampling, ValuesHaveTheirDistributions) {
-    const StudySpec study = study_of(Sampling::sobol, 1024,
+    const StudySpec study = study_of(Sampling::sobol, 8192,
                                      {{"material.friction-coefficient", "uniform(0.1, 0.3)"},
                                       {"material.turbulence", "log-uniform(500, 4000)"},
                                       {"release.volume", "triangular(1e5, 2e5, 4e5)"},
@@ -59,7 +59,7 @@ TEST(Sampling, ValuesHaveTheirDistributions) {
                                       {"material.viscosity", "log-normal(50, 20)"},
                                       {"release.thickness-direction", "choice(vertical: 3, normal: 1)"}});
     const SampleTable table = drawn(study);
-    ASSERT_EQ(table.size(), 1024U);
+    ASSERT_EQ(table.size(), 8192U);
     const double ratio = std::log(8.0), log_mean = 3500 / ratio,
                  log_square = (4000.0 * 4000 - 500.0 * 500) / (2 * ratio);
     const struct {
@@ -83,7 +83,7 @@ TEST(Sampling, CorrelationsAreThoseOfTheRanks) {
                                     {"material.turbulence", "log-uniform(500, 4000)"}});
         study.correlate = {{"material.friction-coefficient", "material.turbulence", -0.4}};
         const SampleTable table = drawn(study);
-        const RankCorrelations ranks({table.numbers, table.nominal});
+        const RankCorrelations ranks({table.numbers, table.nominal, {}});
         const double rho = ranks.with(column(table, 1))[0].rank_correlation->value;
         EXPECT_NEAR(rho, -0.4, 0.06) << static_cast<int>(sampling);  // three standard errors of 2000 random members
         const std::vector<double> values = column(table, 0);
@@ -121,14 +121,54 @@ TEST(Sampling, TheSeedDecidesEverything) {
     }
 }
 
-// A Latin hypercube has one value in each of n equal parts of every distribution.
-TEST(Sampling, LatinHypercubeFillsEveryPart) {
+// A Latin hypercube of n values, and any power of two of a Sobol' sequence, have one value in each of n equal parts of
+// every distribution; so has each replicate, and it is not the same as another one.
+TEST(Sampling, EachReplicateFillsEveryPart) {
+    for (const auto& [sampling, samples] : {std::pair{Sampling::latin_hypercube, 100}, {Sampling::sobol, 128}}) {
+        const SampleTable table = drawn(study_of(
+            sampling, samples,
+            {{"material.friction-coefficient", "uniform(0, 1)"}, {"material.density", "uniform(1000, 2000)"}}));
+        ASSERT_TRUE(table.is_replicated);
+        std::vector<std::vector<double>> values(k_replicates);
+        for (std::size_t m = 0; m < table.size(); ++m) values[table.replicate_of(m)].push_back(table.numbers[m][0]);
+        std::set<std::vector<double>> different;
+        for (const std::vector<double>& replicate : values) {
+            std::set<int> parts;
+            for (const double value : replicate)
+                parts.insert(static_cast<int>(value * static_cast<double>(replicate.size())));
+            EXPECT_EQ(parts.size(), replicate.size()) << name_of(sampling);
+            different.insert(replicate);
+        }
+        EXPECT_EQ(different.size(), k_replicates);
+    }
+}
+
+TEST(Sampling, MoreMembersFollowThoseOfFewer) {
+    for (const Sampling sampling : {Sampling::sobol, Sampling::random}) {
+        StudySpec study = study_of(sampling, 64,
+                                   {{"material.friction-coefficient", "uniform(0.1, 0.3)"},
+                                    {"material.turbulence", "log-uniform(500, 4000)"}});
+        const SampleTable few = drawn(study);
+        study.samples = 400;
+        const SampleTable many = drawn(study);
+        ASSERT_EQ(many.size(), 400U);
+        EXPECT_TRUE(std::equal(few.values.begin(), few.values.end(), many.values.begin())) << name_of(sampling);
+    }
+}
+
+// Rows of A, of B, and of A with one column of B each.
+TEST(Sampling, ASaltelliDesignHasItsMatrices) {
     const SampleTable table = drawn(
-        study_of(Sampling::latin_hypercube, 50,
+        study_of(Sampling::saltelli, 4 * 20,
                  {{"material.friction-coefficient", "uniform(0, 1)"}, {"material.density", "uniform(1000, 2000)"}}));
-    std::set<int> parts;
-    for (const double value : column(table, 0)) parts.insert(static_cast<int>(value * 50));
-    EXPECT_EQ(parts.size(), 50U);
+    ASSERT_EQ(table.groups, 20U);
+    for (std::size_t i = 0; i < 20; ++i) {
+        const auto &a = table.numbers[i], &b = table.numbers[20 + i];
+        EXPECT_NE(a[0], b[0]);
+        EXPECT_EQ(table.numbers[40 + i], (std::vector<double>{b[0], a[1]}));
+        EXPECT_EQ(table.numbers[60 + i], (std::vector<double>{a[0], b[1]}));
+        EXPECT_EQ(table.replicate_of(60 + i), i % k_replicates);
+    }
 }
 
 TEST(Sampling, AGridHasAllCombinationsWithTheirWeights) {
