@@ -211,4 +211,66 @@ Raster cut_to(const Raster& raster, const CellWindow& window) {
     return part;
 }
 
+namespace {
+
+constexpr double k_unreached = std::numeric_limits<double>::infinity();
+
+/// Replaces the squared distances along one axis by those in the plane: the least (i - k)^2 + f(k), by the lower
+/// envelope of parabolas (Felzenszwalb & Huttenlocher 2012, Theory of Computing 8, 415).
+void add_axis(std::vector<double>& f, std::vector<double>& from, std::vector<std::size_t>& roots) {
+    roots.clear();
+    from.clear();
+    const auto square = [](std::size_t i) { return static_cast<double>(i) * static_cast<double>(i); };
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (f[i] == k_unreached) continue;
+        double meets = -k_unreached;
+        while (!roots.empty()) {
+            const std::size_t k = roots.back();
+            meets = (f[i] + square(i) - f[k] - square(k)) / (2 * static_cast<double>(i - k));
+            if (meets > from.back()) break;
+            roots.pop_back();
+            from.pop_back();
+            meets = -k_unreached;
+        }
+        roots.push_back(i);
+        from.push_back(meets);
+    }
+    if (roots.empty()) return;
+    const std::vector<double> old = f;
+    for (std::size_t i = 0, at = 0; i < f.size(); ++i) {
+        while (at + 1 < roots.size() && from[at + 1] < static_cast<double>(i)) ++at;
+        const double apart = static_cast<double>(i) - static_cast<double>(roots[at]);
+        f[i] = apart * apart + old[roots[at]];
+    }
+}
+
+/// Distances in cells from the nearest cell that is `kind`.
+std::vector<double> distances_to(const std::vector<char>& cells, std::size_t columns, char kind) {
+    std::vector<double> squares(cells.size()), line, from;
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < cells.size(); ++i) squares[i] = cells[i] == kind ? 0 : k_unreached;
+    const auto along = [&](std::size_t first, std::size_t step, std::size_t count) {
+        line.resize(count);
+        for (std::size_t i = 0; i < count; ++i) line[i] = squares[first + i * step];
+        add_axis(line, from, roots);
+        for (std::size_t i = 0; i < count; ++i) squares[first + i * step] = line[i];
+    };
+    for (std::size_t column = 0; column < columns; ++column) along(column, columns, cells.size() / columns);
+    for (std::size_t first = 0; first < cells.size(); first += columns) along(first, 1, columns);
+    for (double& square : squares) square = std::sqrt(square);
+    return squares;
+}
+
+}  // namespace
+
+std::vector<double> distances_from_rim(const std::vector<char>& inside, std::size_t columns) {
+    const std::vector<double> in = distances_to(inside, columns, 1), out = distances_to(inside, columns, 0);
+    const double farthest =
+        std::hypot(static_cast<double>(columns), static_cast<double>(inside.size()) / static_cast<double>(columns));
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < inside.size(); ++i)
+        distances.push_back(inside[i] != 0 ? std::min(out[i] - 0.5, farthest) : std::max(0.5 - in[i], -farthest));
+    return distances;
+}
+
 }  // namespace frana

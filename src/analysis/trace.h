@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "core/geometry.h"
 #include "core/raster.h"
@@ -15,6 +17,12 @@ MultiPolygon outlines_where_positive(const GridSpec& grid, std::span<const doubl
 
 /// Returns 1 where the depth exceeds the threshold [m], 0 elsewhere (including no data).
 Raster trace_mask(const Raster& depth, double threshold);
+
+/// Returns for each cell the distance to the line between the cells of an area and all others, in cells: positive
+/// inside, negative outside, from the middle of the cell to that of the nearest on the other side less a half. Where
+/// there is no other side the diagonal of the map takes its place.
+/// @param inside by row and column, 1 in the area, 0 elsewhere
+std::vector<double> distances_from_rim(const std::vector<char>& inside, std::size_t columns);
 
 /// Returns the area of the cells that are neither 0 nor without data [m2].
 double masked_area(const Raster& mask);

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace frana {
 namespace {
@@ -25,6 +28,26 @@ TEST(Trace, MaskAndArea) {
     EXPECT_EQ(mask.values, (std::vector<double>{1, 0, 0, 1}));
     EXPECT_EQ(masked_area(mask), 200);
     EXPECT_EQ(masked_area(two_by_two({k_no_data, 0, 3, 1})), 200);
+}
+
+// Against the nearest cell of the other side, searched one by one, on random maps of 9 x 7 cells.
+TEST(Trace, DistancesFromTheRimAreThoseToTheNearestCell) {
+    constexpr std::size_t columns = 9, rows = 7;
+    std::mt19937 random(5);
+    for (int map = 0; map < 50; ++map) {
+        std::vector<char> inside(columns * rows);
+        for (char& one : inside) one = random() % 50 < static_cast<unsigned>(map) ? 1 : 0;
+        const std::vector<double> distances = distances_from_rim(inside, columns);
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            double nearest = std::hypot(9.0, 7.0) + 0.5;  // there is no other side
+            for (std::size_t k = 0; k < inside.size(); ++k)
+                if (inside[k] != inside[i])
+                    nearest = std::min(nearest,
+                                       std::hypot(static_cast<double>(i % columns) - static_cast<double>(k % columns),
+                                                  static_cast<double>(i / columns) - static_cast<double>(k / columns)));
+            EXPECT_DOUBLE_EQ(distances[i], inside[i] != 0 ? nearest - 0.5 : 0.5 - nearest) << map << ", " << i;
+        }
+    }
 }
 
 TEST(Trace, MaximumIgnoresNoData) {

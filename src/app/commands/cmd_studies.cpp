@@ -84,13 +84,60 @@ void refuse_to_discard(const std::string& target, const std::string& study, Prob
 }
 
 /// Throws Error(input) if the members kept in a folder belong to a study with another identity, with the differences.
-void require_same_study(const std::string& identity, const std::string& folder) {
-    const std::string then = read_text_file((std::filesystem::path(folder) / k_record_identity).string());
+/// @param then that of those members
+void require_same_study(const std::string& identity, const std::string& then, const std::string& folder) {
     if (then == identity) return;
-    throw Error(ErrorKind::input, Problem{"the members kept in " + folder + " are of another study: " +
-                                              joined(identity_differences(identity, then), "; "),
-                                          "--resume", "", "",
-                                          "Restore the study as it was, or start anew: --overwrite without --resume"});
+    throw Error(ErrorKind::input,
+                Problem{"the members kept in " + folder +
+                            " are of another study: " + joined(identity_differences(identity, then), "; "),
+                        "--resume, --extend", "", "", "Restore the study as it was, or start anew: --overwrite alone"});
+}
+
+/// The lines of a study's identity that concern its first members.
+std::string identity_of_first(const std::string& identity, std::size_t members) {
+    std::string kept;
+    bool keeps = true;
+    for (std::size_t at = 0, end = 0; at < identity.size(); at = end) {
+        end = std::min(identity.find('\n', at), identity.size() - 1) + 1;
+        const std::string line = identity.substr(at, end - at);
+        unsigned long long member = 0;
+        char after = 0;
+        // "member 7 KEY = VALUE", and "member 7:" before the scene of one whose files are its own
+        const bool is_of_member = std::sscanf(line.c_str(), "member %llu%c", &member, &after) == 2;
+        if (is_of_member && after == ':') keeps = member < members;
+        if (is_of_member && after != ':' ? member < members : keeps) kept += line;
+    }
+    return kept;
+}
+
+/// Returns the number of members of a complete study with `more` of them. Throws Error(input) if it cannot have more.
+/// @param more as the user wrote it
+std::int64_t extended_samples(const study::StudySpec& study, const std::string& target, const std::string& more) {
+    const auto refuse = [&](const std::string& what, const std::string& limit, const std::string& remedy) {
+        throw Error(ErrorKind::input, Problem{what, "--extend", more, limit, remedy});
+    };
+    const std::size_t members = split_records(target, "").members;
+    const auto count = integer_from_text(more);
+    const std::int64_t most = study::k_most_samples - static_cast<std::int64_t>(members);
+    if (!count || *count < 1 || *count > most)
+        refuse("is not a number of members to add", "1 to " + std::to_string(most), "Write for example --extend 100");
+    const std::string all = std::to_string(static_cast<std::int64_t>(members > 0 ? members : study.samples) + *count),
+                      anew = "run the study anew with study.samples = " + all + " and --overwrite";
+    if (!study.is_extensible())
+        refuse(study.levels          ? "a study with levels shares out one budget, and has no members to add"
+               : study.per_polygon() ? "each polygon is a member, and there are no others"
+               : study.sampling == study::Sampling::table
+                   ? "the table gives all members"
+                   : "a design of sampling = " + name_of(study.sampling) + " is made for its number of members",
+               "sampling = sobol or random, without levels",
+               study.per_polygon() || study.sampling == study::Sampling::table
+                   ? "Add to the layer or the table and run the study anew with --overwrite"
+                   : "To keep the design, " + anew + "; with sampling = sobol members can be added later");
+    if (members == 0)
+        refuse("there is no complete study with the records of its members in " + target, "",
+               "Run the study without --extend first; if it is complete but older, or its " +
+                   std::string(k_joined_records) + " was removed, " + anew);
+    return static_cast<std::int64_t>(members) + *count;
 }
 
 /// Whether a result is complete and of the same study: nothing is left to do. Throws Error(input) if it is the finished
@@ -177,8 +224,9 @@ struct ManyRuns {
     using Input = study::StudyInput;
     static constexpr const char *k_name = "study", *k_members = "members";
 
-    static Texts read(const std::string& file, const Session& session, RunLog& log) {
-        return study::read_study_texts(file, session, log);
+    static Texts read(const std::string& file, const Session& session, RunLog& log,
+                      const std::optional<std::int64_t>& samples = std::nullopt) {
+        return study::read_study_texts(file, session, log, samples);
     }
     static const study::StudySpec& study_of(const Texts& texts) { return texts.reading.study; }
     static std::span<const study::StudyTexts> scenes(const Texts& texts) { return {&texts, 1}; }
@@ -202,6 +250,7 @@ struct ManyRuns {
     static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
                                        ResultDirectory& directory, RunLog& log) {
         input.base.result_folder = directory.target();
+        if (input.reading.study.is_extensible()) join_records(directory.folder());
         return study::publish_study({input, ran.members, ran.computed, threads, since_start}, directory, log);
     }
 };
@@ -215,7 +264,8 @@ struct CalibrationByEvents {
         std::optional<study::CalibrationRuns> runs;
     };
 
-    static Texts read(const std::string& file, const Session& session, RunLog& log) {
+    static Texts read(const std::string& file, const Session& session, RunLog& log,
+                      const std::optional<std::int64_t>& = std::nullopt) {
         return study::read_calibration_texts(file, session, log);
     }
     static const study::StudySpec& study_of(const Texts& texts) { return texts.reading.calibration.study; }
@@ -252,6 +302,10 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     const std::string file = (*values)["operand"].as<std::string>();
     check_file(file);
     OtherRanks ranks;
+    const auto more = text_option(*values, "extend");
+    if (more && ranks.job)
+        throw Error(ErrorKind::input,
+                    Problem{"cannot be used under mpirun", "--extend", *more, "", "Start one process"});
     const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
     if (ranks.job && ranks.job->rank() > 0) {
         const auto read = [&file] {
@@ -261,14 +315,15 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
         study::work_for_rank_0(*ranks.job, read, file, threads);
         return static_cast<int>(ExitCode::done);
     }
-    const bool quiet = values->count("quiet") > 0, overwrite = values->count("overwrite") > 0,
-               resume = values->count("resume") > 0;
+    const bool quiet = values->count("quiet") > 0, discards = values->count("overwrite") > 0,
+               overwrite = discards || more, resume = values->count("resume") > 0;
     RunLog log(quiet);
     const Session session = session_of(*values, log);
 
     typename Kind::Texts texts = Kind::read(file, session, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(Kind::place(texts)), target = result_path(place);
+    if (more) texts = Kind::read(file, session, log, extended_samples(Kind::study_of(texts), target, *more));
     const std::string interrupted = interrupted_study(target);
     const bool may_be_complete = resume && !overwrite && interrupted.empty() && has_files(target);
     std::vector<std::string> inputs{Kind::study_of(texts).file};
@@ -278,7 +333,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     if (!may_be_complete)
         place_problem = check_result_directory(place, overwrite ? Older::replaced : Older::refused, inputs,
                                                out ? "--out" : "the result's place", Kind::problems(texts));
-    if (!resume && !overwrite) refuse_to_discard(target, interrupted, Kind::problems(texts));
+    if (!resume && !discards) refuse_to_discard(target, interrupted, Kind::problems(texts));
     log.note(std::string(k_program) + " " + k_version + ", study " + Kind::study_of(texts).file + ", " +
              std::to_string(threads) + " threads");
     typename Kind::Input input = Kind::prepare(std::move(texts), place_problem, log);
@@ -292,12 +347,20 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
         refuse_study_beyond_memory(one, forecast_study(one, threads, false), threads,
                                    ranks.job ? ranks.job->ranks_here() : 1);
     const std::string left = resume ? interrupted : "";
-    if (!left.empty()) require_same_study(input.identity, left);
+    if (!left.empty())
+        require_same_study(input.identity, read_text_file((std::filesystem::path(left) / k_record_identity).string()),
+                           left);
+    if (more) {
+        const JoinedRecords old = split_records(target, "");
+        require_same_study(identity_of_first(input.identity, old.members), identity_of_first(old.identity, old.members),
+                           target);
+    }
 
     catch_stop_signals();
     ResultDirectory directory(target, overwrite, !left.empty());
     directory.make_folder(k_record_folder);
     write_text_file(directory.path(k_record_identity), input.identity);
+    if (more) split_records(target, directory.folder());
     if (ranks.pool) ranks.pool->start(input.identity);
     const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
     const auto ran = Kind::run(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
@@ -331,10 +394,14 @@ void require_region(const std::string& file) {
 }  // namespace
 
 CommandForm ensemble_form() {
-    return study_form("ensemble",
-                      "Runs a scene many times with values drawn from their distributions and writes what the runs say "
-                      "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
-                      "that of the scene, with -ensemble", "study");
+    CommandForm form =
+        study_form("ensemble",
+                   "Runs a scene many times with values drawn from their distributions and writes what the runs say "
+                   "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
+                   "that of the scene, with -ensemble", "study");
+    form.options.add_options()("extend", one("N"),
+                               "add so many members to a complete study (sampling sobol or random)");
+    return form;
 }
 
 int cmd_ensemble(const Arguments& arguments) {

@@ -127,6 +127,8 @@ inline std::string best_scene_of(const std::string& event) {
 /// In the folder in which the result of a study is being built: a record of each member, and what they belong to.
 inline constexpr const char* k_record_folder = "records";
 inline constexpr const char* k_record_identity = "records/study.txt";
+/// Of a complete study that may be extended: both in one file.
+inline constexpr const char* k_joined_records = "records.frana";
 /// In the folder in which a result is being built, from the beginning.
 inline constexpr const char* k_building_file = "being_built.json";
 /// In the folder in which a result is being built: pictures for report.html alone.

@@ -110,6 +110,8 @@ struct RegionSpec {
     DegreeMatrix degrees;
 };
 
+inline constexpr std::int64_t k_most_samples = 1'000'000;
+
 /// A study as specified in its file; the scene is not read yet.
 struct StudySpec {
     std::string file;   ///< the study file, absolute
@@ -128,6 +130,8 @@ struct StudySpec {
     std::optional<RegionSpec> region;  ///< only with polygons
 
     [[nodiscard]] bool per_polygon() const noexcept { return sampling == Sampling::polygons; }
+    /// Whether more members may follow the last one, with the same ones before them.
+    [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on && !levels; }
 };
 
 /// A study as far as its file could be read, and all its problems.

@@ -387,6 +387,63 @@ TEST_F(Ensemble, ARecordUnderAnotherNameIsComputedAgain) {
     expect_same("whole", "out");
 }
 
+// Once and twice; after a signal the same command with --resume.
+TEST_F(Ensemble, AnExtendedStudyIsThatOfAllItsMembers) {
+    for (const std::string sampling : {"sobol", "random"}) {
+        const std::string head = "sampling = " + sampling + "\nsamples = ";
+        write_study(head + "60\n", k_two_keys);
+        ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "whole-" + sampling, "--quiet"}).exit_code, 0);
+        write_study(head + "16\n", k_two_keys);
+        ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
+        const Outcome extended = run({"--extend", "20"});
+        ASSERT_EQ(extended.exit_code, 0) << extended.err;
+        EXPECT_EQ(members().size(), 36U);
+        EXPECT_NE(read_text(path("out/log.txt")).find("computed 20 members"), std::string::npos);
+        ASSERT_EQ(run({"--extend", "24", "--threads", "1"}).exit_code, 0);
+        expect_same("whole-" + sampling, "out");
+    }
+    StartedProgram program(folder_.string(), {"ensemble", "study.ini", "--out", "out", "--extend", "300"});
+    EXPECT_TRUE(program.wait_until([&] { return records().size() > 60; }));
+    program.send(SIGTERM);
+    ASSERT_EQ(program.wait().exit_code, 128 + SIGTERM);
+    EXPECT_EQ(members().size(), 60U) << "the older result stays until then";
+    const Outcome discards = run({"--extend", "300"});
+    EXPECT_EQ(discards.exit_code, 2);
+    EXPECT_NE(discards.err.find("an interrupted study of it is kept"), std::string::npos) << discards.err;
+    ASSERT_EQ(run({"--extend", "300", "--resume"}).exit_code, 0);
+    EXPECT_EQ(members().size(), 360U);
+}
+
+TEST_F(Ensemble, WhatCannotBeExtendedIsRefusedWithTheRemedy) {
+    const auto expect_refused = [&](const std::string& more, const std::string& words) {
+        const auto before = files();
+        const Outcome outcome = run({"--extend", more});
+        EXPECT_EQ(outcome.exit_code, 2) << words;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        EXPECT_EQ(files(), before);
+    };
+    write_study("samples = 8\n", k_two_keys);
+    expect_refused("4", "no complete study");
+    ASSERT_EQ(run().exit_code, 0);
+    expect_refused("0", "is not a number of members to add");
+    expect_refused("1000000", "1 to 999992");
+    write_study("samples = 8\nseed = 2\n", k_two_keys);
+    expect_refused("4", "are of another study");
+    write_study("samples = 8\n", "[set]\ntime.end = 3\n" + k_two_keys);
+    expect_refused("4", "time.end");
+    for (const std::string sampling : {"latin-hypercube", "saltelli", "grid"}) {
+        write_study("samples = 8\nsampling = " + sampling + "\n", k_two_keys);
+        expect_refused("4", "study.samples = 12 and --overwrite");
+    }
+    write_study("samples = 8\nsampling = table:out/members.csv\n", "");
+    expect_refused("4", "the table gives all members");
+    write_study("samples = 8\n", k_two_keys);
+    fs::resize_file(path("out/records.frana"), fs::file_size(path("out/records.frana")) - 1);
+    const Outcome damaged = run({"--extend", "4"});
+    EXPECT_NE(damaged.exit_code, 0);
+    EXPECT_EQ(members().size(), 8U);
+}
+
 TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {
     write_study("samples = 400\nuntil = 0.07\n", k_two_keys);
     const Outcome outcome = run();

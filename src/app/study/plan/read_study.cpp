@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 using StudyKey = ParameterOf<StudySpec>;
 
-constexpr std::int64_t k_most_samples = 1'000'000, k_last_seed = 2'147'483'647;
+constexpr std::int64_t k_last_seed = 2'147'483'647;
 constexpr const char* k_table_word = "table:";
 
 StudyKey sampling_key() {

@@ -320,9 +320,11 @@ SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) c
     return read_member(reading, overrides);
 }
 
-StudyTexts read_study_texts(const std::string& path, const Session& session, RunLog& log) {
+StudyTexts read_study_texts(const std::string& path, const Session& session, RunLog& log,
+                            const std::optional<std::int64_t>& samples) {
     StudyTexts texts;
     texts.reading = is_region(path) ? read_region(path) : read_study(path);
+    if (samples) texts.reading.study.samples = *samples;
     texts.reading.session = session;
     find_recorded_inputs(texts.reading, log);
     if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();

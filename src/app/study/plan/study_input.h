@@ -77,7 +77,9 @@ struct StudyTexts {
 /// Reads study (or region), table and scene, draws the members, and reads the scene of each. The study file of a
 /// result, which may have been moved, finds its inputs as find_recorded_inputs(). Throws Error(input) only if a file is
 /// no INI, the study names no scene, or an input of such a result is missing.
-StudyTexts read_study_texts(const std::string& path, const Session& session, RunLog& log);
+/// @param samples in place of study.samples
+StudyTexts read_study_texts(const std::string& path, const Session& session, RunLog& log,
+                            const std::optional<std::int64_t>& samples = std::nullopt);
 
 /// The same for members that are known already.
 StudyTexts read_study_scenes(StudyReading reading, SampleTable table);

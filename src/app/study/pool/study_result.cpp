@@ -199,19 +199,9 @@ void choose_design(const StudyInput& input, const std::string& folder, StudyResu
     }
     for (const std::size_t place : result.design_at)
         result.points.numbers.push_back(table.numbers[result.members[place].member]);
-    const std::vector<std::size_t>& members = result.design_at;
-    if (!table.places.empty()) {
-        for (const std::size_t place : members)
-            result.points.places.push_back(table.places[result.members[place].member]);
-    } else {
-        result.points.places.resize(members.size(), std::vector<double>(table.keys.size()));
-        for (std::size_t k = 0; k < table.keys.size(); ++k) {
-            std::vector<double> column;
-            for (const auto& row : result.points.numbers) column.push_back(row[k]);
-            const std::vector<double> places = rank_places(column);
-            for (std::size_t i = 0; i < places.size(); ++i) result.points.places[i][k] = places[i];
-        }
-    }
+    for (const std::size_t place : result.design_at)
+        if (!table.places.empty()) result.points.places.push_back(table.places[result.members[place].member]);
+    if (table.places.empty()) result.points.places = rank_places(result.points);
     result.points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(result.points);
 }
 
@@ -245,15 +235,16 @@ Estimate StudyResult::mean_of(std::size_t index) const {
 
 Interval StudyResult::quantile_of(std::size_t index, double q) const {
     const std::vector<double> values = figure(index);
-    const double value = figure_quantile(values, finished.weights, q),
-                 margin = MeanEstimate(finished).probability(values, value).margin;
+    const std::vector<float> floats(values.begin(), values.end());
+    const double value = weighted_quantile(values, finished.weights, q),
+                 margin = MeanEstimate(finished).probability(floats, static_cast<float>(value)).margin;
     constexpr double k_infinite = std::numeric_limits<double>::infinity();
-    return {value, q > margin ? figure_quantile(values, finished.weights, q - margin) : -k_infinite,
-            q + margin < 1 ? figure_quantile(values, finished.weights, q + margin) : k_infinite};
+    return {value, q > margin ? weighted_quantile(values, finished.weights, q - margin) : -k_infinite,
+            q + margin < 1 ? weighted_quantile(values, finished.weights, q + margin) : k_infinite};
 }
 
 double StudyResult::quantile_bound(std::size_t index, double q, bool upper) const {
-    if (!open.any()) return figure_quantile(figure(index), finished.weights, q);
+    if (!open.any()) return weighted_quantile(figure(index), finished.weights, q);
     std::vector<double> values;
     for (std::size_t i = 0; i < members.size(); ++i) {
         const std::vector<Figure>& of = members[i].figures;
@@ -261,7 +252,7 @@ double StudyResult::quantile_bound(std::size_t index, double q, bool upper) cons
                          : index < of.size()    ? of[index].value
                                                 : 0);  // it failed before its first step
     }
-    return figure_quantile(values, open.runs.weights, q);
+    return weighted_quantile(values, open.runs.weights, q);
 }
 
 const std::vector<Figure>& StudyResult::figures() const {
@@ -295,7 +286,6 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
 std::vector<FigureSensitivity> sensitivities(const StudyResult& result) {
     std::vector<FigureSensitivity> all;
     if (result.design_at.size() < 2 || !result.equal_weights()) return all;
-    const RankCorrelations correlations(result.points);
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         std::vector<double> output;
         for (const std::size_t place : result.design_at) output.push_back(result.members[place].figures[f].value);
@@ -303,7 +293,7 @@ std::vector<FigureSensitivity> sensitivities(const StudyResult& result) {
         FigureSensitivity one{result.figures()[f], {}, chaos.q2};
         one.keys = result.groups >= k_least_groups ? sobol_indices(result.points, output, result.groups)
                    : result.groups > 0             ? std::vector<KeySensitivity>(result.points.nominal.size())
-                                                   : correlations.with(output);
+                                                   : rank_correlations(result.points, output);
         for (std::size_t k = 0; k < one.keys.size() && result.groups < k_least_groups; ++k) {
             KeySensitivity& key = one.keys[k];
             constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
@@ -320,14 +310,6 @@ std::vector<FigureSensitivity> sensitivities(const StudyResult& result) {
         all.push_back(std::move(one));
     }
     return all;
-}
-
-double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights) {
-    return std::inner_product(values.begin(), values.end(), weights.begin(), 0.0);
-}
-
-double figure_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q) {
-    return weighted_quantile(values, weights, q);
 }
 
 }  // namespace frana::app::study

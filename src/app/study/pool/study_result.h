@@ -81,7 +81,7 @@ struct StudyResult {
     /// Returns an upper or a lower bound of a quantile of a figure, if the open runs exceed everything; infinite: it
     /// has none. Without such runs it is the quantile itself.
     [[nodiscard]] double quantile_bound(std::size_t index, double q, bool upper) const;
-    /// Returns the mean of a figure, not of a multilevel study.
+    /// Returns the mean of a figure; its error not of a multilevel study.
     [[nodiscard]] Estimate mean_of(std::size_t index) const;
     /// Returns a quantile of a figure with its interval of 95 %: the quantiles at q -+ the margin of the probability
     /// that it is exceeded (Woodruff 1952, J. Am. Stat. Assoc. 47, 635); infinite where the members do not reach so
@@ -99,10 +99,5 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
 
 /// Returns the sensitivities of all figures.
 std::vector<FigureSensitivity> sensitivities(const StudyResult& result);
-
-/// Weighted mean of values whose weights have a sum of 1.
-double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights);
-/// The quantile as on maps.
-double figure_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
 
 }  // namespace frana::app::study

@@ -154,18 +154,6 @@ constexpr ChartRow<ChartData> k_charts[] = {
     {{"convergence", worded("convergence of the probabilities")}, convergence},
 };
 
-/// The first members of a study that are independent of each other.
-FinishedMembers independent_members(const StudyResult& result) {
-    if (result.groups == 0) return result.finished;
-    FinishedMembers first;
-    for (std::size_t i = 0; i < result.groups; ++i) {  // of whole groups, in the order of members: matrix A
-        first.records.push_back(result.design.records[i]);
-        first.weights.push_back(1);
-        first.replicates.push_back(result.design.replicates[i]);
-    }
-    return first;
-}
-
 }  // namespace
 
 std::string figure_title(const Figure& figure, const Words& words) {
@@ -181,7 +169,7 @@ std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& 
     constexpr std::size_t k_first = 8;
     std::vector<ErrorAt> all;
     if (!input.levels.empty()) return all;  // its members are not exchangeable
-    const FinishedMembers members = independent_members(result);
+    const FinishedMembers& members = result.finished;
     for (std::size_t count = k_first;; count *= 2) {
         const std::size_t some = std::min(count, members.size());
         if (some < 2) break;
@@ -407,7 +395,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input.base, directory);
     const bool on_levels = !input.levels.empty();
-    const std::vector<double> none(result.finished.size());
+    const std::vector<float> none(result.finished.size());
     facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
         QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);

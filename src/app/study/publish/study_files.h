@@ -24,8 +24,7 @@ struct ErrorAt {
     ErrorSummary error;
 };
 
-/// Returns the standard errors of the probabilities of depth after some numbers of members, up to all of them; of
-/// Saltelli's design those of matrix A, which are independent.
+/// Returns the standard errors of the probabilities of depth after some numbers of members, up to all of them.
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result);
 
 /// Returns the title of a figure of a study in a language: "run-out".

@@ -49,7 +49,7 @@ std::optional<Spread> spread_of(const StudyResult& result, const std::string& ke
     const auto place = place_of_figure(result, key);
     if (!place) return std::nullopt;
     const std::vector<double> values = result.figure(*place);
-    const auto quantile = [&](double q) { return figure_quantile(values, result.finished.weights, q); };
+    const auto quantile = [&](double q) { return weighted_quantile(values, result.finished.weights, q); };
     return Spread{quantile(0.05), quantile(0.5), quantile(0.95)};
 }
 
@@ -138,7 +138,7 @@ Document reached_by_sources(const StudyInput& input, const StudyResult& result, 
                 : worded("The farthest run-out is {1} m in map view, from source {2}; half of the sources come more "
                          "than {3} m far."),
             {number.grouped(values[farthest]), source_name(input, result.members[result.finished_at[farthest]].member),
-             number.grouped(figure_quantile(values, result.finished.weights, 0.5))});
+             number.grouped(weighted_quantile(values, result.finished.weights, 0.5))});
     }
     if (!facts.reached_m2.empty())
         text += " " + words("At least one source covers {1} m² deeper than {2} m.",
@@ -196,7 +196,7 @@ Document figures_table(const StudyResult& result, const StudyFacts& facts, const
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
         const auto quantile = [&](double q) {
-            const double value = figure_quantile(values, weights, q), upper = result.quantile_bound(f, q, true);
+            const double value = weighted_quantile(values, weights, q), upper = result.quantile_bound(f, q, true);
             const bool on_levels = result.open.any() && !facts.levels.empty();
             const double least = on_levels ? result.quantile_bound(f, q, false) : value;
             if (on_levels && std::isfinite(upper))
@@ -206,7 +206,7 @@ Document figures_table(const StudyResult& result, const StudyFacts& facts, const
         };
         const Figure& figure = result.figures()[f];
         table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
-                   number.of_any_size(weighted_mean(values, weights)), quantile(0.05), quantile(0.5), quantile(0.95)});
+                   number.of_any_size(result.mean_of(f).value), quantile(0.05), quantile(0.5), quantile(0.95)});
     }
     return Document()
         .subheading(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed"))

@@ -63,7 +63,7 @@ std::optional<MedianMember> median_member(const StudyInput& input, const StudyRe
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         if (result.figures()[f].key != k_median_figure) continue;
         const std::vector<double> values = result.figure(f);
-        const double median = figure_quantile(values, result.finished.weights, 0.5);
+        const double median = weighted_quantile(values, result.finished.weights, 0.5);
         std::optional<std::size_t> nearest;
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (!is_on_own_cells(input, result.members[result.finished_at[i]].member)) continue;
@@ -250,10 +250,8 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     json["pressure_thresholds_kpa"] = input.base.spec.output.pressure_thresholds;
     if (const auto& scheme = input.base.spec.hazard.scheme) json["hazard_scheme"] = *scheme;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
-        const std::vector<double> values = result.figure(f);
-        const std::vector<double>& weights = result.finished.weights;
         Json& figure = json["figures"][result.figures()[f].key];
-        figure["mean"] = weighted_mean(values, weights);
+        figure["mean"] = result.mean_of(f).value;
         if (facts.levels.empty()) figure["standard_error_of_mean"] = result.mean_of(f).error;
         const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
         for (const StudyQuantile& quantile : k_study_quantiles) {

@@ -99,27 +99,39 @@ double sum_bound(const OpenRuns& runs, std::span<const float> values, double thr
     return std::clamp(sum, 0.0, 1.0);
 }
 
-double LevelDifferences::Level::variance() const noexcept {
-    if (count < 2) return std::numeric_limits<double>::infinity();
-    return std::max(0.0, squares - sum * sum / count) / (count - 1);
-}
+namespace {
 
-template <class Value>
-std::vector<LevelDifferences::Level> LevelDifferences::of(std::span<const Value> values, double threshold) const {
-    std::vector<Level> levels;
+/// The differences between the two indicators (0 or 1) of an event in each pair of runs of a level.
+struct LevelDifference {
+    double count = 0, sum = 0, squares = 0;
+
+    [[nodiscard]] double mean() const noexcept { return sum / count; }
+    /// Of the sample; infinite of fewer than two members.
+    [[nodiscard]] double variance() const noexcept {
+        if (count < 2) return std::numeric_limits<double>::infinity();
+        return std::max(0.0, squares - sum * sum / count) / (count - 1);
+    }
+};
+
+/// By level; the event is that a value exceeds the threshold.
+std::vector<LevelDifference> level_differences(const FinishedMembers& members, std::span<const float> values,
+                                               double threshold) {
+    std::vector<LevelDifference> levels;
     const auto happened = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1 : 0; };
     for (std::size_t m = 0; m < values.size(); ++m) {
-        if (members_.weights[m] < 0) continue;  // belongs to the one before
-        const bool is_pair = m + 1 < values.size() && members_.weights[m + 1] < 0;
+        if (members.weights[m] < 0) continue;  // belongs to the one before
+        const bool is_pair = m + 1 < values.size() && members.weights[m + 1] < 0;
         const double difference = happened(m) - (is_pair ? happened(m + 1) : 0);
-        levels.resize(std::max(levels.size(), members_.levels[m] + 1));
-        Level& level = levels[members_.levels[m]];
+        levels.resize(std::max(levels.size(), members.levels[m] + 1));
+        LevelDifference& level = levels[members.levels[m]];
         level.count += 1;
         level.sum += difference;
         level.squares += difference * difference;
     }
     return levels;
 }
+
+}  // namespace
 
 MeanEstimate::MeanEstimate(const FinishedMembers& members)
     : members_(members),
@@ -164,12 +176,11 @@ Estimate MeanEstimate::of(const ValueOf& value) const {
     return estimate;
 }
 
-template <class Value>
-Estimate MeanEstimate::probability_of(std::span<const Value> values, double threshold) const {
+Estimate MeanEstimate::probability(std::span<const float> values, double threshold) const {
     Estimate p;
     if (!members_.levels.empty()) {
         double squares = 0;
-        for (const LevelDifferences::Level& level : LevelDifferences(members_).of(values, threshold)) {
+        for (const LevelDifference& level : level_differences(members_, values, threshold)) {
             p.value += level.mean();
             squares += level.variance() / level.count;
         }
@@ -185,14 +196,6 @@ Estimate MeanEstimate::probability_of(std::span<const Value> values, double thre
     constexpr double k_rounding = 1e-9;  // of sums of weights; no member has so little
     const bool is_alike = p.error < k_rounding;
     return {p.value, is_alike ? 0 : p.error, std::min(1.0, is_alike ? 3 / effective_size_ : p.margin)};
-}
-
-Estimate MeanEstimate::probability(std::span<const float> values, double threshold) const {
-    return probability_of(values, threshold);
-}
-
-Estimate MeanEstimate::probability(std::span<const double> values, double threshold) const {
-    return probability_of(values, threshold);
 }
 
 Estimate MeanEstimate::mean(std::span<const double> values) const {
@@ -233,10 +236,9 @@ double weighted_quantile(const std::vector<double>& values, const std::vector<do
 std::vector<double> level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                                     const std::vector<double>& thresholds, std::size_t levels) {
     std::vector<double> sums(levels);
-    const LevelDifferences differences(members);
     for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
         for (const double threshold : thresholds) {
-            const std::vector<LevelDifferences::Level> at = differences.of(values, threshold);
+            const std::vector<LevelDifference> at = level_differences(members, values, threshold);
             for (std::size_t l = 0; l < at.size(); ++l)
                 if (at[l].count > 1) sums[l] += at[l].variance();
         }

@@ -59,25 +59,6 @@ void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, co
 /// that grid, if members had others. Empty if there is none.
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid);
 
-/// The differences between the two indicators (0 or 1) of an event in each pair of runs of a multilevel study.
-class LevelDifferences {
-  public:
-    struct Level {
-        double count = 0, sum = 0, squares = 0;  ///< of the differences
-
-        [[nodiscard]] double mean() const noexcept { return sum / count; }
-        /// Of the sample; infinite of fewer than two members.
-        [[nodiscard]] double variance() const noexcept;
-    };
-    explicit LevelDifferences(const FinishedMembers& members) : members_(members) {}
-    /// @return by level; the event is that a value exceeds the threshold
-    template <class Value>
-    [[nodiscard]] std::vector<Level> of(std::span<const Value> values, double threshold) const;
-
-  private:
-    const FinishedMembers& members_;
-};
-
 /// 97.5 % quantile of the normal distribution: of intervals of 95 %.
 inline constexpr double k_normal = 1.959963984540054;
 
@@ -93,24 +74,20 @@ struct Estimate {
 /// of replicates with the weights W_r and the means m_r: sqrt(R / (R - 1) sum W_r^2 (m_r - m)^2). Margin: with the
 /// quantile of the normal distribution, of replicates that of Student's t with R - 1 degrees of freedom; of independent
 /// members p is moved to (n p + 2) / (n + 4) for it, since an error estimated from few is too small (Agresti & Coull
-/// 1998, American Statistician 52, 119). Where a
-/// standard error is 0 a probability is not certain: of n members none of which exceeds, 3 / n is exceeded with 5 %
-/// (1 - p)^n; likewise of R replicates that all count alike one may differ by one of n / R members with 3 / R.
+/// 1998, American Statistician 52, 119). A probability whose standard error is 0 is not certain: with p = 3 / n none of
+/// n members exceeds in 5 % of studies, and with 3 / R one of R replicates, each of n / R members, counts one more.
 /// With levels the standard error of p is sqrt(sum var_l / n_l) of the differences of each level, and p is set to 0 or
 /// 1 where the sum lies beyond.
 class MeanEstimate {
   public:
     explicit MeanEstimate(const FinishedMembers& members);
     [[nodiscard]] Estimate probability(std::span<const float> values, double threshold) const;
-    [[nodiscard]] Estimate probability(std::span<const double> values, double threshold) const;
-    /// Not with levels.
+    /// With levels without error.
     [[nodiscard]] Estimate mean(std::span<const double> values) const;
 
   private:
     template <class ValueOf>
     [[nodiscard]] Estimate of(const ValueOf& value) const;
-    template <class Value>
-    [[nodiscard]] Estimate probability_of(std::span<const Value> values, double threshold) const;
 
     const FinishedMembers& members_;
     double effective_size_;

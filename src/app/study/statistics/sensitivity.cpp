@@ -98,42 +98,41 @@ std::vector<KeySensitivity> sobol_indices(const DesignPoints& points, const std:
     return std::vector<KeySensitivity>(points.nominal.size());
 }
 
-std::vector<double> rank_places(const std::vector<double>& values) {
-    std::vector<double> places = ranks_of(values);
-    for (double& place : places) place = (place + 0.5) / static_cast<double>(places.size());
+Places rank_places(const DesignPoints& points) {
+    Places places(points.numbers.size(), std::vector<double>(points.nominal.size()));
+    for (std::size_t k = 0; k < points.nominal.size(); ++k) {
+        const std::vector<double> ranks = ranks_of(column_of(points, k));
+        for (std::size_t i = 0; i < ranks.size(); ++i)
+            places[i][k] = (ranks[i] + 0.5) / static_cast<double>(ranks.size());
+    }
     return places;
 }
 
-bool are_correlated(const DesignPoints& points) {
-    std::vector<std::vector<double>> ranks;
-    for (std::size_t k = 0; k < points.nominal.size(); ++k)
-        if (!points.nominal[k]) ranks.push_back(ranks_of(column_of(points, k)));
-    const double most = 4 / std::sqrt(static_cast<double>(points.numbers.size()));
-    for (std::size_t a = 0; a < ranks.size(); ++a)
-        for (std::size_t b = a + 1; b < ranks.size(); ++b)
-            if (std::abs(correlation(ranks[a], ranks[b])) > most) return true;
-    return false;
-}
-
-RankCorrelations::RankCorrelations(const DesignPoints& points) : nominal_(points.nominal) {
-    for (std::size_t k = 0; k < nominal_.size(); ++k) {
-        const std::vector<double> column = column_of(points, k);
-        measurable_.push_back(!nominal_[k] || !all_different(column));
-        columns_.push_back(nominal_[k] ? column : ranks_of(column));
-    }
-}
-
-std::vector<KeySensitivity> RankCorrelations::with(const std::vector<double>& output) const {
-    std::vector<KeySensitivity> all(nominal_.size());
+std::vector<KeySensitivity> rank_correlations(const DesignPoints& points, const std::vector<double>& output) {
+    std::vector<KeySensitivity> all(points.nominal.size());
     const std::vector<double> ranks = ranks_of(output);
-    for (std::size_t k = 0; k < nominal_.size(); ++k) {
-        if (!measurable_[k]) continue;
-        const double value = nominal_[k] ? correlation_ratio(columns_[k], ranks) : correlation(columns_[k], ranks);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::vector<double> column = column_of(points, k);
+        if (points.nominal[k] && all_different(column)) continue;
+        const double value =
+            points.nominal[k] ? correlation_ratio(column, ranks) : correlation(ranks_of(column), ranks);
         if (std::isnan(value)) continue;
         constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
-        all[k].rank_correlation = nominal_[k] ? Interval{value, k_none, k_none} : rank_interval(value, output.size());
+        all[k].rank_correlation =
+            points.nominal[k] ? Interval{value, k_none, k_none} : rank_interval(value, output.size());
     }
     return all;
+}
+
+bool are_correlated(const DesignPoints& points) {
+    const double most = 4 / std::sqrt(static_cast<double>(points.numbers.size()));
+    for (std::size_t a = 0; a < points.nominal.size(); ++a) {
+        if (points.nominal[a]) continue;
+        const std::vector<KeySensitivity> with = rank_correlations(points, column_of(points, a));
+        for (std::size_t b = 0; b < a; ++b)
+            if (with[b].rank_correlation && std::abs(with[b].rank_correlation->value) > most) return true;
+    }
+    return false;
 }
 
 }  // namespace frana::app::study

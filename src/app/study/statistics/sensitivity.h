@@ -23,25 +23,15 @@ inline constexpr std::size_t k_least_groups = 500;
 std::vector<KeySensitivity> sobol_indices(const DesignPoints& points, const std::vector<double>& output,
                                           std::size_t groups);
 
-/// Returns mean ranks, even in (0, 1): equal values share the mean of theirs.
-std::vector<double> rank_places(const std::vector<double>& values);
+/// Returns the places of members of which none are known: mean ranks, even in (0, 1).
+Places rank_places(const DesignPoints& points);
+
+/// Rank correlations of keys with an output, for independent members of equal weight; by key, none where either does
+/// not vary.
+std::vector<KeySensitivity> rank_correlations(const DesignPoints& points, const std::vector<double>& output);
 
 /// Returns whether two keys of a table correlate more than independent ones do in one of thousands of tables:
-/// Spearman's rho beyond 4 / sqrt(members).
+/// beyond 4 / sqrt(members).
 bool are_correlated(const DesignPoints& points);
-
-/// Rank correlations of inputs with outputs, for independent members of equal weight.
-class RankCorrelations {
-  public:
-    explicit RankCorrelations(const DesignPoints& points);
-    /// @param output by member
-    /// @return by key
-    [[nodiscard]] std::vector<KeySensitivity> with(const std::vector<double>& output) const;
-
-  private:
-    std::vector<bool> nominal_;                 ///< by key
-    std::vector<std::vector<double>> columns_;  ///< by key and member: ranks; of a key without order its classes
-    std::vector<bool> measurable_;              ///< by key: not a class of its own in every member
-};
 
 }  // namespace frana::app::study

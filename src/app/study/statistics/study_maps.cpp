@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "analysis/trace.h"
 #include "app/study/member_record.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -261,54 +262,6 @@ ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Q
 
 namespace {
 
-constexpr double k_unreached = std::numeric_limits<double>::infinity();
-
-/// Replaces the squared distances along one axis by those in the plane: the least (i - k)^2 + f(k), by the lower
-/// envelope of parabolas (Felzenszwalb & Huttenlocher 2012, Theory of Computing 8, 415).
-void add_axis(std::vector<double>& f, std::vector<double>& from, std::vector<std::size_t>& roots) {
-    roots.clear();
-    from.clear();
-    const auto square = [](std::size_t i) { return static_cast<double>(i) * static_cast<double>(i); };
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        if (f[i] == k_unreached) continue;
-        double meets = -k_unreached;
-        while (!roots.empty()) {
-            const std::size_t k = roots.back();
-            meets = (f[i] + square(i) - f[k] - square(k)) / (2 * static_cast<double>(i - k));
-            if (meets > from.back()) break;
-            roots.pop_back();
-            from.pop_back();
-            meets = -k_unreached;
-        }
-        roots.push_back(i);
-        from.push_back(meets);
-    }
-    if (roots.empty()) return;
-    const std::vector<double> old = f;
-    for (std::size_t i = 0, at = 0; i < f.size(); ++i) {
-        while (at + 1 < roots.size() && from[at + 1] < static_cast<double>(i)) ++at;
-        const double apart = static_cast<double>(i) - static_cast<double>(roots[at]);
-        f[i] = apart * apart + old[roots[at]];
-    }
-}
-
-/// Distances in cells from the nearest cell that is `kind`.
-std::vector<double> distances_to(const std::vector<char>& cells, std::size_t columns, char kind) {
-    std::vector<double> squares(cells.size()), line, from;
-    std::vector<std::size_t> roots;
-    for (std::size_t i = 0; i < cells.size(); ++i) squares[i] = cells[i] == kind ? 0 : k_unreached;
-    const auto along = [&](std::size_t first, std::size_t step, std::size_t count) {
-        line.resize(count);
-        for (std::size_t i = 0; i < count; ++i) line[i] = squares[first + i * step];
-        add_axis(line, from, roots);
-        for (std::size_t i = 0; i < count; ++i) squares[first + i * step] = line[i];
-    };
-    for (std::size_t column = 0; column < columns; ++column) along(column, columns, cells.size() / columns);
-    for (std::size_t first = 0; first < cells.size(); first += columns) along(first, 1, columns);
-    for (double& square : squares) square = std::sqrt(square);
-    return squares;
-}
-
 /// Signed distances of some cells of a grid from a member's outline, in cells.
 /// @param window beyond which no member comes
 std::vector<double> distances_from_outline(const MemberRecord& record, const GridSpec& grid, const CellWindow& window,
@@ -322,14 +275,11 @@ std::vector<double> distances_from_outline(const MemberRecord& record, const Gri
     record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
         inside[place(row, column)] = static_cast<double>(record.depth[index]) > threshold ? 1 : 0;
     });
-    const std::vector<double> in = distances_to(inside, columns, 1), out = distances_to(inside, columns, 0);
-    const double farthest = std::hypot(static_cast<double>(window.rows), static_cast<double>(window.columns));
+    const std::vector<double> all = distances_from_rim(inside, columns);
     std::vector<double> distances;
-    for (const std::size_t cell : cells) {
-        const std::size_t at =
-            place(static_cast<std::int64_t>(cell) / grid.columns, static_cast<std::int64_t>(cell) % grid.columns);
-        distances.push_back(inside[at] != 0 ? out[at] - 0.5 : std::max(0.5 - in[at], -farthest));
-    }
+    for (const std::size_t cell : cells)
+        distances.push_back(
+            all[place(static_cast<std::int64_t>(cell) / grid.columns, static_cast<std::int64_t>(cell) % grid.columns)]);
     return distances;
 }
 

@@ -83,8 +83,8 @@ TEST(Sampling, CorrelationsAreThoseOfTheRanks) {
                                     {"material.turbulence", "log-uniform(500, 4000)"}});
         study.correlate = {{"material.friction-coefficient", "material.turbulence", -0.4}};
         const SampleTable table = drawn(study);
-        const RankCorrelations ranks({table.numbers, table.nominal, {}});
-        const double rho = ranks.with(column(table, 1))[0].rank_correlation->value;
+        const double rho =
+            rank_correlations({table.numbers, table.nominal, {}}, column(table, 1))[0].rank_correlation->value;
         EXPECT_NEAR(rho, -0.4, 0.06) << static_cast<int>(sampling);  // three standard errors of 2000 random members
         const std::vector<double> values = column(table, 0);
         EXPECT_GE(*std::min_element(values.begin(), values.end()), 0.1);

@@ -65,10 +65,9 @@ TEST(SobolIndices, OfALinearFunction) {
 
 TEST(RankCorrelations, OfMonotonicAndIndependentKeys) {
     const SampleTable table = design(Sampling::sobol, 512);
-    const RankCorrelations ranks({table.numbers, table.nominal, {}});
     std::vector<double> output;
     for (const auto& row : table.numbers) output.push_back(std::exp(-8 * row[1]));
-    const auto keys = ranks.with(output);
+    const auto keys = rank_correlations({table.numbers, table.nominal, {}}, output);
     EXPECT_DOUBLE_EQ(keys[1].rank_correlation->value, -1);
     EXPECT_NEAR(keys[0].rank_correlation->value, 0, 0.05);
     EXPECT_LT(keys[0].rank_correlation->low, 0);
@@ -159,7 +158,7 @@ TEST(RankCorrelations, OfKeysWithoutOrderAreRatios) {
         points.numbers.push_back({static_cast<double>(i % 3), static_cast<double>(i)});
         output.push_back(i % 3 == 1 ? 10 : 0);  // neither rises nor falls with the index
     }
-    const auto keys = RankCorrelations(points).with(output);
+    const auto keys = rank_correlations(points, output);
     EXPECT_DOUBLE_EQ(keys[0].rank_correlation->value, 1);
     EXPECT_TRUE(std::isnan(keys[0].rank_correlation->low)) << "it has no interval";
     EXPECT_FALSE(keys[1].rank_correlation) << "a class of its own in every member explains everything and nothing";
