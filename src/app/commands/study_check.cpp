@@ -267,6 +267,8 @@ StudyForecast forecast_study(const study::StudyInput& input, int threads, bool w
                                               : input.reading.study.samples << (input.levels.size() - 1);
     forecast.disk_bytes = records * (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
     forecast.writing = forecast_study_writing(input, forecast.member, forecast.trial, threads);
+    if (input.reading.study.is_extensible())  // k_joined_records
+        forecast.writing.disk_bytes += static_cast<double>(forecast.disk_bytes);
     return forecast;
 }
 

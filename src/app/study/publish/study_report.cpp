@@ -83,7 +83,10 @@ Document varied(const StudyInput& input, const Words& words) {
     const std::string keys = told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
     return Document().paragraph(words("What varies."),
                                 words("{1}. All other values are those of the scene {2}.",
-                                      {keys, std::filesystem::path(input.reading.study.scene).filename().string()}));
+                                      {keys, std::filesystem::path(input.reading.study.scene).filename().string()}) +
+                                    " " +
+                                    words("Probabilities hold if the slope fails and for these distributions: they are "
+                                          "no frequencies, and other ranges give other ones."));
 }
 
 Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
@@ -172,6 +175,9 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
                       "Where all or none of the runs come, that is not certain: a probability {1} % away from it is "
                       "still possible (95 % confidence).",
                       {number.percent(facts.least_margin)});
+    text += " " + words("In the rasters of probability band 2 is half of the interval of 95 %.");
+    if (result.open.any())
+        text += " " + words("Band 3 is the probability if all runs whose full reach is not known came everywhere.");
     const auto run_out = place_of_figure(result, k_run_out_key);
     const Interval median = run_out ? result.quantile_of(*run_out, 0.5) : Interval{};
     if (run_out && std::isfinite(median.low) && std::isfinite(median.high) && !facts.reached_m2.empty())
