@@ -52,9 +52,10 @@ struct RefinedPlaces {
 struct OpenturnsFunctions {
     /// Values of a distribution of numbers at places in (0, 1).
     std::vector<double> (*quantiles)(const Distribution& distribution, const std::vector<double>& places);
-    /// Places of a study's members, independent in each coordinate. Member i (of Saltelli's design: group i) is from
-    /// part i % k_replicates. Of `sobol` and `random` the first places are those of fewer samples.
-    Places (*independent_places)(const StudySpec& study);
+    /// Places of a study's members, independent in each coordinate. Replicated: in parts that are randomised
+    /// independently; member i (of Saltelli's design: group i) is from part i % k_replicates, and of `sobol` and
+    /// `random` the first places are those of fewer samples. Otherwise as even as can be.
+    Places (*independent_places)(const StudySpec& study, bool is_replicated);
     /// Gives places the rank correlations of a study; each coordinate stays even in (0, 1). False: no distribution has
     /// these correlations.
     bool (*correlate)(const StudySpec& study, Places& places);

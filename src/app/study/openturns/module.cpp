@@ -12,6 +12,7 @@
 #include <openturns/LogNormal.hxx>
 #include <openturns/LogNormalMuSigma.hxx>
 #include <openturns/LogUniform.hxx>
+#include <openturns/LowDiscrepancyExperiment.hxx>
 #include <openturns/MartinezSensitivityAlgorithm.hxx>
 #include <openturns/Matrix.hxx>
 #include <openturns/Mixture.hxx>
@@ -97,25 +98,28 @@ Places saltelli_points(std::size_t groups, std::size_t keys, std::int64_t seed) 
 }
 
 /// OpenturnsFunctions::independent_places.
-Places independent_places(const StudySpec& study) {
+Places independent_places(const StudySpec& study, bool is_replicated) {
     OT::TBB::SetThreadsNumber(1);
-    const std::size_t keys = study.vary.size(), count = static_cast<std::size_t>(study.samples);
+    const std::size_t keys = study.vary.size(), count = static_cast<std::size_t>(study.samples),
+                      parts = is_replicated ? k_replicates : 1;
+    const bool is_sobol = study.sampling == Sampling::sobol;
     if (study.sampling == Sampling::saltelli) return saltelli_points(count / (keys + 2), keys, study.seed);
-    if (study.sampling != Sampling::latin_hypercube && study.sampling != Sampling::random)
-        return sobol_points(count, keys, study.seed);
+    if (is_sobol && is_replicated) return sobol_points(count, keys, study.seed);
     const OT::ComposedDistribution cube{OT::Collection<OT::Distribution>(keys, OT::Uniform(0, 1))};
     OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(study.seed));
     Places places(count, std::vector<double>(keys));
     if (study.sampling == Sampling::random) {
         for (std::vector<double>& place : places)
             for (double& one : place) one = OT::RandomGenerator::Generate();
-    } else {
-        for (std::size_t part = 0; part < std::min(count, k_replicates); ++part) {
-            const std::size_t size = (count - part - 1) / k_replicates + 1;
-            const OT::Sample points = OT::LHSExperiment(cube, size, true, true).generate();
-            for (std::size_t i = 0; i < size; ++i)
-                for (std::size_t k = 0; k < keys; ++k) places[part + i * k_replicates][k] = points(i, k);
-        }
+        return places;
+    }
+    for (std::size_t part = 0; part < std::min(count, parts); ++part) {
+        const std::size_t size = (count - part - 1) / parts + 1;
+        OT::LowDiscrepancyExperiment sequence(OT::SobolSequence(), cube, size, true);
+        sequence.setRandomize(true);
+        const OT::Sample points = is_sobol ? sequence.generate() : OT::LHSExperiment(cube, size, true, true).generate();
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t k = 0; k < keys; ++k) places[part + i * parts][k] = points(i, k);
     }
     return places;
 }

@@ -243,14 +243,14 @@ std::vector<std::string> SampleTable::overrides(std::size_t member) const {
 
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems) {
     if (study.sampling == Sampling::grid) return full_factorial(study);
-    SampleTable table = samples_at(study, draw_places(study), label, problems);
+    SampleTable table = samples_at(study, draw_places(study, true), label, problems);
     if (study.sampling == Sampling::saltelli) table.groups = table.size() / (study.vary.size() + 2);
     table.is_replicated = method_of(study.sampling).replicated;
     return table;
 }
 
-Places draw_places(const StudySpec& study) {
-    return openturns().independent_places(study);
+Places draw_places(const StudySpec& study, bool is_replicated) {
+    return openturns().independent_places(study, is_replicated);
 }
 
 SampleTable samples_at(const StudySpec& study, const Places& independent, const std::string& label,

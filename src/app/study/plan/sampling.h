@@ -73,7 +73,8 @@ SampleTable draw_samples(const StudySpec& study, const std::string& label, Probl
 
 /// The two steps of that: places that are independent in each key, and the members there, with the study's
 /// correlations.
-Places draw_places(const StudySpec& study);
+/// @param is_replicated as independent_places()
+Places draw_places(const StudySpec& study, bool is_replicated = false);
 SampleTable samples_at(const StudySpec& study, const Places& independent, const std::string& label, Problems& problems);
 
 /// The same from a table with a row for each member: columns named as keys of the scene, `weight`, and those that
