@@ -142,10 +142,6 @@ inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
     });
 }
 
-/// Least fraction of g that vertical acceleration may leave as divisor: flow accelerated upwards by its bed has at most
-/// twice its weight.
-inline constexpr double k_least_bearing = 0.5;
-
 /// Squared Froude number of the motion up the fall line from which a flow begins to be a surge, and is one: there its
 /// pressure is that of a thin flow. Slower, waves outrun it and level its surface.
 inline constexpr double k_surge_from = 1, k_surge_full = 4;
@@ -170,19 +166,22 @@ struct NodeFlow {
 /// slope faster than waves, F^2 = n (v . grad Z)^2 / (|grad Z|^2 g h) from k_surge_from to k_surge_full: on a plane
 /// only this form conserves momentum along the bed, as shocks must. With g' the side of a surge that leans up the slope
 /// is pushed several times as hard as the other, and the flow gains energy. Downhill it would let flow stand too deep
-/// in gullies. The load of the motion over the bed's curvature is not included: see turn_by_bed.
+/// in gullies. A push up the slope counts at most twice and accelerates upwards by at most 2 g, or as in a thin flow:
+/// those who push have their own weight, not that of what they push. The load of the motion over the bed's curvature is
+/// not included: see turn_by_bed.
 /// @param fx, fy force over mass [m/s2]  @param weight part of gravity that the reference state cancelled in the
 /// particles' sum [m/s2]  @param d of load_on
 template <class Slope, class Number>
 [[gnu::always_inline]] inline void accelerate(const NodeBed<Number>& bed, const NodeFlow<Number>& flow, Number fx,
                                               Number fy, Number weight, const NodeUpdate& k, NodeDrive<Number>& d) {
     using std::max;
+    using std::min;
     const Number fall_x = fx - weight * bed.slope_x, fall_y = fy - weight * bed.slope_y;  // -g S
     d.ax = fall_x / d.n;
     d.ay = fall_y / d.n;
     if constexpr (Slope::thin_flow) {
         const Number bearing = 1 - (fall_x * bed.slope_x + fall_y * bed.slope_y) / k.gravity;
-        const Number divisor = max(Number(k_least_bearing), bearing);
+        const Number divisor = max(max(Number(0.5), bearing), min(0.5 * (1 - bearing), d.n));
         const Number along = k.gravity * (d.n - bearing) / (d.n * d.n);  // grad Z . (-g grad h) / n^2
         const auto bears = bearing < d.n;
         const Number thin_x = d.ax - bed.slope_x * along, thin_y = d.ay - bed.slope_y * along;
