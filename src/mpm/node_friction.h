@@ -42,14 +42,15 @@ struct UniformFriction {
     /// Returns the factor that converts the sum of contributions to a momentum.
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt * law.friction_coefficient; }
     /// Returns the speed after the step of `count` nodes from `node` on; 0 where they are held.
+    /// @param start speed before the step, @param driven the same after its driving forces [m/s]
     /// @param supported vertical acceleration supported by the bed, g + load [m/s2]
     template <class Number>
-    [[nodiscard, gnu::always_inline]] Number speed_after(std::size_t, std::size_t, Number speed,
+    [[nodiscard, gnu::always_inline]] Number speed_after(std::size_t, std::size_t, Number start, Number driven,
                                                          typename Lanes<Number>::Mask held, const NodeUpdate& k,
                                                          Number root, Number supported, Number depth) const {
-        if (!law.active()) return select(held, Number(0.0), speed);
+        if (!law.active()) return select(held, Number(0.0), driven);
         return select(held, Number(0.0),
-                      law.template speed_after<Number>(speed, k.dt, supported / root, k.gravity, depth / root));
+                      law.template speed_after<Number>(start, driven, k.dt, supported / root, k.gravity, depth / root));
     }
 };
 
@@ -71,9 +72,9 @@ struct SummedFriction {
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt; }
     /// The same; remembers the resistance: that of a held node equals the driving force.
     template <class Number>
-    [[nodiscard, gnu::always_inline]] Number speed_after(std::size_t node, std::size_t count, Number speed,
-                                                         typename Lanes<Number>::Mask held, const NodeUpdate& k, Number,
-                                                         Number, Number) const {
+    [[nodiscard, gnu::always_inline]] Number speed_after(std::size_t node, std::size_t count, Number start,
+                                                         Number driven, typename Lanes<Number>::Mask held,
+                                                         const NodeUpdate& k, Number, Number, Number) const {
         using L = Lanes<Number>;
         Number after = 0.0;
         if constexpr (std::is_same_v<Excess, NoExcess>) {
@@ -85,17 +86,16 @@ struct SummedFriction {
                 L::set(square, static_cast<int>(i), bed.square);
                 L::set(thickness, static_cast<int>(i), bed.thickness);
             }
-            const Number left = speed - k.dt * yield;
-            after =
-                select((thickness > 0) & (left > 0), polynomial_speed<Number>(linear, square, left, k.dt), Number(0.0));
+            const Number gain = driven - start - k.dt * yield;
+            after = select(thickness > 0, speed_after_step<Number>(start, gain, k.dt * linear, k.dt * square), after);
         } else {
             static_assert(std::is_same_v<Number, double>);
-            after = speed_after_friction(states[node], node, excess, speed, k.dt);
+            after = speed_after_friction(states[node], node, excess, start, driven, k.dt);
         }
         using std::min;
-        after = select(held, Number(0.0), min(speed, after));
+        after = select(held, Number(0.0), min(driven, after));
         for (std::size_t i = 0; i < count; ++i)
-            states[node + i].resistance = L::at(speed - after, static_cast<int>(i)) / k.dt;
+            states[node + i].resistance = L::at(driven - after, static_cast<int>(i)) / k.dt;
         return after;
     }
 };

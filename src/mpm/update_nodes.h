@@ -319,8 +319,8 @@ struct NodeSweep {
             turned = {driven.x - k.dt * drive.ax, driven.y - k.dt * drive.ay};
         }
         const Number driven_speed = bed.speed(driven), root = root_of(drive.n);
-        const Number slowed = friction.template speed_after<Number>(i, count, driven_speed, held, k, root,
-                                                                    k.gravity + drive.load, mass / in.area);
+        const Number slowed = friction.template speed_after<Number>(i, count, bed.speed(turned), driven_speed, held, k,
+                                                                    root, k.gravity + drive.load, mass / in.area);
         const Number left = select(held, zero, select(driven_speed > 0, slowed / driven_speed, Number(1.0)));
         const MapVector<Number> after{left * driven.x, left * driven.y};
         // The particles' own mean velocity: the new nodal velocity overshoots at nodes with almost no mass.

@@ -33,7 +33,7 @@ BedState bed_under(const Law& law, double thickness = k_thickness, double normal
 // Returns R(s1) of backward Euler, from s0 = s1 + dt R.
 template <class Excess>
 double resistance_met(const BedState& bed, const Excess& excess, double s0, double dt, double* s1) {
-    *s1 = speed_after_friction(bed, 0, excess, s0, dt);
+    *s1 = excess.speed_after(bed, 0, s0 - dt * bed.yield, dt);
     return (s0 - *s1) / dt;
 }
 
@@ -65,8 +65,8 @@ TEST(TurbulentFriction, WithCoulombIsTheUniformVoellmyLaw) {
     BedState bed = bed_under(CoulombFriction{{0.2}});
     TurbulentFriction{k_gravity, {400}}(bed, 0);
     for (const double s0 : {0.01, 0.5, 3.0, 60.0}) {
-        EXPECT_NEAR(speed_after_friction(bed, 0, NoExcess{}, s0, 0.05),
-                    uniform.speed_after(s0, 0.05, k_normal, k_gravity, k_thickness), 1e-14 * s0);
+        EXPECT_NEAR(speed_after_friction(bed, 0, NoExcess{}, s0, 1.1 * s0, 0.05),
+                    uniform.speed_after(s0, 1.1 * s0, 0.05, k_normal, k_gravity, k_thickness), 1e-14 * s0);
     }
 }
 
@@ -99,13 +99,33 @@ TEST(OBrienJulienFriction, IsTheFrictionSlopeTimesGravity) {
     EXPECT_NEAR(bed.yield + bed.linear * s + bed.square * s * s, k_gravity * slope, 1e-12);
 }
 
-TEST(PolynomialFriction, SolvesTheImplicitEquation) {
-    const BedState bed{1, 9, 0.7, 1.3, 0.02, 0};
-    for (const double s0 : {0.1, 1.0, 30.0}) {
-        const double dt = 0.1, s1 = speed_after_friction(bed, 0, NoExcess{}, s0, dt);
-        EXPECT_NEAR(s1 + dt * (0.7 + 1.3 * s1 + 0.02 * s1 * s1), s0, 1e-14 * s0);
-    }
-    EXPECT_EQ(speed_after_friction(bed, 0, NoExcess{}, 0.069, 0.1), 0);
+// Under a push f the speed after `time` in that many steps.
+template <class Excess>
+double speed_in_steps(const BedState& bed, const Excess& excess, double push, double start, double time, int steps) {
+    double s = start;
+    const double dt = time / steps;
+    for (int i = 0; i < steps; ++i) s = speed_after_friction(bed, 0, excess, s, s + dt * push, dt);
+    return s;
+}
+
+// The error of the coarser step over that of its half, against a step sixteen times finer: 4 for second order.
+template <class Excess>
+void expect_second_order(const BedState& bed, const Excess& excess, double push, double start, double time) {
+    const double fine = speed_in_steps(bed, excess, push, start, time, 640);
+    const double coarse = std::abs(speed_in_steps(bed, excess, push, start, time, 20) - fine),
+                 half = std::abs(speed_in_steps(bed, excess, push, start, time, 40) - fine);
+    EXPECT_GT(coarse / half, 3.3) << start;
+    EXPECT_LT(coarse / half, 4.8) << start;
+}
+
+// ds/dt = f - y - l s - q s^2 from 0 to 30 m/s.
+TEST(PolynomialFriction, IsOfSecondOrder) {
+    const BedState bed{1, 9, 0.7, 0.3, 0.02, 0};
+    for (const double start : {0.0, 2.0, 30.0}) expect_second_order(bed, NoExcess{}, 6, start, 2);
+    EXPECT_EQ(speed_after_friction(bed, 0, NoExcess{}, 0.069, 0.069, 0.1), 0);
+    const double terminal = (-0.3 + std::sqrt(0.3 * 0.3 + 4 * 0.02 * 5.3)) / (2 * 0.02);
+    for (const double dt : {0.01, 1.0, 1e3})
+        EXPECT_NEAR(speed_after_friction(bed, 0, NoExcess{}, terminal, terminal + 6 * dt, dt), terminal, 1e-10);
 }
 
 // Fluids in steady simple shear: the profile of du/dz = ((tau_B (1 - z/d) - tau_Y) / K)^(1/m), integrated
@@ -225,7 +245,7 @@ TYPED_TEST(AnyExcess, StopsAndNeverReversesAndIsFinite) {
         bed.square = 0.01 / d;
         for (const double s0 : {0.0, 1e-12, 1e-3, 0.5, 10.0, 1e3}) {
             for (const double dt : {1e-4, 0.1, 10.0}) {
-                const double s = speed_after_friction(bed, 0, law, s0, dt);
+                const double s = speed_after_friction(bed, 0, law, s0, s0, dt);
                 EXPECT_GE(s, 0) << d << ' ' << s0 << ' ' << dt;
                 EXPECT_LE(s, s0) << d << ' ' << s0 << ' ' << dt;
                 if (dt * bed.yield >= s0) {
@@ -235,7 +255,18 @@ TYPED_TEST(AnyExcess, StopsAndNeverReversesAndIsFinite) {
         }
     }
     BedState dry{0, 9, 0, 0, 0, 0};
-    EXPECT_EQ(speed_after_friction(dry, 0, law, 5, 0.1), 0);
+    EXPECT_EQ(speed_after_friction(dry, 0, law, 5, 5, 0.1), 0);
+}
+
+TYPED_TEST(AnyExcess, IsOfSecondOrderAndKeepsTheTerminalSpeed) {
+    const TypeParam law{};
+    BedState bed = bed_under(law);
+    bed.square = 0.01;
+    const double push = bed.yield + 4;
+    for (const double start : {1.0, 10.0}) expect_second_order(bed, law, push, start, 2);
+    const double terminal = speed_in_steps(bed, law, push, 1, 1e4, 1000);
+    for (const double dt : {0.01, 1.0, 100.0})
+        EXPECT_NEAR(speed_after_friction(bed, 0, law, terminal, terminal + dt * push, dt), terminal, 1e-8 * terminal);
 }
 
 TEST(PorePressure, DissipatesExponentially) {
