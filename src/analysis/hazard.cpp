@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
 #include "core/text.h"
 #include "core/words/words.h"
 
@@ -13,170 +12,139 @@ namespace {
 
 // Greens, so that an intensity is not mistaken for a hazard level (red, blue, yellow), which also depends on the
 // frequency.
-constexpr Rgb k_light{186, 228, 179}, k_middle{65, 158, 90}, k_dark{0, 68, 27};
+constexpr Rgb k_light{186, 228, 179}, k_dark{0, 68, 27};
 
-const std::string k_swiss =
-    "BWW, BRP, BUWAL (1997): Ber\u00FCcksichtigung der Hochwassergefahren bei raumwirksamen T\u00E4tigkeiten, Bern";
+constexpr std::array<HazardQuantityRow, 6> k_quantities{{
+    {"depth", "m", worded("depth"), "m"},
+    {"velocity", "m/s", worded("speed"), "m/s"},
+    {"flux", "m2/s", worded("depth \u00D7 speed"), "m\u00B2/s"},
+    {"head", "m", worded("energy head"), "m"},
+    {"pressure", "kPa", worded("pressure"), "kPa"},
+    {"deposit", "m", worded("deposit"), "m"},
+}};
 
-// Thresholds of the schemes, in SI units.
-constexpr double k_debris_depth = 1, k_debris_speed = 1, k_flood_low = 0.5, k_flood_high = 2, k_torrent_head = 1.5,
-                 k_torrent_deposit = 0.7;
-
-const std::string k_metres = " m", k_metres_per_second = " m/s", k_flux_unit = " m\u00B2/s", k_pressure_unit = " kPa";
-const std::string k_depth = worded("depth"), k_speed = worded("speed"), k_flux = worded("depth \u00D7 speed");
-
-std::string over(const std::string& what, double limit, const std::string& unit, const char* sign = " > ") {
-    return what + sign + shortest_text(limit) + unit;
+const HazardQuantityRow& row_of(HazardQuantity quantity) {
+    return k_quantities.at(static_cast<std::size_t>(quantity));
 }
 
-std::string up_to(const std::string& what, double limit, const std::string& unit) {
-    return over(what, limit, unit, " \u2264 ");
+std::string text_of(const HazardLimit& one, bool holds) {
+    const HazardQuantityRow& row = row_of(one.quantity);
+    const char* const sign = holds ? (one.reached ? " \u2265 " : " > ") : (one.reached ? " < " : " \u2264 ");
+    return row.words + (sign + shortest_text(one.limit)) + " " + row.sign;
 }
 
-/// A quantity of scheme custom and its limits.
-struct LimitedQuantity {
-    std::string words, unit;
-    const std::vector<double>& limits;
-};
-
-/// Returns what puts a cell into the class that exceeds `exceeded` limits: of one quantity its range, of several what
-/// each must exceed.
-std::string custom_thresholds(const std::vector<LimitedQuantity>& quantities, std::size_t exceeded) {
-    if (quantities.size() == 1) {
-        const auto& [words, unit, limits] = quantities.front();
-        if (exceeded == 0) return up_to(words, limits.front(), unit);
-        if (exceeded == limits.size()) return over(words, limits.back(), unit);
-        return words + " " + shortest_text(limits[exceeded - 1]) + " \u2013 " + shortest_text(limits[exceeded]) + unit;
+/// Returns the number of the highest class whose condition holds; none: not even that of the lowest.
+template <class ValueOf>
+std::optional<std::size_t> class_at(const std::vector<HazardClass>& classes, const ValueOf& value_of) {
+    for (std::size_t i = classes.size(); i-- > 0;) {
+        const HazardCondition& condition = classes[i].condition;
+        if (condition.empty() || std::any_of(condition.begin(), condition.end(), [&](const auto& all) {
+                return std::all_of(all.begin(), all.end(),
+                                   [&](const HazardLimit& one) { return one.holds(value_of(one.quantity)); });
+            }))
+            return i;
     }
-    std::string text;
-    for (const auto& [words, unit, limits] : quantities) {
-        if (limits.size() < exceeded) continue;
-        if (!text.empty()) text += exceeded == 0 ? " and " : " or ";
-        text += exceeded == 0 ? up_to(words, limits.front(), unit) : over(words, limits[exceeded - 1], unit);
-    }
-    return text;
-}
-
-std::vector<HazardClass> custom_classes(const HazardLimits& limits) {
-    std::vector<LimitedQuantity> quantities{{k_depth, k_metres, limits.depth},
-                                            {k_speed, k_metres_per_second, limits.velocity},
-                                            {k_flux, k_flux_unit, limits.flux},
-                                            {worded("pressure"), k_pressure_unit, limits.pressure}};
-    std::vector<LimitedQuantity> given;
-    std::size_t most = 0;
-    for (const LimitedQuantity& one : quantities) {
-        most = std::max(most, one.limits.size());
-        if (!one.limits.empty()) given.push_back(one);
-    }
-    std::vector<HazardClass> classes;
-    for (std::size_t i = 0; i <= most; ++i) {
-        const double t = most == 0 ? 0 : static_cast<double>(i) / static_cast<double>(most);
-        const auto mix = [t](std::uint8_t a, std::uint8_t b) {
-            return static_cast<std::uint8_t>(std::lround(a + t * (b - a)));
-        };
-        const std::string thresholds = custom_thresholds(given, i);
-        classes.push_back({static_cast<int>(i) + 1,
-                           thresholds,
-                           thresholds,
-                           {mix(k_light.r, k_dark.r), mix(k_light.g, k_dark.g), mix(k_light.b, k_dark.b)}});
-    }
-    return classes;
-}
-
-int count_exceeded(const std::vector<double>& limits, double value) {
-    return static_cast<int>(
-        std::count_if(limits.begin(), limits.end(), [value](double limit) { return value > limit; }));
-}
-
-int swiss_debris_flow(const HazardQuantities& q, std::size_t i) {
-    return q.depth.values[i] > k_debris_depth && q.velocity.values[i] > k_debris_speed ? 3 : 2;
-}
-
-int swiss_flood(const HazardQuantities& q, std::size_t i) {
-    const double worst = std::max(q.depth.values[i], q.flux.values[i]);
-    return worst > k_flood_high ? 3 : worst > k_flood_low ? 2 : 1;
-}
-
-int austrian_torrent(const HazardQuantities& q, std::size_t i) {
-    return q.head.values[i] >= k_torrent_head || q.deposit.values[i] >= k_torrent_deposit ? 2 : 1;
-}
-
-int custom(const HazardLimits& limits, const HazardQuantities& q, std::size_t i) {
-    return 1 + std::max({count_exceeded(limits.depth, q.depth.values[i]),
-                         count_exceeded(limits.velocity, q.velocity.values[i]),
-                         count_exceeded(limits.flux, q.flux.values[i]),
-                         count_exceeded(limits.pressure, q.pressure.values[i])});
-}
-
-HazardScheme known_scheme(const std::string& name, const HazardLimits& limits) {
-    if (name == "swiss-debris-flow")
-        return {
-            name,
-            k_swiss,
-            {{2, worded("Medium intensity"),
-              up_to(k_depth, k_debris_depth, k_metres) + " or " + up_to(k_speed, k_debris_speed, k_metres_per_second),
-              k_middle},
-             {3, worded("High intensity"),
-              over(k_depth, k_debris_depth, k_metres) + " and " + over(k_speed, k_debris_speed, k_metres_per_second),
-              k_dark}},
-            {}};
-    if (name == "swiss-flood")
-        return {name,
-                k_swiss,
-                {{1, worded("Low intensity"),
-                  up_to(k_depth, k_flood_low, k_metres) + " and " + up_to(k_flux, k_flood_low, k_flux_unit), k_light},
-                 {2, worded("Medium intensity"),
-                  over(k_depth, k_flood_low, k_metres) + " or " + over(k_flux, k_flood_low, k_flux_unit), k_middle},
-                 {3, worded("High intensity"),
-                  over(k_depth, k_flood_high, k_metres) + " or " + over(k_flux, k_flood_high, k_flux_unit), k_dark}},
-                {}};
-    if (name == "austrian-torrent")
-        return {name,
-                worded("customary limits, source not read"),
-                {{1,
-                  worded("Yellow zone"),
-                  over(worded("energy head"), k_torrent_head, k_metres, " < ") + " and " +
-                      over(worded("deposit"), k_torrent_deposit, k_metres, " < "),
-                  {255, 221, 51}},
-                 {2,
-                  worded("Red zone"),
-                  over(worded("energy head"), k_torrent_head, k_metres, " \u2265 ") + " or " +
-                      over(worded("deposit"), k_torrent_deposit, k_metres, " \u2265 "),
-                  {215, 25, 28}}},
-                {},
-                worded("Zones")};
-    if (name == "custom") return {name, worded("limits of the scene"), custom_classes(limits), limits};
-    throw Error(ErrorKind::input, Problem{"is not a hazard scheme", "hazard.scheme", name,
-                                          "swiss-debris-flow, swiss-flood, austrian-torrent, custom", ""});
+    return std::nullopt;
 }
 
 }  // namespace
 
-std::string HazardScheme::minimum_label() const {
-    return worded("Any class") + (": " + over(k_depth, minimum_depth, k_metres));
+const std::string k_source_not_read = worded("customary limits, source not read");
+
+std::span<const HazardQuantityRow> hazard_quantities() {
+    return k_quantities;
 }
 
-HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits, double minimum_depth) {
-    HazardScheme scheme = known_scheme(name, limits);
-    scheme.minimum_depth = minimum_depth;
+bool follows(const HazardCondition& condition, const HazardCondition& from) {
+    return condition.empty() || (!from.empty() && std::all_of(from.begin(), from.end(), [&](const auto& given) {
+               return std::any_of(condition.begin(), condition.end(), [&](const auto& all) {
+                   return std::all_of(all.begin(), all.end(), [&](const HazardLimit& one) {
+                       return std::any_of(given.begin(), given.end(),
+                                          [&](const HazardLimit& known) { return one.follows_from(known); });
+                   });
+               });
+           }));
+}
+
+std::string text_of(const HazardCondition& condition, bool holds) {
+    const bool is_mixed = condition.size() > 1 && std::any_of(condition.begin(), condition.end(),
+                                                              [](const auto& all) { return all.size() > 1; });
+    if (!holds && is_mixed) return worded("all else");  // would need brackets
+    std::string text;
+    for (const auto& all : condition) {
+        if (!text.empty()) text += holds ? " or " : " and ";
+        std::string part;
+        for (const HazardLimit& one : all) part += (part.empty() ? "" : holds ? " and " : " or ") + text_of(one, holds);
+        text += part;
+    }
+    return text;
+}
+
+void write_thresholds(HazardScheme& scheme) {
+    auto& classes = scheme.classes;
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const HazardCondition& own = classes[i].condition;
+        classes[i].thresholds =
+            own.empty() && i + 1 < classes.size() ? text_of(classes[i + 1].condition, false) : text_of(own);
+    }
+}
+
+HazardScheme custom_scheme(const HazardLimits& limits) {
+    HazardScheme scheme{.name = "custom", .called = worded("own limits"), .source = worded("limits of the scene")};
+    const std::array<std::pair<HazardQuantity, const std::vector<double>*>, 4> lists{
+        {{HazardQuantity::depth, &limits.depth},
+         {HazardQuantity::velocity, &limits.velocity},
+         {HazardQuantity::flux, &limits.flux},
+         {HazardQuantity::pressure, &limits.pressure}}};
+    std::size_t most = 0, given = 0;
+    for (const auto& [quantity, list] : lists) {
+        most = std::max(most, list->size());
+        given += list->empty() ? 0 : 1;
+    }
+    const Palette greens{"", {k_light, k_dark}};
+    for (std::size_t i = 0; i <= most; ++i) {
+        HazardClass kind{
+            .value = static_cast<int>(i) + 1,
+            .colour = colour_at(greens, most == 0 ? 0 : static_cast<double>(i) / static_cast<double>(most))};
+        for (const auto& [quantity, list] : lists)
+            if (i > 0 && list->size() >= i) kind.condition.push_back({{quantity, (*list)[i - 1]}});
+        scheme.classes.push_back(std::move(kind));
+    }
+    write_thresholds(scheme);
+    for (std::size_t i = 1; given == 1 && i < most; ++i) {  // of one quantity its range
+        const HazardLimit &lower = scheme.classes[i].condition[0][0], &upper = scheme.classes[i + 1].condition[0][0];
+        const HazardQuantityRow& row = row_of(lower.quantity);
+        scheme.classes[i].thresholds = std::string(row.words) + " " + shortest_text(lower.limit) + " \u2013 " +
+                                       shortest_text(upper.limit) + " " + row.sign;
+    }
+    for (HazardClass& kind : scheme.classes) kind.name = kind.thresholds;
+    if (most + 1 == k_intensities) scheme.matrix = DegreeMatrix{};
     return scheme;
 }
 
+std::string HazardScheme::minimum_label() const {
+    return worded("Any class") + (": " + text_of(HazardLimit{HazardQuantity::depth, minimum_depth}, true));
+}
+
+bool HazardScheme::uses(HazardQuantity quantity) const {
+    for (const HazardClass& kind : classes)
+        for (const auto& all : kind.condition)
+            for (const HazardLimit& one : all)
+                if (one.quantity == quantity) return true;
+    return false;
+}
+
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities) {
+    const std::array<const Raster*, 6> rasters{&quantities.depth, &quantities.velocity, &quantities.flux,
+                                               &quantities.head,  &quantities.pressure, &quantities.deposit};
     Raster classes(quantities.depth.grid, k_no_data);
-    const auto fill = [&](const auto& class_of) {
-        quantities.depth.values.for_each_stored([&](std::size_t cell, double depth) {
-            if (depth > scheme.minimum_depth) classes.values[cell] = class_of(quantities, cell);
+    quantities.depth.values.for_each_stored([&](std::size_t cell, double depth) {
+        if (!(depth > scheme.minimum_depth)) return;
+        const auto kind = class_at(scheme.classes, [&](HazardQuantity quantity) {
+            return rasters.at(static_cast<std::size_t>(quantity))->values[cell];
         });
-    };
-    if (scheme.name == "swiss-debris-flow")
-        fill(swiss_debris_flow);
-    else if (scheme.name == "swiss-flood")
-        fill(swiss_flood);
-    else if (scheme.name == "austrian-torrent")
-        fill(austrian_torrent);
-    else
-        fill([&](const HazardQuantities& q, std::size_t i) { return custom(scheme.limits, q, i); });
+        if (kind) classes.values[cell] = scheme.classes[*kind].value;
+    });
     return classes;
 }
 
@@ -249,9 +217,7 @@ std::vector<HazardClass> degree_classes(const DegreeMatrix& matrix) {
 }
 
 bool has_intensities(const HazardScheme& scheme) {
-    const auto& classes = scheme.classes;
-    return scheme.name != "austrian-torrent" && !classes.empty() && classes.back().value == k_intensities &&
-           std::all_of(classes.begin(), classes.end(), [](const HazardClass& one) { return one.value >= 1; });
+    return scheme.matrix && !scheme.classes.empty() && scheme.classes.back().value == k_intensities;
 }
 
 }  // namespace frana

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/colour.h"
 #include "core/raster.h"
+#include "core/words/words.h"
 
 namespace frana {
 
@@ -21,47 +23,57 @@ struct HazardQuantities {
     const Raster& deposit;   ///< depth at the end [m]
 };
 
+/// One of them, by its place.
+enum class HazardQuantity { depth, velocity, flux, head, pressure, deposit };
+struct HazardQuantityRow {
+    const char *key, *unit;    ///< as conditions name it: "flux", "m2/s"
+    const char *words, *sign;  ///< as people read it: "depth \u00D7 speed", "m\u00B2/s"
+};
+/// Returns all, in that order.
+std::span<const HazardQuantityRow> hazard_quantities();
+
+/// "depth > 1 m" or "head >= 1.5 m".
+struct HazardLimit {
+    HazardQuantity quantity = HazardQuantity::depth;
+    double limit = 0;
+    bool reached = false;  ///< whether the limit itself is enough: >=
+
+    [[nodiscard]] bool holds(double value) const { return value > limit || (reached && value == limit); }
+    /// Whether this holds wherever the other one does.
+    [[nodiscard]] bool follows_from(const HazardLimit& other) const {
+        return quantity == other.quantity && (holds(other.limit) || (limit == other.limit && !other.reached));
+    }
+};
+/// Alternatives, each of which needs all of its limits. Empty: holds everywhere.
+using HazardCondition = std::vector<std::vector<HazardLimit>>;
+
+/// Whether a condition holds wherever the other one does, by their limits.
+bool follows(const HazardCondition& condition, const HazardCondition& from);
+/// Returns "depth > 1 m and speed > 1 m/s", as class_label() puts into a language; `holds` = false: where it does not
+/// hold, "depth \u2264 1 m or speed \u2264 1 m/s".
+std::string text_of(const HazardCondition& condition, bool holds = true);
+
 /// Rising limits of a custom scheme: the class of a cell is one more than the number of limits that the quantity
 /// exceeds, the highest over the quantities that have limits.
 struct HazardLimits {
     std::vector<double> depth, velocity, flux, pressure;
-
-    [[nodiscard]] bool empty() const noexcept {
-        return depth.empty() && velocity.empty() && flux.empty() && pressure.empty();
-    }
 };
 
 struct HazardClass {
-    int value = 0;           ///< 1: the lowest
-    std::string name;        ///< "High intensity"; of scheme custom the thresholds
-    std::string thresholds;  ///< "depth > 1 m and speed > 1 m/s"
-    Rgb colour;
-    bool hatched = false;  ///< in areas, with white between
+    int value = 0;             ///< 1: the lowest
+    std::string name{};        ///< "High intensity"; of scheme custom the thresholds
+    std::string thresholds{};  ///< "depth > 1 m and speed > 1 m/s"
+    Rgb colour{};
+    bool hatched = false;         ///< in areas, with white between
+    HazardCondition condition{};  ///< of a scheme; that of the lowest class may be empty
 
     /// "High intensity: depth > 1 m and speed > 1 m/s"
     [[nodiscard]] std::string label() const { return name == thresholds ? name : name + ": " + thresholds; }
 };
 
 inline constexpr const char* k_intensity_title = "Intensity";  // worded
-
-struct HazardScheme {
-    std::string name;    ///< "swiss-debris-flow"
-    std::string source;  ///< of the thresholds
-    std::vector<HazardClass> classes;
-    HazardLimits limits;                    ///< of scheme custom
-    std::string title = k_intensity_title;  ///< what its classes are
-    double minimum_depth = 0;               ///< up to which there is no class [m]
-
-    /// "Any class: depth > 0.1 m"
-    [[nodiscard]] std::string minimum_label() const;
-};
-
-/// Returns the scheme of a name, with these limits for `custom`; up to the minimum depth [m] there is no class. Throws
-/// Error(input) for an unknown name.
-HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits, double minimum_depth = 0);
-
-/// Returns the class of every cell deeper than the scheme's minimum depth, NaN elsewhere.
-Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities);
+/// The source of a scheme of which nobody read one.
+extern const std::string k_source_not_read;
 
 /// Degree of hazard: what an intensity means together with how often it comes. Greater is worse.
 enum class HazardDegree { residual = 1, yellow, blue, red };
@@ -94,6 +106,36 @@ struct DegreeMatrix {
     /// Returns what leads to a degree: "strong <= 300 a; medium <= 30 a", a: years. Empty: nothing does.
     [[nodiscard]] std::string conditions_of(HazardDegree degree) const;
 };
+
+/// What the intensities of a scenario are, or its zones. Those of share/schemes and users' own are files
+/// (src/params/scene/read_scheme.h).
+struct HazardScheme {
+    std::string name{};                       ///< "swiss-debris-flow", of a file its name without .ini
+    std::string called{};                     ///< as readers of a map know it: "Switzerland, debris flows"
+    std::string heading = k_intensity_title;  ///< what its classes are
+    std::string source{};                     ///< of the thresholds, for maps and reports
+    std::string named_source{};               ///< also where it was not read
+    std::string quote{}, read_at{};           ///< words of it and where they were read; empty: not read
+    std::vector<double> periods{};            ///< return periods of the scenarios it is meant for [years]
+    std::vector<HazardClass> classes{};       ///< from the lowest; each condition holds where that of the next does
+    std::optional<DegreeMatrix> matrix{};     ///< of the degree of hazard; none: the scheme has no three intensities
+    OwnTexts texts{};                         ///< its names in other languages
+    double minimum_depth = 0;                 ///< up to which there is no class [m]
+
+    /// "Any class: depth > 0.1 m"
+    [[nodiscard]] std::string minimum_label() const;
+    [[nodiscard]] bool uses(HazardQuantity quantity) const;
+};
+
+/// Returns the scheme of a scene's own limits.
+HazardScheme custom_scheme(const HazardLimits& limits);
+
+/// Sets what people read of the classes' conditions.
+void write_thresholds(HazardScheme& scheme);
+
+/// Returns the class of every cell deeper than the scheme's minimum depth, NaN elsewhere and where the lowest class
+/// has a condition that does not hold.
+Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities);
 
 /// Returns "weak", "medium", "strong".
 std::string intensity_name(int intensity);

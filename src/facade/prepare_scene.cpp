@@ -237,19 +237,18 @@ void add_recorded(const Scene::Data& data, const GridSpec& grid, Recording& reco
 
 namespace fs = std::filesystem;
 
-/// Returns the folder of material presets: that of FRANA_SHARE, else the one installed with this library. Throws
-/// Error(environment) if there is none.
-std::string presets_directory() {
-    if (const char* named = std::getenv("FRANA_SHARE"); named != nullptr && *named != '\0')
-        return (fs::path(named) / "materials").string();
+/// Returns the folder of material presets and hazard schemes: FRANA_SHARE, else the one installed with this library.
+/// Throws Error(environment) if there is none.
+std::string share_directory() {
+    if (const char* named = std::getenv("FRANA_SHARE"); named != nullptr && *named != '\0') return named;
     // PREFIX/lib/libfrana.so, PREFIX/lib/x86_64-linux-gnu/libfrana.so, PREFIX/lib/python3/dist-packages/frana/...
     Dl_info here{};
     std::error_code error;
-    if (dladdr(reinterpret_cast<const void*>(&presets_directory), &here) != 0 && here.dli_fname != nullptr) {
+    if (dladdr(reinterpret_cast<const void*>(&share_directory), &here) != 0 && here.dli_fname != nullptr) {
         const fs::path library = fs::canonical(here.dli_fname, error);
         for (fs::path folder = library.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-            for (const char* share : {"share/frana/materials", "share/materials"})
-                if (fs::is_directory(folder / share, error)) return (folder / share).string();
+            for (const char* share : {"share/frana", "share"})
+                if (fs::is_directory(folder / share / "materials", error)) return (folder / share).string();
     }
     throw frana::Error(ErrorKind::environment, frana::Problem{"the share folder with the material presets is missing",
                                                               here.dli_fname == nullptr ? "frana" : here.dli_fname, "",
@@ -267,12 +266,12 @@ std::vector<std::string> given_otherwise(const Scene::Data& data) {
 
 SceneReading read_keys(const Scene::Data& data) {
     std::vector<std::string> keys;
-    bool preset = false;
+    bool needs_share = false;
     for (const auto& [key, value] : data.keys) {
         keys.push_back(key + "=" + value);
-        preset = preset || key == "material.preset";
+        needs_share = needs_share || key == "material.preset" || key == "hazard.scheme";
     }
-    return read_scene_keys(keys, given_otherwise(data), preset ? presets_directory() : std::string(), "scene");
+    return read_scene_keys(keys, given_otherwise(data), needs_share ? share_directory() : std::string(), "scene");
 }
 
 std::string metres(double value) {

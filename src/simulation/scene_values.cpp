@@ -63,9 +63,8 @@ void set_values(const SceneSpec& spec, Scene& scene) {
     scene.recording.interval = spec.output.sample_interval.value_or(0);
     scene.recording.normal_depth = spec.output.depth == k_normal_depth;
     // Depth times speed and the energy head are recorded for the schemes that use them.
-    const HazardSpec& hazard = spec.hazard;
-    scene.recording.intensity =
-        hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();
+    const auto& scheme = spec.hazard.resolved;
+    scene.recording.intensity = scheme && (scheme->uses(HazardQuantity::flux) || scheme->uses(HazardQuantity::head));
 }
 
 void set_uniform_details(const ReleaseSpec& spec, ReleaseArea& area) {

@@ -47,14 +47,16 @@ TEST(HazardDegree, NamesAreReadBack) {
 }
 
 TEST(HazardDegree, SchemesWithThreeIntensities) {
-    EXPECT_TRUE(has_intensities(hazard_scheme("swiss-flood", {})));
-    EXPECT_TRUE(has_intensities(hazard_scheme("swiss-debris-flow", {})));
-    EXPECT_FALSE(has_intensities(hazard_scheme("austrian-torrent", {})));
     HazardLimits limits;
     limits.depth = {0.5, 2};
-    EXPECT_TRUE(has_intensities(hazard_scheme("custom", limits)));
+    HazardScheme scheme = custom_scheme(limits);
+    EXPECT_TRUE(has_intensities(scheme));
+    scheme.classes.erase(scheme.classes.begin());
+    EXPECT_TRUE(has_intensities(scheme)) << "the upper two";
+    scheme.matrix.reset();
+    EXPECT_FALSE(has_intensities(scheme)) << "no matrix";
     limits.depth = {0.5};
-    EXPECT_FALSE(has_intensities(hazard_scheme("custom", limits)));
+    EXPECT_FALSE(has_intensities(custom_scheme(limits)));
 }
 
 }  // namespace

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "core/error.h"
+#include <functional>
 
 namespace frana {
 namespace {
+
+using Q = HazardQuantity;
 
 /// One row of cells with every quantity; zero unless a test sets it.
 struct HazardCells {
@@ -19,88 +20,124 @@ struct HazardCells {
         depth = velocity = flux = head = pressure = deposit = Raster(grid);
         depth.values = std::move(depths);
     }
-    [[nodiscard]] std::vector<double> classes(const std::string& scheme, const HazardLimits& limits = {}) const {
-        return hazard_classes(hazard_scheme(scheme, limits), {depth, velocity, flux, head, pressure, deposit}).values;
+    [[nodiscard]] std::vector<double> classes(const HazardScheme& scheme) const {
+        return hazard_classes(scheme, {depth, velocity, flux, head, pressure, deposit}).values;
     }
     Raster depth, velocity, flux, head, pressure, deposit;
 };
 
-TEST(Hazard, SwissDebrisFlowNeedsDepthAndSpeedOverOne) {
-    HazardCells cells({1.01, 1.01, 1, 3, 0.2, k_no_data});
-    cells.velocity.values = {1.01, 1, 8, 0.5, 9, k_no_data};
-    const auto classes = cells.classes("swiss-debris-flow");
-    EXPECT_EQ(std::vector<double>(classes.begin(), classes.end() - 1), (std::vector<double>{3, 2, 2, 2, 2}));
-    EXPECT_TRUE(std::isnan(classes.back())) << "never reached";
-}
-
-TEST(Hazard, SwissFloodUsesTheWorseOfDepthAndFlux) {
-    HazardCells cells({2.01, 2, 0.5, 0.51, 0.4, 0.4, 0.4});
-    cells.flux.values = {0, 0, 0, 0, 0.5, 0.51, 2.01};
-    EXPECT_EQ(cells.classes("swiss-flood"), (std::vector<double>{3, 2, 1, 2, 1, 2, 3}));
-}
-
-TEST(Hazard, AustrianTorrentIsRedFromEnergyHeadOrDeposit) {
-    HazardCells cells({1, 1, 1, 1});
-    cells.head.values = {1.49, 1.5, 1, 1};
-    cells.deposit.values = {0, 0, 0.69, 0.7};
-    EXPECT_EQ(cells.classes("austrian-torrent"), (std::vector<double>{1, 2, 1, 2}));
+HazardScheme scheme_of(std::vector<HazardCondition> conditions) {
+    HazardScheme scheme;
+    for (HazardCondition& condition : conditions) {
+        HazardClass kind;
+        kind.value = static_cast<int>(scheme.classes.size()) + 1;
+        kind.condition = std::move(condition);
+        scheme.classes.push_back(std::move(kind));
+    }
+    write_thresholds(scheme);
+    return scheme;
 }
 
 TEST(Hazard, GroundUpToTheMinimumDepthHasNoClass) {
-    const HazardCells cells({0.1, 0.11});
-    const Raster classes =
-        hazard_classes(hazard_scheme("swiss-flood", {}, 0.1),
-                       {cells.depth, cells.velocity, cells.flux, cells.head, cells.pressure, cells.deposit});
-    EXPECT_TRUE(std::isnan(classes.values[0]));
-    EXPECT_EQ(classes.values[1], 1);
+    const HazardCells cells({0.1, 0.11, k_no_data});
+    HazardScheme scheme = scheme_of({{}, {{{Q::depth, 0.5}}}});
+    scheme.minimum_depth = 0.1;
+    const std::vector<double> classes = cells.classes(scheme);
+    EXPECT_TRUE(std::isnan(classes[0]));
+    EXPECT_EQ(classes[1], 1);
+    EXPECT_TRUE(std::isnan(classes[2])) << "never reached";
 }
 
 TEST(Hazard, CustomCountsTheLimitsExceeded) {
     HazardCells cells({0.2, 0.6, 3, 0.2, 0.2});
     cells.pressure.values = {0, 0, 0, 11, 31};
-    const HazardLimits limits{{0.5}, {}, {}, {10, 30}};
-    EXPECT_EQ(cells.classes("custom", limits), (std::vector<double>{1, 2, 2, 2, 3}));
-    EXPECT_EQ(hazard_scheme("custom", limits).classes.size(), 3U);
+    const HazardScheme scheme = custom_scheme({{0.5}, {}, {}, {10, 30}});
+    EXPECT_EQ(cells.classes(scheme), (std::vector<double>{1, 2, 2, 2, 3}));
+    EXPECT_EQ(scheme.classes.size(), 3U);
 }
 
-TEST(Hazard, EveryClassOfASchemeHasItsOwnColourAndEverySchemeASource) {
-    for (const std::string name : {"swiss-debris-flow", "swiss-flood", "austrian-torrent", "custom"}) {
-        const HazardScheme scheme = hazard_scheme(name, {{0.5, 2}, {}, {}, {}});
-        EXPECT_FALSE(scheme.source.empty());
-        for (std::size_t i = 1; i < scheme.classes.size(); ++i) {
-            EXPECT_EQ(scheme.classes[i].value, scheme.classes[i - 1].value + 1);
-            EXPECT_NE(scheme.classes[i].colour.g, scheme.classes[i - 1].colour.g) << name;
+// Every quantity on, below and above every limit, against the conditions as a person would write them in code.
+TEST(Hazard, ConditionsAreEvaluatedAsWritten) {
+    struct Cell {
+        double depth, velocity, flux, head, pressure, deposit;
+    };
+    const std::vector<double> values{0.4, 0.5, 0.7, 1, 1.5, 2, 2.5};
+    std::vector<Cell> cells;
+    for (const double a : values)
+        for (const double b : values)
+            for (const double c : values) cells.push_back({a, b, c, b, c, a});
+    HazardCells grid(std::vector<double>(cells.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        grid.depth.values[i] = cells[i].depth;
+        grid.velocity.values[i] = cells[i].velocity;
+        grid.flux.values[i] = cells[i].flux;
+        grid.head.values[i] = cells[i].head;
+        grid.pressure.values[i] = cells[i].pressure;
+        grid.deposit.values[i] = cells[i].deposit;
+    }
+    const std::vector<std::pair<HazardScheme, std::function<int(const Cell&)>>> cases{
+        {scheme_of({{}, {{{Q::depth, 1}, {Q::velocity, 1}}}}),
+         [](const Cell& c) { return c.depth > 1 && c.velocity > 1 ? 2 : 1; }},
+        {scheme_of({{}, {{{Q::depth, 0.5}}, {{Q::flux, 0.5}}}, {{{Q::depth, 2}}, {{Q::flux, 2}}}}),
+         [](const Cell& c) {
+             const double worst = std::max(c.depth, c.flux);
+             return worst > 2 ? 3 : worst > 0.5 ? 2 : 1;
+         }},
+        {scheme_of({{}, {{{Q::head, 1.5, true}}, {{Q::deposit, 0.7, true}}}}),
+         [](const Cell& c) { return c.head >= 1.5 || c.deposit >= 0.7 ? 2 : 1; }},
+        {scheme_of({{{{Q::pressure, 1, true}}}, {{{Q::pressure, 2}}, {{Q::pressure, 1.5}, {Q::depth, 1}}}}),
+         [](const Cell& c) {
+             return c.pressure > 2 || (c.pressure > 1.5 && c.depth > 1) ? 2 : c.pressure >= 1 ? 1 : 0;
+         }}};
+    for (std::size_t n = 0; n < cases.size(); ++n) {
+        const std::vector<double> classes = grid.classes(cases[n].first);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const int expected = cases[n].second(cells[i]);
+            if (expected == 0)
+                ASSERT_TRUE(std::isnan(classes[i])) << n << ' ' << i;
+            else
+                ASSERT_EQ(classes[i], expected) << n << ' ' << i;
         }
     }
-    EXPECT_THROW(hazard_scheme("swiss", {}), Error);
+}
+
+TEST(Hazard, AConditionFollowsFromAStricterOne) {
+    const HazardCondition any{{{Q::depth, 0.5}}, {{Q::flux, 0.5}}}, high{{{Q::depth, 2}}, {{Q::flux, 2}}};
+    EXPECT_TRUE(follows({}, any));
+    EXPECT_FALSE(follows(any, {}));
+    EXPECT_TRUE(follows(any, high));
+    EXPECT_FALSE(follows(high, any));
+    EXPECT_FALSE(follows({{{Q::depth, 0.5}}}, high)) << "a flux of 3 with a depth of 0.1";
+    EXPECT_TRUE(follows({{{Q::depth, 1}}}, {{{Q::depth, 1}, {Q::velocity, 1}}}));
+    EXPECT_TRUE(follows({{{Q::depth, 1, true}}}, {{{Q::depth, 1}}}));
+    EXPECT_FALSE(follows({{{Q::depth, 1}}}, {{{Q::depth, 1, true}}})) << "at the limit";
+}
+
+TEST(Hazard, QuantitiesThatASchemeUses) {
+    const HazardScheme scheme = scheme_of({{}, {{{Q::depth, 1}, {Q::velocity, 1}}, {{Q::head, 3}}}});
+    for (const Q used : {Q::depth, Q::velocity, Q::head}) EXPECT_TRUE(scheme.uses(used));
+    for (const Q unused : {Q::flux, Q::pressure, Q::deposit}) EXPECT_FALSE(scheme.uses(unused));
 }
 
 TEST(Hazard, EveryClassNamesItsThresholds) {
-    const auto labels = [](const std::string& name, const HazardLimits& limits = {}) {
+    const auto labels = [](const HazardScheme& scheme) {
         std::vector<std::string> all;
-        for (const HazardClass& kind : hazard_scheme(name, limits).classes) all.push_back(kind.label());
+        for (const HazardClass& kind : scheme.classes) all.push_back(kind.thresholds);
         return all;
     };
     using Labels = std::vector<std::string>;
-    EXPECT_EQ(labels("swiss-debris-flow"), (Labels{"Medium intensity: depth ≤ 1 m or speed ≤ 1 m/s",
-                                                   "High intensity: depth > 1 m and speed > 1 m/s"}));
-    EXPECT_EQ(labels("swiss-flood").back(), "High intensity: depth > 2 m or depth × speed > 2 m²/s");
-    EXPECT_EQ(labels("austrian-torrent").back(), "Red zone: energy head ≥ 1.5 m or deposit ≥ 0.7 m");
-    EXPECT_EQ(labels("custom", {{0.5, 2}, {}, {}, {}}), (Labels{"depth ≤ 0.5 m", "depth 0.5 – 2 m", "depth > 2 m"}));
+    EXPECT_EQ(labels(scheme_of({{}, {{{Q::depth, 1}, {Q::velocity, 1}}}})),
+              (Labels{"depth ≤ 1 m or speed ≤ 1 m/s", "depth > 1 m and speed > 1 m/s"}));
+    EXPECT_EQ(labels(scheme_of({{}, {{{Q::head, 1.5, true}}, {{Q::deposit, 0.7, true}}}})),
+              (Labels{"energy head < 1.5 m and deposit < 0.7 m", "energy head ≥ 1.5 m or deposit ≥ 0.7 m"}));
+    EXPECT_EQ(labels(scheme_of({{}, {{{Q::depth, 2}}, {{Q::depth, 1}, {Q::velocity, 1}}}})),
+              (Labels{"all else", "depth > 2 m or depth > 1 m and speed > 1 m/s"}));
+    EXPECT_EQ(labels(custom_scheme({{0.5, 2}, {}, {}, {}})),
+              (Labels{"depth ≤ 0.5 m", "depth 0.5 – 2 m", "depth > 2 m"}));
     EXPECT_EQ(
-        labels("custom", {{0.5}, {}, {}, {10, 30}}),
+        labels(custom_scheme({{0.5}, {}, {}, {10, 30}})),
         (Labels{"depth ≤ 0.5 m and pressure ≤ 10 kPa", "depth > 0.5 m or pressure > 10 kPa", "pressure > 30 kPa"}));
-}
-
-TEST(Hazard, ClassesDifferInLightnessForPrintsWithoutColours) {
-    for (const char* name : {"swiss-debris-flow", "swiss-flood", "austrian-torrent"}) {
-        const std::vector<HazardClass> classes = hazard_scheme(name, {}).classes;
-        for (std::size_t i = 1; i < classes.size(); ++i) {
-            const auto tone = [](Rgb c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; };  // Rec. 601, of 255
-            EXPECT_LT(tone(classes[i].colour), tone(classes[i - 1].colour) - 40) << name;     // a higher intensity is
-                                                                                              // darker
-        }
-    }
+    EXPECT_EQ(custom_scheme({{0.5, 2}, {}, {}, {}}).classes.back().label(), "depth > 2 m");
 }
 
 }  // namespace

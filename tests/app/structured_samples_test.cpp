@@ -101,7 +101,7 @@ class SampleRun {
     static Scene read(const std::string& file, const std::string& cell_size, std::vector<std::string> overrides) {
         overrides.push_back("terrain.cell-size=" + cell_size);
         const SceneReading reading =
-            read_scene(FRANA_SOURCE_DIR "/sample_data/" + file, overrides, FRANA_SOURCE_DIR "/share/materials");
+            read_scene(FRANA_SOURCE_DIR "/sample_data/" + file, overrides, FRANA_SOURCE_DIR "/share");
         app::RunLog log(true);
         Scene scene = std::move(app::prepare(reading, log).scene);
         StructuredMaterial& material = *scene.structured;

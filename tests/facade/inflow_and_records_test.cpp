@@ -45,7 +45,7 @@ class InflowAndRecords : public TinyScene {
     }
     [[nodiscard]] app::Prepared prepared() const {
         app::RunLog log(true);
-        return app::prepare(read_scene(path("scene.ini"), {}, app::materials_directory()), log);
+        return app::prepare(read_scene(path("scene.ini"), {}, app::share_directory()), log);
     }
     /// The same from values in memory.
     [[nodiscard]] static facade::Scene scene_of(const app::Prepared& prepared) {

@@ -26,7 +26,7 @@ app::Prepared prepared_sample() {
     std::vector<std::string> sets{"terrain.cell-size=20"};
     for (const auto& [key, value] : k_time) sets.push_back(key + "=" + value);
     app::RunLog log(true);
-    return app::prepare(read_scene(FRANA_SAMPLE_DIR "/scene.ini", sets, app::materials_directory()), log);
+    return app::prepare(read_scene(FRANA_SAMPLE_DIR "/scene.ini", sets, app::share_directory()), log);
 }
 
 facade::Values values_of(const Raster& raster) {

@@ -29,7 +29,7 @@ class ScenePath {
 };
 
 frana::SceneReading read(ScenePath& path, const void* data, std::size_t size) {
-    return frana::read_scene(path.with(data, size), {}, FRANA_MATERIALS_DIR);
+    return frana::read_scene(path.with(data, size), {}, FRANA_SHARE_DIR);
 }
 
 }  // namespace

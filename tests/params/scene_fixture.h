@@ -35,7 +35,7 @@ class SceneFixture : public ::testing::Test {
         return (folder_ / name).string();
     }
     SceneReading read(const std::string& text, const std::vector<std::string>& overrides = {}) const {
-        return read_scene(write(text), overrides, FRANA_SOURCE_SHARE "/materials");
+        return read_scene(write(text), overrides, FRANA_SOURCE_SHARE);
     }
     std::vector<Problem> problems(const std::string& text, const std::vector<std::string>& overrides = {}) const {
         return read(text, overrides).problems.list();

@@ -247,7 +247,7 @@ sys.exit(answer.returncode)
     assert algorithm.parameterDefinition("novel_trees").type() == "source"
     from frana.fields import Values, fields_of
     from frana.program import ask_program
-    fields = {field.key.name: field for field in fields_of(ask_program().keys, [])}
+    fields = {field.key.name: field for field in fields_of(ask_program().keys, {})}
     from qgis.core import QgsProcessingContext
     values = Values(algorithm, {"material_stickiness": 2.5, "novel_colour": "dark-blue"}, QgsProcessingContext())
     assert fields["material.stickiness"].value(values) == "2.5" and fields["novel.colour"].value(values) == "dark-blue"

@@ -99,8 +99,8 @@ def number_parameter(name: str, label: str, limits: tuple[float, float] | None, 
 class Field:
     """A key with its parameters: its own, and where a value may come from a raster or a column, one for each."""
 
-    def __init__(self, key: Key, presets: list[str], column_of: Key | None) -> None:
-        self.key, self.presets = key, presets
+    def __init__(self, key: Key, presets: dict[str, list[str]], column_of: Key | None) -> None:
+        self.key, self.presets = key, presets.get(key.name, [])
         self.name = key.parameter
         self.raster_name = self.name + "_raster" if "raster:FILE" in key.limits else ""
         self.column_of = column_of if "attribute:NAME" in key.limits else None
@@ -136,7 +136,7 @@ class Field:
             return QgsProcessingParameterEnum(name, label, key.words(), False, None, True, True)
         if key.type == "list" and key.words():
             return QgsProcessingParameterEnum(name, label, key.words(), True, None, True, True)
-        if key.name == "material.preset" and self.presets:
+        if self.presets:
             return QgsProcessingParameterEnum(name, label, self.presets, False, None, True, True)
         if key.type == "folder":
             return QgsProcessingParameterFile(name, label, QgsProcessingParameterFile.Folder, "", None, True)
@@ -191,7 +191,7 @@ def _layer_of_columns(key: Key, keys: list[Key]) -> Key | None:
     return before[-1] if before else None
 
 
-def fields_of(keys: list[Key], presets: list[str]) -> list[Field]:
+def fields_of(keys: list[Key], presets: dict[str, list[str]]) -> list[Field]:
     """In the order of the dialogue. The folder of the result and fixed values are not asked for."""
     asked = [key for key in keys if not key.is_fixed() and key.name != "output.directory"]
     return [Field(key, presets, _layer_of_columns(key, keys)) for key in in_order_of_dialogue(asked)]

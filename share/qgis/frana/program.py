@@ -31,7 +31,7 @@ class Program:
     version: str
     commands: set[str]
     keys: list[Key]
-    presets: list[str] = field(default_factory=list)
+    presets: dict[str, list[str]] = field(default_factory=dict)  # of a key: the names that a command lists
 
     def has(self, command: str) -> bool:
         return command in self.commands
@@ -79,5 +79,8 @@ def ask_program() -> Program:
         keys = [key_from_json(row) for row in json.loads(_answer(path, "params", "--json"))]
     except (ValueError, KeyError, TypeError) as error:
         raise ProgramError(f"{path} params --json is not understood: {error}") from error
-    presets = re.findall(r"^([a-z][\w-]*)$", _answer(path, "materials"), re.MULTILINE) if "materials" in commands else []
+    presets = {key: re.findall(r"^([a-z][\w-]*)$", _answer(path, command), re.MULTILINE)
+               for key, command in (("material.preset", "materials"), ("hazard.scheme", "schemes")) if command in commands}
+    if "hazard.scheme" in presets:
+        presets["hazard.scheme"].append("custom")
     return Program(path, version.removeprefix("frana "), commands, keys, presets)

@@ -300,7 +300,7 @@ int cmd_check(const Arguments& arguments) {
         return static_cast<int>(ExitCode::done);
     }
     SceneReading reading =
-        read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
+        read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), share_directory());
     reading.session = session;
     find_recorded_inputs(reading, log);
     // Whether an existing result may be replaced is checked when the scene is run.

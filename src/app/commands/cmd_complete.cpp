@@ -10,6 +10,7 @@
 #include "params/keys/materials.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
+#include "params/scene/read_scheme.h"
 
 namespace frana::app {
 namespace {
@@ -116,6 +117,8 @@ Fitting key_value(const std::string& key) {
         if (parameter.type == "file" || parameter.type == "folder") fitting.kind = parameter.type + "s";
         for (const std::string& word : parameter.choices) fitting.words.push_back({word});
         for (const std::string& word : parameter.forms) fitting.words.push_back({word});
+        if (key == "hazard.scheme")
+            for (const std::string& name : scheme_names(share_directory())) fitting.words.push_back({name});
         if (key != "material.preset") continue;
         fitting.words.clear();
         for (const MaterialPreset& preset : material_presets(materials_directory()))

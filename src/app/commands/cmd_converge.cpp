@@ -271,7 +271,7 @@ std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double
     if (folder != fs::absolute(convergence_directory(result)) || !fs::exists(report) || !fs::exists(scene)) return {};
     const std::optional<Json> json = read_json_file(summary.string());
     if (!json || json->contains("accuracy")) return {};
-    const SceneReading read = read_scene(scene.string(), {}, materials_directory());
+    const SceneReading read = read_scene(scene.string(), {}, share_directory());
     if (!read.problems.empty() || numbers_fingerprint(read.scene) != numbers_fingerprint(spec)) return {};
     SummaryFacts facts;
     facts.spec = spec;

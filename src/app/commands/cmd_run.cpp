@@ -286,7 +286,7 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     const Session session = session_of(values, log);
 
     require_scene(values["operand"].as<std::string>());
-    SceneReading reading = read_scene(values["operand"].as<std::string>(), overrides(values), materials_directory());
+    SceneReading reading = read_scene(values["operand"].as<std::string>(), overrides(values), share_directory());
     reading.session = session;
     find_recorded_inputs(reading, log);
     const auto out = text_option(values, "out");

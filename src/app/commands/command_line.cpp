@@ -36,6 +36,7 @@ const std::vector<Command>& commands() {
         {"compare", "compare a result with a surveyed outline", compare_form, cmd_compare},
         {"params", "every key of a scene file: type, unit, default, range, meaning", params_form, cmd_params},
         {"materials", "the material presets", materials_form, cmd_materials},
+        {"schemes", "the hazard schemes with their sources; checks a file of one's own", schemes_form, cmd_schemes},
         {"converge", "the scene at several resolutions: estimated error", converge_form, cmd_converge},
         {"ensemble", "many runs with uncertain values: probabilities, sensitivities", ensemble_form, cmd_ensemble,
          true},

@@ -71,6 +71,8 @@ CommandForm qgis_plugin_form();
 int cmd_qgis_plugin(const Arguments& arguments);
 CommandForm materials_form();
 int cmd_materials(const Arguments& arguments);
+CommandForm schemes_form();
+int cmd_schemes(const Arguments& arguments);
 CommandForm complete_form();
 int cmd_complete(const Arguments& arguments);
 CommandForm man_form();

@@ -76,7 +76,7 @@ Prepared SceneVariants::read(const std::vector<std::string>& more) {
         });
     });
     all.insert(all.end(), more.begin(), more.end());
-    const SceneReading reading = read_scene(file_, all, materials_directory());
+    const SceneReading reading = read_scene(file_, all, share_directory());
     Prepared prepared = prepare(reading, log_);
     prepared.scene.time.frame_interval = 0;
     return prepared;

@@ -205,6 +205,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     ExtraInput extra;
     if (ground) extra = prepare_extra(reading, ground->terrain.grid, files, log, problems);
     problems.throw_if_any();
+    if (const HazardSpec& hazard = reading.scene.hazard; hazard.resolved && is_scheme_file(*hazard.scheme))
+        files.push_back(used_scheme(*hazard.scheme, *hazard.resolved));
     refuse_unread_files(reading, files, problems);
 
     Prepared prepared;

@@ -5,6 +5,7 @@
 #include "core/text.h"
 #include "core/words/words.h"
 #include "gis/crs/crs.h"
+#include "params/grammar/ini_file.h"
 
 namespace frana::app {
 namespace {
@@ -139,6 +140,15 @@ UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer) {
     for (const gis::ExposedFeature& one : layer.features)
         file.checksum.add_all(one.name, one.count.value_or(-1), one.shape.areas, one.shape.lines, one.shape.points,
                               one.numbers, one.texts);
+    return file;
+}
+
+UsedFile used_scheme(const std::string& path, const HazardScheme& scheme) {
+    UsedFile file;
+    file.role = worded("Hazard scheme");
+    file.path = path;
+    file.content = scheme.called;
+    for (const IniEntry& entry : read_ini(path)) file.checksum.add_all(entry.name, entry.value);
     return file;
 }
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
 
 #include "analysis/hazard.h"
 #include "analysis/trace.h"
@@ -16,6 +16,7 @@
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
+#include "core/json.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
 #include "params/grammar/value_text.h"
@@ -36,7 +37,7 @@ std::string one_threshold(const std::string& english, const Words& words) {
     return words(english.substr(0, end)) + words.number(english.substr(end));
 }
 
-/// "depth > 1 m and speed > 1 m/s"; one conjunction only. Alternatives are between semicolons.
+/// "depth > 1 m and speed > 1 m/s". Alternatives may be between semicolons.
 std::string thresholds(const std::string& english, const Words& words) {
     const std::string next = "; ";
     if (const std::size_t place = english.find(next); place != std::string::npos)
@@ -47,7 +48,7 @@ std::string thresholds(const std::string& english, const Words& words) {
         const std::size_t place = english.find(between);
         const bool has_number = english.find_first_of("0123456789") != std::string::npos;
         if (place == std::string::npos || !has_number) continue;
-        return one_threshold(english.substr(0, place), words) + " " + words(conjunction) + " " +
+        return thresholds(english.substr(0, place), words) + " " + words(conjunction) + " " +
                thresholds(english.substr(place + between.size()), words);
     }
     return one_threshold(english, words);
@@ -68,15 +69,21 @@ std::string class_label(const std::string& english, const Words& words) {
     return words.labelled(words(english.substr(0, colon)), thresholds(english.substr(colon + 2), words));
 }
 
-std::string scheme_title(const std::string& scheme, const Words& words) {
-    constexpr std::pair<std::string_view, const char*> k_titles[] = {
-        {"swiss-debris-flow", worded("Switzerland, debris flows")},
-        {"swiss-flood", worded("Switzerland, floods")},
-        {"austrian-torrent", worded("Austria, torrents")},
-        {"custom", worded("own limits")}};
-    for (const auto& [name, title] : k_titles)
-        if (name == scheme) return words(title);
-    return scheme;
+Words words_of_scheme(const std::map<std::string, std::string>& metadata, const Words& words) {
+    const auto found = metadata.find(k_scheme_words_item);
+    if (found == metadata.end()) return words;
+    const Json json = Json::parse(found->second, nullptr, false);  // a file may come from anywhere
+    OwnTexts texts;
+    for (const auto& [language, all] : json.items())
+        for (const auto& [english, text] : all.items())
+            if (text.is_string()) texts[language][english] = text.get<std::string>();
+    return words.with(texts);
+}
+
+std::string scheme_title(const std::map<std::string, std::string>& metadata, const Words& words) {
+    for (const char* item : {k_scheme_title_item, k_scheme_item})
+        if (const auto found = metadata.find(item); found != metadata.end()) return words(found->second);
+    return "";
 }
 
 namespace {
@@ -145,8 +152,8 @@ void add_scheme(const std::string& kind, const std::map<std::string, std::string
         if (limit == metadata.end()) break;
         notes.push_back(class_label(limit->second, words));
     }
-    if (const auto scheme = metadata.find("HAZARD_SCHEME"); scheme != metadata.end())
-        layer.title = words("{1}, scheme {2}", {layer.title, scheme_title(scheme->second, words)});
+    if (const std::string title = scheme_title(metadata, words); !title.empty())
+        layer.title = words("{1}, scheme {2}", {layer.title, title});
     if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
         notes.push_back(words.labelled(is_degree ? words("Matrix") : words("Thresholds"), words(source->second)));
     layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());
@@ -195,11 +202,12 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     }
     if (!text.classes.empty()) {
         layer.classes.clear();
+        const Words own = words_of_scheme(text.metadata, words);
         for (const gis::NamedClass& one : text.classes)
-            layer.categories.push_back({static_cast<double>(one.value), class_label(one.label, words), one.colour});
+            layer.categories.push_back({static_cast<double>(one.value), class_label(one.label, own), one.colour});
         layer.notes = class_areas(layer, words);
         if (kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_"))
-            add_scheme(kind, text.metadata, words, layer);
+            add_scheme(kind, text.metadata, own, layer);
         if (const auto depth = text.metadata.find(gis::k_depth_item);
             depth != text.metadata.end() && kind != "comparison")
             layer.notes.push_back(words.labelled(words("Flow depth"), words(depth->second)));

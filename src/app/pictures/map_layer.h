@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,12 @@ std::string raster_title(const ResultRaster& row, const std::string& name, const
 /// 1 m/s", "Hit: simulated and observed". Parts that no table has stay as they are.
 std::string class_label(const std::string& english, const Words& words);
 
-/// Returns the name of a hazard scheme that readers of a map know: "Switzerland, debris flows" for swiss-debris-flow.
-std::string scheme_title(const std::string& scheme, const Words& words);
+/// Returns words with the texts of the hazard scheme that a raster's metadata contain.
+Words words_of_scheme(const std::map<std::string, std::string>& metadata, const Words& words);
+
+/// Returns the name of its hazard scheme that readers of a map know: "Switzerland, debris flows", where it was written
+/// without one that for scenes: "swiss-debris-flow"; empty: none.
+std::string scheme_title(const std::map<std::string, std::string>& metadata, const Words& words);
 
 /// A raster of a file, ready to be drawn: nothing is computed from it.
 struct MapLayer {

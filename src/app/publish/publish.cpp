@@ -320,6 +320,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
     publish_series(prepared, result, directory);
     publish_profiles(prepared, result, facts.statistics.run_out(), directory);
+    facts.scheme = hazard_scheme_of(prepared.spec);
     facts.hazard = publish_hazard(prepared, result, directory);
     facts.exposure = publish_exposure(prepared, result, directory);
     if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::the_flow));
@@ -344,7 +345,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.data_identity = data_identity(prepared);
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
     if (prepared.spec.output.report) {
-        const Words words(language_of_code(prepared.spec.output.language).value_or(Language::english));
+        const Words words = words_of(prepared.spec);
         write_report(
             {prepared, result, facts, comparison, facts.hazard, error_estimates(facts, directory.target()), words},
             directory);

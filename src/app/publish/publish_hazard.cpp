@@ -2,12 +2,14 @@
 #include "app/publish/publish_hazard.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "analysis/hazard.h"
 #include "app/pictures/map_layer.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
+#include "core/json.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
@@ -37,7 +39,8 @@ std::vector<gis::ColourStop> stops_of(const ClassMap& map, const Words& words) {
 }
 
 std::string titled(const ClassMap& map, const Words& words) {
-    return words("{1}, scheme {2}", {words(map.title), map.scheme}) + "; " + class_label(map.limits.front(), words);
+    return words("{1}, scheme {2}", {words(map.title), map.scheme.name}) + "; " +
+           class_label(map.limits.front(), words);
 }
 
 void write_raster(const Raster& classes, const ClassMap& map, const std::string& path, const Words& words,
@@ -46,10 +49,12 @@ void write_raster(const Raster& classes, const ClassMap& map, const std::string&
     for (const HazardClass& kind : map.classes)
         entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label(), kind.colour});
     metadata["HAZARD_TITLE"] = map.title;
-    metadata["HAZARD_SCHEME"] = map.scheme;
+    metadata[k_scheme_item] = map.scheme.name;
+    metadata[k_scheme_title_item] = map.scheme.called;
+    if (!map.scheme.texts.empty()) metadata[k_scheme_words_item] = Json(map.scheme.texts).dump();
     metadata["HAZARD_SOURCE"] = map.source;
     for (std::size_t i = 0; i < map.limits.size(); ++i) metadata[k_limit_item + std::to_string(i + 1)] = map.limits[i];
-    gis::write_class_geotiff(path, classes, entries, {map.name, map.title + " after " + map.scheme, "", metadata});
+    gis::write_class_geotiff(path, classes, entries, {map.name, map.title + " after " + map.scheme.name, "", metadata});
     gis::write_styles(path, stops_of(map, words), "", gis::StyleKind::exact, titled(map, words));
 }
 
@@ -66,7 +71,7 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
         feature.texts = {{"label", kind.label()},
                          {"name", kind.name},
                          {"thresholds", kind.thresholds},
-                         {"scheme", map.scheme},
+                         {"scheme", map.scheme.name},
                          {"source", map.source}};
         zones.features.push_back(std::move(feature));
     }
@@ -80,16 +85,15 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
 }  // namespace
 
 std::optional<HazardScheme> hazard_scheme_of(const SceneSpec& scene) {
-    const HazardSpec& spec = scene.hazard;
-    if (!spec.scheme) return std::nullopt;
-    return hazard_scheme(*spec.scheme,
-                         {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits},
-                         hazard_minimum_depth(scene));
+    std::optional<HazardScheme> scheme = scene.hazard.resolved;
+    if (scheme) scheme->minimum_depth = hazard_minimum_depth(scene);
+    return scheme;
 }
 
 std::vector<std::string> intensity_limits(const HazardScheme& scheme) {
     std::vector<std::string> lines{scheme.minimum_label()};
     for (const HazardClass& kind : scheme.classes) lines.push_back(intensity_name(kind.value) + ": " + kind.thresholds);
+    if (scheme.source == k_source_not_read) lines.push_back(scheme.source);
     return lines;
 }
 
@@ -106,7 +110,7 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec);
     if (!scheme) return {};
     const Raster classes = intensity_classes(result, *scheme);
-    const ClassMap map{k_hazard,       scheme->title,       scheme->classes,          scheme->name,
+    const ClassMap map{k_hazard,       scheme->heading,     scheme->classes,          *scheme,
                        scheme->source, k_hazard_zones_file, {scheme->minimum_label()}};
     return publish_classes(classes, map, provenance(prepared), words_of(prepared.spec), directory);
 }

@@ -32,7 +32,8 @@ struct ClassMap {
     std::string name;   ///< row of the table of result rasters: "hazard"
     std::string title;  ///< "Intensity"
     std::vector<HazardClass> classes;
-    std::string scheme, source;
+    HazardScheme scheme;  ///< of the intensities
+    std::string source;
     std::string zones_file;           ///< of a polygon for each class; empty: none
     std::vector<std::string> limits;  ///< the least depth, then those of the intensities behind the classes
 };

@@ -104,8 +104,8 @@ class ProjectWriter {
                 const gis::RasterText text = gis::read_raster_text(result_.path(raster_file(name)));
                 if (const auto own = text.metadata.find("HAZARD_TITLE"); own != text.metadata.end() && name == "hazard")
                     title = words_(own->second);
-                if (const auto scheme = text.metadata.find("HAZARD_SCHEME"); scheme != text.metadata.end())
-                    title = words_("{1}, scheme {2}", {title, scheme_title(scheme->second, words_)});
+                const std::string scheme = scheme_title(text.metadata, words_of_scheme(text.metadata, words_));
+                if (!scheme.empty()) title = words_("{1}, scheme {2}", {title, scheme});
             }
             const bool visible = has_shown ? name == k_shown : name == names.front();
             group.layers.push_back(

@@ -285,7 +285,7 @@ Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& area
     return Document()
         .paragraph(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also depends on "
                          "its frequency.",
-                         {scheme_title(*spec.hazard.scheme, words), words(scheme->source)}))
+                         {words(scheme->called), words(scheme->source)}))
         .add(table)
         .small(class_label(scheme->minimum_label(), words));
 }

@@ -253,6 +253,11 @@ void add_grid_and_particles(Json& json, const RunResult& result, const SummaryFa
 }
 
 void add_hazard(Json& json, const SummaryFacts& facts) {
+    if (const auto& scheme = facts.scheme)
+        json["hazard_scheme"] = {{"name", scheme->name},
+                                 {"title", scheme->called},
+                                 {"source", scheme->source},
+                                 {"source_read", scheme->source != k_source_not_read}};
     for (const HazardArea& area : facts.hazard)
         json["hazard"].push_back({{"class", area.kind.value},
                                   {"label", area.kind.name},

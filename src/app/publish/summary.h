@@ -90,6 +90,7 @@ struct SummaryFacts {
     MainStatistics statistics;
     PeakStatistics high;                                          ///< over that trace
     std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
+    std::optional<HazardScheme> scheme{};                         ///< of hazard
     std::vector<HazardArea> hazard;                               ///< empty: no scheme
     std::optional<ExposureTotals> exposure;                       ///< none: no exposed features
     std::vector<Sentence> warnings;

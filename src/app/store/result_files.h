@@ -69,6 +69,9 @@ inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
 inline constexpr const char* k_degree_zones_file = "hazard_degree_zones.gpkg";
 /// Items of a raster's metadata, numbered from 1: the limits of the intensities behind its classes.
 inline constexpr const char* k_limit_item = "HAZARD_LIMIT_";
+/// The name of the scheme for scenes and for readers, and its texts in other languages as JSON.
+inline constexpr const char *k_scheme_item = "HAZARD_SCHEME", *k_scheme_title_item = "HAZARD_SCHEME_TITLE",
+                            *k_scheme_words_item = "HAZARD_WORDS";
 inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
 /// Of a map of probability.

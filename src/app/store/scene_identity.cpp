@@ -160,7 +160,7 @@ std::optional<std::string> result_identity(const std::string& result_folder) {
         if (!fact.is_string()) return std::nullopt;
         data.push_back(fact.get<std::string>());
     }
-    const SceneReading reading = read_scene((folder / k_scene_file).string(), {}, materials_directory());
+    const SceneReading reading = read_scene((folder / k_scene_file).string(), {}, share_directory());
     return identity(scene_text(without_places(reading.scene), {}), data);
 }
 

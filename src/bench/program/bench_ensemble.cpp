@@ -120,7 +120,7 @@ int bench_estimate(const std::string& file, const boost::program_options::variab
     const bool quiet = values.count("quiet") > 0;
     const SceneVariants runs(file, {}, thread_count(values), quiet);
     const RunLevel run = [&](const Scene& scene) { return runs.run(scene); };
-    const SceneReading reading = read_scene(file, text_options(values, "set"), materials_directory());
+    const SceneReading reading = read_scene(file, text_options(values, "set"), share_directory());
     RunLog log(quiet);
     Prepared prepared = prepare(reading, log);
     prepared.scene.time.frame_interval = 0;

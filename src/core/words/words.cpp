@@ -133,8 +133,16 @@ bool is_between_groups(std::string_view text, std::size_t at) {
 
 }  // namespace
 
+Words Words::with(const OwnTexts& texts) const {
+    Words more = *this;
+    if (const auto own = texts.find(language_code(language_)); own != texts.end()) more.own_ = own->second;
+    return more;
+}
+
 std::string Words::operator()(std::string_view english, const std::vector<std::string>& values) const {
-    const std::string_view pattern = catalogue_of(language_).find(english).value_or(english);
+    const auto own = own_.find(english);
+    const std::string_view pattern =
+        own != own_.end() ? own->second : catalogue_of(language_).find(english).value_or(english);
     std::string text;
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         const bool is_place = pattern[i] == '{' && is_digit(pattern, i + 1) && i + 2 < pattern.size() &&

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -72,6 +73,9 @@ std::span<const EmbeddedCatalogue> embedded_catalogues();
 /// Returns the catalogue of a language; an empty one for English.
 const Catalogue& catalogue_of(Language language);
 
+/// Texts that a user's file brings in other languages: by the code of the language, by the English text.
+using OwnTexts = std::map<std::string, std::map<std::string, std::string, std::less<>>>;
+
 /// Texts and numbers in a language. A value that travels with what describes a page; English unless given.
 ///
 ///     words("Threshold {1} m", {words.number(number_text(threshold, 3))})    // "Schwellenwert 0,5 m"
@@ -83,6 +87,9 @@ class Words {
   public:
     Words() = default;
     explicit Words(Language language) : language_(language) {}
+
+    /// Returns the same with texts that come before those of the catalogues.
+    [[nodiscard]] Words with(const OwnTexts& texts) const;
 
     [[nodiscard]] Language language() const noexcept { return language_; }
 
@@ -102,6 +109,7 @@ class Words {
 
   private:
     Language language_ = Language::english;
+    std::map<std::string, std::string, std::less<>> own_;
 };
 
 /// Marks a text in a table of the program that is put into a language where it is shown. Returns the text.

@@ -138,20 +138,13 @@ Parameter rising_numbers(const std::string& name, Member member, const std::stri
 }
 
 Parameter scheme_parameter() {
-    const std::vector<std::string> schemes{"swiss-debris-flow", "swiss-flood", "austrian-torrent", "custom"};
-    Parameter result = declare::parameter(
-        "hazard.scheme", "choice", FRANA_MEMBER(hazard.scheme),
-        [schemes](std::optional<std::string>& target, const std::string& value) -> std::optional<ValueProblem> {
-            if (std::find(schemes.begin(), schemes.end(), value) == schemes.end())
-                return ValueProblem{"is not one of the choices", ""};
-            target = value;
-            return std::nullopt;
-        },
-        [](const std::string& value) { return value; });
-    result.limits = joined(schemes, ", ");
-    result.choices = schemes;
-    result.meaning = "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.";
-    result.absent = "no classes";
+    Parameter result = text("hazard.scheme", FRANA_MEMBER(hazard.scheme), "text",
+                            "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.", "no classes");
+    result.limits = "a name of `frana schemes`, custom, or a file FILE.ini";
+    result.map_files = [](SceneSpec& scene, const FileMap& map) {
+        auto& scheme = scene.hazard.scheme;
+        if (scheme && is_scheme_file(*scheme)) scheme = map(*scheme);
+    };
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/hazard.h"
 #include "core/default_values.h"
 #include "core/grid_spec.h"
 #include "params/grammar/ini_file.h"
@@ -144,8 +145,9 @@ struct OutputSpec {
 
 /// [hazard]
 struct HazardSpec {
-    std::optional<std::string> scheme;
-    std::optional<double> minimum_depth;  ///< of a class [m]
+    std::optional<std::string> scheme;     ///< a name, or a file of one's own
+    std::optional<HazardScheme> resolved;  ///< what it says; minimum depth as in the file: none
+    std::optional<double> minimum_depth;   ///< of a class [m]
     std::vector<double> depth_limits, velocity_limits, flux_limits, pressure_limits;
 };
 
@@ -195,6 +197,10 @@ std::string scene_name(const SceneSpec& scene);
 std::string output_directory(const SceneSpec& scene);
 /// Returns the depth threshold of the comparison with the scar [m]: as given, else that of the trace.
 double observed_threshold(const SceneSpec& scene);
+/// Whether hazard.scheme names a file of one's own.
+inline bool is_scheme_file(const std::string& scheme) {
+    return scheme.ends_with(".ini");
+}
 /// Returns the depth above which ground has a class of hazard [m].
 double hazard_minimum_depth(const SceneSpec& scene);
 

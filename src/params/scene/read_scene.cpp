@@ -13,6 +13,7 @@
 #include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
+#include "params/scene/read_scheme.h"
 
 namespace frana {
 
@@ -37,8 +38,8 @@ std::vector<std::string> input_files(const SceneSpec& scene) {
     return files;
 }
 
-SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
-                        const std::string& materials_directory, const std::string& override_label) {
+SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides, const std::string& share,
+                        const std::string& override_label) {
     SceneReading reading;
     reading.label = path;
     reading.override_label = override_label;
@@ -55,10 +56,11 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     const KeySource file{Origin::scene_file, path, read_ini(path)};
     const KeySource command_line = override_source(overrides, override_label, reading.problems);
     SceneReader reader(reading, absolute.parent_path().string());
-    reader.apply_preset(command_line, file, materials_directory);
+    reader.apply_preset(command_line, file, share);
     reader.apply(file);
     reader.apply(command_line);
     reader.drop_unread_of_preset();
+    reader.resolve_scheme(share);
     check_scene(reading.scene, reader.given(), path, reading.problems);
     return reading;
 }
@@ -201,11 +203,17 @@ void SceneReader::make_paths_absolute(const Parameter& parameter, const std::str
     }
 }
 
-void SceneReader::apply_preset(const KeySource& first, const KeySource& second, const std::string& directory) {
+void SceneReader::apply_preset(const KeySource& first, const KeySource& second, const std::string& share) {
     const auto preset = preset_of(first, second);
     if (!preset) return;
-    const auto source = preset_source(preset->first, preset->second, directory, reading_.problems);
+    const auto source =
+        preset_source(preset->first, preset->second, (fs::path(share) / "materials").string(), reading_.problems);
     if (source) apply(*source);
+}
+
+void SceneReader::resolve_scheme(const std::string& share) {
+    HazardSpec& hazard = reading_.scene.hazard;
+    hazard.resolved = resolved_scheme(hazard, share, reading_.where("hazard.scheme"), reading_.problems);
 }
 
 KeySource override_source(const std::vector<std::string>& overrides, const std::string& label, Problems& problems) {
@@ -222,14 +230,15 @@ KeySource override_source(const std::vector<std::string>& overrides, const std::
 }
 
 SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::vector<std::string>& given,
-                             const std::string& materials_directory, const std::string& label) {
+                             const std::string& share, const std::string& label) {
     SceneReading reading;
     reading.label = label;
     const KeySource source = override_source(keys, reading.override_label, reading.problems);
     SceneReader reader(reading, "");
-    reader.apply_preset(source, {}, materials_directory);
+    reader.apply_preset(source, {}, share);
     reader.apply(source);
     reader.drop_unread_of_preset();
+    reader.resolve_scheme(share);
     std::set<std::string> all = reader.given();
     all.insert(given.begin(), given.end());
     check_scene(reading.scene, all, label, reading.problems);

@@ -41,9 +41,10 @@ struct SceneReading {
 /// on the command line). Relative paths are relative to the scene file's folder and become absolute. Every problem is
 /// collected: unknown keys (with the nearest known), values, missing keys, contradictions. Throws Error(input) only if
 /// the file itself cannot be read as INI.
+/// @param share folder with the presets (materials) and the hazard schemes (schemes)
 /// @param override_label before the names of overridden keys in messages
-SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
-                        const std::string& materials_directory, const std::string& override_label = "--set ");
+SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides, const std::string& share,
+                        const std::string& override_label = "--set ");
 
 /// Returns the input files of a scene, the scene file first.
 std::vector<std::string> input_files(const SceneSpec& scene);
@@ -57,7 +58,7 @@ std::vector<NamedFile> named_files(const SceneSpec& scene);
 /// Reads a scene without a file: its keys alone, "section.key=value", named in messages as they are. `label` stands for
 /// the scene where a key is missing. `given` are keys whose data the caller has in another form.
 SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::vector<std::string>& given,
-                             const std::string& materials_directory, const std::string& label);
+                             const std::string& share, const std::string& label);
 
 /// Returns the problem of one key alone; none: read_scene_keys() takes it.
 std::optional<Problem> problem_of_key(const std::string& name, const std::string& value);
@@ -92,7 +93,9 @@ class SceneReader {
 
     void apply(KeySource source);
     /// Applies the preset that a source names, the first before the second.
-    void apply_preset(const KeySource& first, const KeySource& second, const std::string& directory);
+    void apply_preset(const KeySource& first, const KeySource& second, const std::string& share);
+    /// Reads the hazard scheme that the scene names.
+    void resolve_scheme(const std::string& share);
     /// Drops values of a preset for laws that the scene does not select.
     void drop_unread_of_preset();
     [[nodiscard]] const std::set<std::string>& given() const { return given_; }

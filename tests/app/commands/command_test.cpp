@@ -11,7 +11,7 @@ using Command = TinyScene;
 
 TEST_F(Command, HelpAndVersion) {
     EXPECT_EQ(frana({"--version"}).out.rfind("frana ", 0), 0U);
-    for (const std::string command : {"run", "check", "render", "compare", "params", "materials"}) {
+    for (const std::string command : {"run", "check", "render", "compare", "params", "materials", "schemes"}) {
         const Outcome outcome = frana({command, "--help"});
         EXPECT_EQ(outcome.exit_code, 0) << command;
         EXPECT_EQ(outcome.err, "");
@@ -103,6 +103,17 @@ TEST_F(Command, ParamsAndMaterials) {
     for (const std::string preset :
          {"bindo", "debris-flow", "earthflow", "lahar", "mudflow", "rock-avalanche", "snow-avalanche", "snow-slab"})
         EXPECT_NE(materials.out.find(preset + "\n  A starting point"), std::string::npos) << preset;
+    const Outcome schemes = frana({"schemes"});
+    EXPECT_EQ(schemes.exit_code, 0);
+    for (const std::string line :
+         {"\nswiss-flood\n  Switzerland, floods; intensities of scenarios of 30, 100, 300 years",
+          "\n  Customary limits, source not read\n", "\n  2  Red zone: pressure > 10 kPa\n"})
+        EXPECT_NE(schemes.out.find(line), std::string::npos) << line << " in\n" << schemes.out;
+    const Json document = parse_json(frana({"schemes", "--json"}).out);
+    EXPECT_EQ(document["command"], "schemes");
+    ASSERT_EQ(document["schemes"].size(), 7U);
+    EXPECT_EQ(document["schemes"][0]["name"], "austrian-avalanche");
+    EXPECT_EQ(document["schemes"][0]["source_read"], false);
 }
 
 TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
@@ -146,7 +157,7 @@ TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
               0);
     // All commands that print to stdout; the shell is needed for the redirection only.
     for (const std::string words :
-         {"params", "params --json", "materials", "--help", "--version", "run --help", "check scene.ini",
+         {"params", "params --json", "materials", "schemes", "--help", "--version", "run --help", "check scene.ini",
           "render result --map max_depth --size 800x600", "render result --charts --size 800x600",
           "compare result --scar perimeter.geojson --size 800x600", "bench stability --case single-cell --threads 1"}) {
         const int status = std::system(

@@ -20,7 +20,7 @@ class FlowWindow : public TinyScene {
   protected:
     FlowWindow() { write_scene(k_numbers_only); }
     [[nodiscard]] bool cuts(const std::vector<std::string>& sets) const {
-        const SceneReading reading = read_scene(path("scene.ini"), sets, app::materials_directory());
+        const SceneReading reading = read_scene(path("scene.ini"), sets, app::share_directory());
         const gis::RasterInfo dtm = gis::inspect_raster(path("dtm.asc"), "terrain.dtm");
         return app::flow_window(reading, dtm, dtm.crs_wkt).has_value();
     }
@@ -83,7 +83,7 @@ TEST_F(FlowWindow, ContainsTheFilesThatMustLieOnTheMap) {
     gis::test::make_raster(path("cells.tif"), cells);
 
     const auto window = [&](const std::vector<std::string>& sets) {
-        const SceneReading reading = read_scene(path("scene.ini"), sets, app::materials_directory());
+        const SceneReading reading = read_scene(path("scene.ini"), sets, app::share_directory());
         const gis::RasterInfo dtm = gis::inspect_raster(path("dtm.asc"), "terrain.dtm");
         return app::flow_window(reading, dtm, dtm.crs_wkt);
     };

@@ -28,7 +28,7 @@ class InputFiles : public TinyScene {
     }
     [[nodiscard]] app::Prepared prepared(const std::string& scene, const Sets& sets) const {
         app::RunLog log(true);
-        return app::prepare(read_scene(path(scene), sets, app::materials_directory()), log);
+        return app::prepare(read_scene(path(scene), sets, app::share_directory()), log);
     }
     /// `step`: alternately up and down.
     void write_raster(const std::string& name, double value, bool bytes = false, double step = 0) const {

@@ -54,8 +54,7 @@ class LawKeys : public TinyScene {
   protected:
     [[nodiscard]] RunResult result(const Sets& sets) const {
         app::RunLog log(true);
-        const app::Prepared prepared =
-            app::prepare(read_scene(path("scene.ini"), sets, app::materials_directory()), log);
+        const app::Prepared prepared = app::prepare(read_scene(path("scene.ini"), sets, app::share_directory()), log);
         RunOptions options;
         options.threads = 1;
         return run(prepared.scene, options);

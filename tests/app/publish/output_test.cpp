@@ -410,6 +410,50 @@ TEST_F(Output, AMapOfASchemeWhoseSourceWasNotReadSaysSo) {
     const std::string report = text("report.html");
     EXPECT_NE(report.find("source not read"), std::string::npos);
     EXPECT_EQ(report.find("Intensity classes"), std::string::npos);
+    EXPECT_NE(text("summary.json").find("\"source_read\": false"), std::string::npos);
+}
+
+// A scheme of the user's own: its classes, colours and words in rasters, map, report and summary, in the language of
+// the map, and the file among the inputs.
+TEST_F(Output, AnOwnSchemeIsAFile) {
+    const std::string own =
+        "[scheme]\ntitle = Our valley\ntitle-it = La nostra valle\nclasses-are = zones\nsource = Office\n"
+        "[class-1]\nname = Outer\nname-it = Esterna\ncolour = ffdd33\n"
+        "[class-2]\nname = Inner\nname-it = Interna\ncolour = d7191c\ncondition = pressure >= 2 kPa or depth > 1 m\n";
+    write_whole(path("own.ini"), own);
+    run("[output]\nmaps = hazard\nmap-formats = svg\nanimation = off\nframes = off\ncharts = off\nlanguage = it\n"
+        "[hazard]\nscheme = own.ini\n");
+    const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
+    int inner = 0, outer = 0;
+    for (std::size_t i = 0; i < classes.values.size(); ++i) {
+        if (std::isnan(classes.values[i])) continue;
+        // The file's floats may be on the other side of a limit than the classified doubles.
+        if (std::abs(pressure.values[i] - 2) < 1e-5 || std::abs(depth.values[i] - 1) < 1e-6) continue;
+        const bool is_inner = pressure.values[i] >= 2 || depth.values[i] > 1;
+        ASSERT_EQ(classes.values[i], is_inner ? 2 : 1);
+        (is_inner ? inner : outer) += 1;
+    }
+    EXPECT_GT(inner, 0);
+    EXPECT_GT(outer, 0);
+    EXPECT_FALSE(std::filesystem::exists(path("result/max_head.tif"))) << "not used";
+    const std::string map = text("maps/hazard.svg"), report = text("report.html"), summary = text("summary.json");
+    for (const char* said : {"La nostra valle", "Interna", "Esterna", "fonte non letta"}) {
+        EXPECT_NE(map.find(said), std::string::npos) << said;
+        EXPECT_NE(report.find(said), std::string::npos) << said;
+    }
+    EXPECT_NE(report.find("own.ini"), std::string::npos);
+    EXPECT_NE(text("inputs.json").find("own.ini"), std::string::npos);
+    const Json scheme = parse_json(summary)["hazard_scheme"];
+    EXPECT_EQ(scheme["name"], "own");
+    EXPECT_EQ(scheme["title"], "Our valley");
+    EXPECT_EQ(scheme["source_read"], false);
+    EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 0);
+    // What is wrong with it is told before anything is computed.
+    write_whole(path("own.ini"), own + "colour = red\n[class-4]\n");
+    const std::string refusal = frana({"check", "scene.ini"}).err;
+    for (const char* said : {"own.ini: class-2.colour", "is given more than once"})
+        EXPECT_NE(refusal.find(said), std::string::npos) << said << " in\n" << refusal;
+    EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 2);
 }
 
 TEST_F(Output, HazardKeysThatContradictAreRefused) {

@@ -30,7 +30,7 @@ TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
         {"least", k_voellmy + k_numbers_only}};
     for (const auto& [name, text] : scenes) {
         run(text, name);
-        const SceneSpec scene = read_scene(path(name + "/scene.ini"), {}, app::materials_directory()).scene;
+        const SceneSpec scene = read_scene(path(name + "/scene.ini"), {}, app::share_directory()).scene;
         for (const ResultRaster& row : result_rasters()) {
             if (!row.in_result() || row.command != "run" || row.if_it_happens) continue;
             EXPECT_EQ(exists(name + "/" + row.name + ".tif"),

@@ -83,7 +83,7 @@ class OlderCheckpoint : public TinyScene {
   private:
     app::Prepared prepared() {
         write_scene(k_numbers_only);
-        return app::prepare(read_scene(path("scene.ini"), {}, app::materials_directory()), log_);
+        return app::prepare(read_scene(path("scene.ini"), {}, app::share_directory()), log_);
     }
 };
 

@@ -81,7 +81,7 @@ TEST_F(ModelKeys, TheEchoContainsOnlyWhatTheModelReads) {
         const std::string text = scene_text(first.scene, {});
         EXPECT_EQ(text.find("friction-coefficient"), std::string::npos);
         EXPECT_EQ(text.find("[entrainment]"), std::string::npos);
-        const SceneReading again = read_scene(write(text, "echo.ini"), {}, FRANA_SOURCE_SHARE "/materials");
+        const SceneReading again = read_scene(write(text, "echo.ini"), {}, FRANA_SOURCE_SHARE);
         ASSERT_TRUE(again.problems.empty()) << describe(again.problems.list().front());
         for (const Parameter& parameter : scene_parameters())
             EXPECT_EQ(parameter.write(first.scene), parameter.write(again.scene)) << parameter.name();

@@ -190,7 +190,8 @@ TEST_F(ReadScene, LimitsRiseFromAboveZero) {
         EXPECT_TRUE(has_problem(problems(custom + limits_of(255)), std::string("hazard.") + key));
     }
     EXPECT_TRUE(has_problem(problems(k_least + "[hazard]\nscheme = swiss\n"), "hazard.scheme", "swiss",
-                            "swiss-debris-flow, swiss-flood, austrian-torrent, custom"));
+                            "austrian-avalanche, austrian-torrent, italian-avalanche, swiss-avalanche, "
+                            "swiss-debris-flow, swiss-flood, swiss-hillslope-debris-flow, custom, or a file FILE.ini"));
 }
 
 }  // namespace

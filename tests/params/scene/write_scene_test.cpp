@@ -21,7 +21,7 @@ TEST_F(WriteScene, ReadingItBackGivesTheSameScene) {
         {"numerics.gravity=9.80665"});
     ASSERT_TRUE(first.problems.empty()) << describe(first.problems.list().front());
     const std::string path = write(scene_text(first.scene, {{"terrain.crs", "EPSG:32632"}}), "echo.ini");
-    const SceneReading again = read_scene(path, {}, FRANA_SOURCE_SHARE "/materials");
+    const SceneReading again = read_scene(path, {}, FRANA_SOURCE_SHARE);
     ASSERT_TRUE(again.problems.empty());
     for (const Parameter& parameter : scene_parameters())
         EXPECT_EQ(parameter.write(first.scene), parameter.write(again.scene)) << parameter.name();

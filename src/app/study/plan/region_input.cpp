@@ -15,6 +15,7 @@
 #include "core/text.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/working_grid.h"
+#include "params/grammar/ini_file.h"
 
 namespace frana::app::study {
 namespace {
@@ -27,16 +28,23 @@ gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& cr
     return reading.session.read(gis::read_polygons, *reading.scene.release.perimeter, crs, reading.where(key), own);
 }
 
-void check_degree(const StudyInput& input) {
-    const RegionSpec& region = *input.reading.study.region;
+/// Refuses a scheme without intensities. Its matrix is the region's, unless that has keys of [degree].
+void settle_degree(StudyInput& input) {
+    RegionSpec& region = *input.reading.study.region;
     if (!region.return_period) return;
     const auto scheme = hazard_scheme_of(input.base.spec);
-    if (scheme && has_intensities(*scheme)) return;
+    if (scheme && has_intensities(*scheme)) {
+        const std::vector<IniEntry> entries = read_ini(input.reading.study.file);
+        if (std::none_of(entries.begin(), entries.end(),
+                         [](const IniEntry& entry) { return entry.name.starts_with("degree."); }))
+            region.degrees = *scheme->matrix;
+        return;
+    }
     throw Error(ErrorKind::input,
                 Problem{scheme ? "does not tell weak, medium and strong intensity, which the degree of hazard needs"
                                : "is missing, and the degree of hazard needs intensities",
                         input.central.where("hazard.scheme"), scheme ? scheme->name : "",
-                        "swiss-debris-flow, swiss-flood, or custom with two limits",
+                        "a scheme with a matrix (`frana schemes --json`: degree_of_hazard), or custom with two limits",
                         "Choose one of these, or remove region.return-period"});
 }
 
@@ -144,7 +152,7 @@ void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunL
     input.base.spec.terrain.bounds = of_all.scene.terrain.bounds;
     input.base.spec.release.perimeter_layer = of_all.scene.release.perimeter_layer;
     input.base.scene.time.frame_interval = 0;
-    check_degree(input);
+    settle_degree(input);
     const GridSpec& grid = input.base.scene.grid;
     const gis::PolygonLayer layer = polygons_of(of_all, grid.crs_wkt, of_all.scene.release.perimeter_layer, true);
     for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)

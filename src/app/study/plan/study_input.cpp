@@ -162,7 +162,7 @@ SceneReading read_member(const StudyReading& reading, const std::vector<std::str
                            [&](const std::string& other) { return key_of(other) == key_of(one); });
     });
     all.insert(all.end(), overrides.begin(), overrides.end());
-    SceneReading scene = read_scene(reading.study.scene, all, materials_directory(), reading.label + ": ");
+    SceneReading scene = read_scene(reading.study.scene, all, share_directory(), reading.label + ": ");
     scene.session = reading.session;
     resolve_language(scene.scene);
     return scene;

@@ -59,8 +59,17 @@ std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& 
 std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
     const auto scheme = hazard_scheme_of(input.base.spec);
     const DegreeMatrix& matrix = input.reading.study.region->degrees;
-    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   scheme->name,
-                 k_matrix_source, k_degree_zones_file, intensity_limits(*scheme)};
+    const auto is_same = [&](const DegreeMatrix& other) {
+        return matrix.degrees == other.degrees && matrix.periods == other.periods;
+    };
+    const bool is_of_scheme = scheme->matrix && is_same(*scheme->matrix) && !is_same(DegreeMatrix{});
+    ClassMap map{"hazard_degree",
+                 "Degree of hazard",
+                 degree_classes(matrix),
+                 *scheme,
+                 is_of_scheme ? scheme->source : k_matrix_source,
+                 k_degree_zones_file,
+                 intensity_limits(*scheme)};
     return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
 }
 
@@ -122,7 +131,7 @@ void write_scenario(const StudyInput& input, const std::vector<UnionMember>& mem
         directory);
     const auto scheme = hazard_scheme_of(input.base.spec);
     if (!scheme) return;
-    ClassMap map{of_scenario + "intensity_" + name, scheme->title, scheme->classes, scheme->name, scheme->source, "",
+    ClassMap map{of_scenario + "intensity_" + name, scheme->heading, scheme->classes, *scheme, scheme->source, "",
                  {scheme->minimum_label()}};
     publish_classes(greatest_of(members, Quantity::intensity, grid), map, provenance(input.base),
                     words_of(input.base.spec), directory);
