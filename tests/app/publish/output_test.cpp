@@ -420,7 +420,7 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
         "[scheme]\ntitle = Our valley\ntitle-it = La nostra valle\nclasses-are = zones\nsource = Office\n"
         "[class-1]\nname = Outer\nname-it = Esterna\ncolour = ffdd33\n"
         "[class-2]\nname = Inner\nname-it = Interna\ncolour = d7191c\ncondition = pressure >= 2 kPa or depth > 1 m\n";
-    write_whole(path("own.ini"), own);
+    std::ofstream(path("own.ini")) << own;
     run("[output]\nmaps = hazard\nmap-formats = svg\nanimation = off\nframes = off\ncharts = off\nlanguage = it\n"
         "[hazard]\nscheme = own.ini\n");
     const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
@@ -449,7 +449,7 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
     EXPECT_EQ(scheme["source_read"], false);
     EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 0);
     // What is wrong with it is told before anything is computed.
-    write_whole(path("own.ini"), own + "colour = red\n[class-4]\n");
+    std::ofstream(path("own.ini")) << own << "colour = red\n[class-4]\n";
     const std::string refusal = frana({"check", "scene.ini"}).err;
     for (const char* said : {"own.ini: class-2.colour", "is given more than once"})
         EXPECT_NE(refusal.find(said), std::string::npos) << said << " in\n" << refusal;
