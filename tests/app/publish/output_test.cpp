@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
