@@ -33,7 +33,7 @@ template <class Number>
     const Number zero(0.0), half = 0.5 * linear;
     const Number r = 1 / sqrt(1 + half * half + square * max(zero, gain));
     const Number after = (start * (1 - r * half) + r * gain) / (1 + r * (half + square * start));
-    return select(after > 0, after, zero);
+    return select(after < 0, zero, after);  // what is not finite remains so, and ends the run
 }
 
 /// Backward Euler of a law beside the polynomial parts, for place_of_value: s1 + dt (R + linear s1 + square s1^2),

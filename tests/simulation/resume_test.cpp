@@ -53,7 +53,7 @@ TEST_P(Resume, ContinuesAfterAStopOnRequest) {
 
 INSTANTIATE_TEST_SUITE_P(, Resume,
                          testing::Values(ResumedCase{"hillside", hillside, 30}, ResumedCase{"eventful", eventful, 45},
-                                         ResumedCase{"resting", resting, 80}, ResumedCase{"settling", settling, 150},
+                                         ResumedCase{"resting", resting, 80}, ResumedCase{"settling", settling, 140},
                                          ResumedCase{"paper", paper, 50}, ResumedCase{"flying", flying, 25},
                                          ResumedCase{"earth_pressure", earth_pressure, 40},
                                          ResumedCase{"fluid", fluid, 60}, ResumedCase{"breaking", breaking, 15},

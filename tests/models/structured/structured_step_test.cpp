@@ -298,6 +298,36 @@ TEST(Coupling, TheBedSlowsTheColumnAsOne) {
     EXPECT_NEAR(state.fluid->now.qx[middle] / state.fluid->now.depth[middle], exact, 0.01 * exact);
 }
 
+// A heap that is all solids collapses under a millimetre of water as it does dry: without pores the film would be as
+// much as fills them, and bear a third of its weight.
+TEST(Coupling, AFilmDoesNotLiftAHeap) {
+    ThreadPool pool(1);
+    const auto fastest = [&](double film) {
+        Case c(10);
+        c.material.solid_fraction = 1;
+        c.material.cohesion = 0;
+        c.material.bed_friction = std::tan(20 * k_degree);
+        c.fill(160, 60, 24, 24, [](Point) { return bench::Seed{12}; });
+        State state = c.start(flat(40, 20, 10), pool, true);
+        if (film > 0) {
+            std::vector<FluidSource> water;
+            for (std::int64_t j = 0; j < 20; ++j)
+                for (std::int64_t i = 0; i < 40; ++i) water.push_back({state.grid.index(i, j), film, 0, 0});
+            receive(water, *state.fluid, state.grid, c.laws.fluid);
+        }
+        double greatest = 0;
+        for (int k = 1; k <= 20; ++k) {
+            advance_to(state, c.laws, 0.5 * k, pool);
+            greatest = std::max(greatest, state.solid->last.speed2);
+        }
+        return std::sqrt(greatest);
+    };
+    const double dry = fastest(0);
+    EXPECT_GT(dry, 1);
+    EXPECT_NEAR(fastest(1e-3), dry,
+                0.05 * dry);
+}
+
 // With drag the stream is slower, and the virtual mass leaves it at the speed that it has without.
 TEST(Coupling, SteadyStreamOverRestingSolidsWithDrag) {
     ThreadPool pool(1);

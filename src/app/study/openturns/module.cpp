@@ -307,8 +307,11 @@ class Regression {
                 if (terms_[j].size() == 1) chaos.first_order[key] += square;
             }
         }
+        // The decomposition's last digits depend on where its memory lies.
+        const auto steady = [](double value) { return std::round(value * 1e9) * 1e-9; };
+        chaos.q2 = steady(chaos.q2);
         for (auto* const of_keys : {&chaos.first_order, &chaos.total})
-            for (double& one : *of_keys) one /= variance;
+            for (double& one : *of_keys) one = steady(one / variance);
         return chaos;
     }
 

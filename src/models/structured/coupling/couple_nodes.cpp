@@ -11,6 +11,10 @@
 namespace frana::structured {
 namespace {
 
+/// Pores of what has been given as all solids, a part of its depth: else a film of water would lift a heap (ours; sand
+/// and gravel have 0.2 to 0.4).
+constexpr double k_least_porosity = 0.2;
+
 // Central difference of the bed; the terrain is extrapolated beyond the edges with the slope at the edge.
 Point bed_gradient(const NodeGrid& grid, std::size_t n) {
     const auto stride = static_cast<std::size_t>(grid.stride());
@@ -38,8 +42,7 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
     CellPhases cell;
     cell.free = fluid.now.depth[n];
-    const double pores = more.pores * inverse_area;
-    const double filled = cell.free < pores ? cell.free / pores : 1;
+    const double filled = cell.free < nodes.pores[n] ? cell.free / nodes.pores[n] : 1;
     nodes.push[n].submergence = filled;
     if (!(cell.free > laws.dry)) return push;
     const Point surface = surface_gradient(grid, nodes, fluid, laws.dry, n);
@@ -94,7 +97,8 @@ void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidSt
         nodes.solid_fraction[n] = s.solids * inverse_area / (nodes.depth[n] + free);
         nodes.structured[n] = s.structured / s.solids;
         nodes.mass[n] = s.mass * inverse_area;
-        nodes.pores[n] = fluid ? nodes.coupling[n].pores * inverse_area : 0;
+        nodes.pores[n] =
+            fluid ? std::max(nodes.coupling[n].pores * inverse_area, k_least_porosity * nodes.depth[n]) : 0;
     });
 }
 

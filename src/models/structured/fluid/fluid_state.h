@@ -29,7 +29,7 @@ struct SolidsOnGrid {
     const double* solid_fraction = nullptr;  ///< alpha_s of the whole cell [-]
     const double* structured = nullptr;      ///< f_sc, fraction of the solids that is structured [-]
     const double* mass = nullptr;            ///< m_c [kg/m2]
-    const double* pores = nullptr;           ///< between the solids when they were placed [m]
+    const double* pores = nullptr;  ///< between the solids when they were placed, a fifth of their depth at least [m]
 };
 
 /// Fluid added to a cell between two steps, with its momentum: release of confined fluid, inflow.
