@@ -229,7 +229,7 @@ std::size_t StructuredFlow::bytes_per_particle() const noexcept {
 
 std::size_t StructuredFlow::bytes_per_node() const noexcept {
     constexpr std::size_t k_fluid_values = 9;                  // present, stage and next of depth and two discharges
-    constexpr std::size_t k_solid_values = 5;                  // fields of the solids that act on the fluid
+    constexpr std::size_t k_solid_values = 7;                  // fields of the solids that act on the fluid
     std::size_t bytes = 2 * sizeof(double) + Maxima::k_bytes;  // bed and pressure, and the maxima
     if (state_.fluid) bytes += k_fluid_values * sizeof(double) + 1 + (laws_.fluid.steep ? sizeof(double) : 0);
     if (state_.solid)

@@ -128,6 +128,15 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
         {"inflow.line", {scene, {flows[1], shape}, line}},
         {"inflow.hydrograph", {scene, {flows[0], name + "=file.csv"}, hydrograph}},
         {"structured.zones", {"structured.ini", {shape, "structured.initial-fluid-depth=attribute:thick"}, box(30)}},
+        {"hazard.scheme",
+         {scene,
+          {name + "=file.ini"},
+          [this](int version) {
+              write("file.ini",
+                    "[scheme]\ntitle = Own\nsource = None\n[class-1]\nname = Low\ncolour = ffdd33\n[class-2]\n"
+                    "name = High\ncolour = d7191c\ncondition = depth > " +
+                        std::to_string(1 + version) + " m\n");
+          }}},
         {"output.map-background", {scene, {tif}, picture}},
         {"output.map-logo", {scene, {name + "=file.png"}, logo}},
         {"output.gauges", {scene, {shape}, point}},

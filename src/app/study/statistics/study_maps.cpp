@@ -5,6 +5,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
 
 #include "analysis/trace.h"
 #include "app/study/member_record.h"
@@ -127,6 +130,9 @@ void add_moments(std::span<const float> values, const std::vector<double>& weigh
 
 /// Of the distances of cells from the outlines of all members: each lot of cells reads every record again.
 constexpr std::size_t k_distance_bytes = 256'000'000;
+/// Distances are computed block by block with so many cells around it: the ground between flows far apart costs
+/// nothing.
+constexpr std::int64_t k_block = 1024, k_far = 512;
 
 }  // namespace
 
@@ -262,8 +268,8 @@ ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Q
 
 namespace {
 
-/// Signed distances of some cells of a grid from a member's outline, in cells.
-/// @param window beyond which no member comes
+/// Signed distances of some cells of a grid from a member's outline, in cells; up to k_far they are exact.
+/// @param window of the cells and k_far around them, as far as any member comes
 std::vector<double> distances_from_outline(const MemberRecord& record, const GridSpec& grid, const CellWindow& window,
                                            double threshold, const std::vector<std::size_t>& cells) {
     const auto columns = static_cast<std::size_t>(window.columns + 2);  // with a border where nothing comes
@@ -273,6 +279,9 @@ std::vector<double> distances_from_outline(const MemberRecord& record, const Gri
                static_cast<std::size_t>(column - window.column + 1);
     };
     record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
+        if (row < window.row || column < window.column || row >= window.row + window.rows ||
+            column >= window.column + window.columns)
+            return;
         inside[place(row, column)] = static_cast<double>(record.depth[index]) > threshold ? 1 : 0;
     });
     const std::vector<double> all = distances_from_rim(inside, columns);
@@ -281,6 +290,37 @@ std::vector<double> distances_from_outline(const MemberRecord& record, const Gri
         distances.push_back(
             all[place(static_cast<std::int64_t>(cell) / grid.columns, static_cast<std::int64_t>(cell) % grid.columns)]);
     return distances;
+}
+
+/// Divides cells into lots that lie in one block each, of at most `most`.
+std::vector<std::vector<std::size_t>> lots_of(const std::vector<std::size_t>& cells, const GridSpec& grid,
+                                              std::size_t most) {
+    std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> blocks;
+    for (const std::size_t cell : cells) {
+        const auto at = static_cast<std::int64_t>(cell);
+        blocks[{at / grid.columns / k_block, at % grid.columns / k_block}].push_back(cell);
+    }
+    std::vector<std::vector<std::size_t>> lots;
+    for (const auto& [place, all] : blocks)
+        for (std::size_t first = 0; first < all.size(); first += most)
+            lots.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(first),
+                              all.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, all.size())));
+    return lots;
+}
+
+/// The block of such a lot and k_far around it, within `limits`.
+CellWindow window_around(const std::vector<std::size_t>& cells, const GridSpec& grid, const CellWindow& limits) {
+    const auto at = static_cast<std::int64_t>(cells.front());
+    const auto part = [](std::int64_t cell, std::int64_t first, std::int64_t count) {
+        const std::int64_t block = cell / k_block * k_block;
+        const std::int64_t low = std::max(first, block - k_far),
+                           high = std::min(first + count, block + k_block + k_far);
+        return std::pair(low, high - low);
+    };
+    CellWindow window;
+    std::tie(window.row, window.rows) = part(at / grid.columns, limits.row, limits.rows);
+    std::tie(window.column, window.columns) = part(at % grid.columns, limits.column, limits.columns);
+    return window;
 }
 
 }  // namespace
@@ -294,12 +334,10 @@ std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const Desig
         const auto count = static_cast<std::size_t>(std::count_if(values.begin(), values.end(), exceeds));
         if (count > 0 && count < values.size()) rim.push_back(cell);
     });
-    const CellWindow window = reached_window(members, grid);
+    const CellWindow reached = reached_window(members, grid);
     const std::size_t at_once = std::max<std::size_t>(1, k_distance_bytes / (sizeof(double) * members.size()));
-    for (std::size_t first = 0; first < rim.size(); first += at_once) {
-        const std::vector<std::size_t> cells(
-            rim.begin() + static_cast<std::ptrdiff_t>(first),
-            rim.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, rim.size())));
+    for (const std::vector<std::size_t>& cells : lots_of(rim, grid, at_once)) {
+        const CellWindow window = window_around(cells, grid, reached);
         std::vector<std::vector<double>> outputs(cells.size());
         for (const std::string& file : members.records) {
             const std::vector<double> distances =

@@ -8,11 +8,23 @@
 
 namespace frana::structured {
 
+namespace {
+
+/// Sixteen from each particle: all at once would be as much memory as the particles.
+constexpr std::size_t k_most_sources = 16'384;
+
+}  // namespace
+
 Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws& laws, FluidState& fluid) {
     ParticleSet& particles = solid.particles;
     const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
     std::vector<FluidSource> sources;
     Released released;
+    double refused = 0;  // [m], over a cell
+    const auto pass_on = [&] {
+        refused += receive(sources, fluid, grid, laws);
+        sources.clear();
+    };
     for (std::size_t p = 0; p < particles.size(); ++p) {
         double& volume = particles[Field::released][p];
         if (!(volume > 0)) continue;
@@ -31,10 +43,11 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
         }
         particles[Field::confined][p] -= volume;
         volume = 0;
+        if (sources.size() > k_most_sources) pass_on();
     }
-    const double refused = receive(sources, fluid, grid, laws) / inverse_area;
-    released.inside -= refused;
-    released.outside += refused;
+    pass_on();
+    released.inside -= refused / inverse_area;
+    released.outside += refused / inverse_area;
     return released;
 }
 
