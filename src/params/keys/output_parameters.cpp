@@ -138,8 +138,9 @@ Parameter rising_numbers(const std::string& name, Member member, const std::stri
 }
 
 Parameter scheme_parameter() {
-    Parameter result = text("hazard.scheme", FRANA_MEMBER(hazard.scheme), "text",
-                            "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.", "no classes");
+    Parameter result =
+        text("hazard.scheme", FRANA_MEMBER(hazard.scheme), "text",
+             "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.", "no classes");
     result.limits = "a name of `frana schemes`, custom, or a file FILE.ini";
     result.map_files = [](SceneSpec& scene, const FileMap& map) {
         auto& scheme = scene.hazard.scheme;

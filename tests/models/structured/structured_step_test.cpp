@@ -324,8 +324,7 @@ TEST(Coupling, AFilmDoesNotLiftAHeap) {
     };
     const double dry = fastest(0);
     EXPECT_GT(dry, 1);
-    EXPECT_NEAR(fastest(1e-3), dry,
-                0.05 * dry);
+    EXPECT_NEAR(fastest(1e-3), dry, 0.05 * dry);
 }
 
 // With drag the stream is slower, and the virtual mass leaves it at the speed that it has without.
