@@ -125,6 +125,9 @@ struct HazardScheme {
     /// "Any class: depth > 0.1 m"
     [[nodiscard]] std::string minimum_label() const;
     [[nodiscard]] bool uses(HazardQuantity quantity) const;
+    /// Whether words of the source were read; of a scene's own limits the scene is the source.
+    [[nodiscard]] bool is_source_read() const { return source != k_source_not_read; }
+    [[nodiscard]] bool has_zones() const { return heading != k_intensity_title; }
 };
 
 /// Returns the scheme of a scene's own limits.

@@ -200,7 +200,6 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     coupling.virtual_mass.law = law_of(m.virtual_mass);
     coupling.block_size = m.block_size;
     coupling.dry = m.dry_depth;
-    if (m.manning_on_total) coupling.column_manning = m.manning;
     return laws;
 }
 

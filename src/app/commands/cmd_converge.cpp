@@ -69,12 +69,10 @@ struct Level {
     std::vector<Sentence> warnings;  ///< as `frana run` would give
 };
 
-/// All levels, the finest last, and what they say of its values.
-struct Levels : std::vector<Level> {
-    std::vector<GridConvergence> convergence;  ///< of each of reported_statistics()
-
-    /// @param own, half terrain on the finest cells and on half of them; empty: the DTM has no more detail
-    void estimate(const Raster& own, const Raster& half, double threshold);
+/// A value on the finest cells, and what all levels say of it.
+struct EstimatedValue {
+    RunStatistic statistic;
+    GridConvergence convergence;
 };
 
 Level run_level(const Prepared& prepared, const SceneVariants& variants) {
@@ -106,20 +104,24 @@ std::vector<RunStatistic> reported_statistics() {
     return reported;
 }
 
-void Levels::estimate(const Raster& own, const Raster& half, double threshold) {
-    const Raster& depth = back().depth;
+/// @param own, half terrain on the finest cells and on half of them; empty: the DTM has no more detail
+std::vector<EstimatedValue> estimates_of(const std::vector<Level>& levels, const Raster& own, const Raster& half,
+                                         double threshold) {
+    const Raster& depth = levels.back().depth;
     const double detail = half.values.empty() ? 0
                                               : unseen_detail(ground_curvature(own, depth, threshold),
                                                               ground_curvature(half, depth, threshold));
-    std::vector<std::vector<Refinement>> values;
-    for (const RunStatistic& statistic : reported_statistics()) {
-        values.emplace_back();
-        for (const Level& level : *this) values.back().push_back({level.cell_size, statistic.of(level.statistics)});
-    }
-    convergence = grid_convergence(values, detail);
+    const std::vector<RunStatistic> statistics = reported_statistics();
+    std::vector<std::vector<Refinement>> values(statistics.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (const Level& level : levels) values[i].push_back({level.cell_size, statistics[i].of(level.statistics)});
+    const std::vector<GridConvergence> convergence = grid_convergence(values, detail);
+    std::vector<EstimatedValue> estimates;
+    for (std::size_t i = 0; i < values.size(); ++i) estimates.push_back({statistics[i], convergence[i]});
+    return estimates;
 }
 
-std::string csv_text(const Levels& levels) {
+std::string csv_text(const std::vector<Level>& levels) {
     std::string text = "cell_size_m,particles,steps,wall_seconds";
     for (const RunStatistic& name : reported_statistics()) text += std::string(",") + name.key;
     text += '\n';
@@ -132,7 +134,8 @@ std::string csv_text(const Levels& levels) {
     return text;
 }
 
-std::string study_json(const Levels& levels, const SceneSpec& spec) {
+std::string study_json(const std::vector<Level>& levels, const std::vector<EstimatedValue>& estimates,
+                       const SceneSpec& spec) {
     Json json{{"program", k_program},
               {"version", k_version},
               {"scene", spec.file},
@@ -140,9 +143,7 @@ std::string study_json(const Levels& levels, const SceneSpec& spec) {
     json["warnings"] = Json::array();
     for (const Level& level : levels)
         for (const std::string& warning : texts_of(level.warnings)) json["warnings"].push_back(warning);
-    const GridConvergence* estimate = levels.convergence.data();
-    for (const RunStatistic& name : reported_statistics()) {
-        const GridConvergence& c = *estimate++;
+    for (const auto& [name, c] : estimates) {
         json["statistics"][name.key] = {{"finest", name.of(levels.back().statistics)},
                                         {"trend", describe(c.trend)},
                                         {"observed_order", c.observed_order},
@@ -160,7 +161,7 @@ std::string decimals(double value, int digits) {
 }
 
 /// The table for the terminal, and the sentences stored for later runs.
-std::string table_text(const Levels& levels) {
+std::string table_text(const std::vector<Level>& levels) {
     std::vector<TextTable::Column> columns;
     for (const char* title : {"cell [m]", "particles", "steps", "engine [s]", "depth [m]", "depth 99.9 % [m]",
                               "velocity [m/s]", "velocity 99.9 % [m/s]", "area [m2]", "run-out [m]"})
@@ -175,11 +176,9 @@ std::string table_text(const Levels& levels) {
     return table.text(output_width());
 }
 
-std::string sentences(const Levels& levels) {
+std::string sentences(const std::vector<Level>& levels, const std::vector<EstimatedValue>& estimates) {
     std::string text;
-    const GridConvergence* estimate = levels.convergence.data();
-    for (const RunStatistic& name : reported_statistics()) {
-        const GridConvergence& c = *estimate++;
+    for (const auto& [name, c] : estimates) {
         text += std::string(name.title) + ' ' + number_text(name.of(levels.back().statistics)) + ' ' + name.unit +
                 ", estimated error " + number_text(c.error, 2) + ' ' + name.unit + " (" +
                 number_text(c.index_percent, 2) + " %; " + describe(c.trend);
@@ -193,7 +192,8 @@ std::string sentences(const Levels& levels) {
 }
 
 /// Difference of each level's values from their extrapolated values, relative to those, against the cell size.
-render::Image chart_of(const Levels& levels, const Words& words) {
+render::Image chart_of(const std::vector<Level>& levels, const std::vector<EstimatedValue>& estimates,
+                       const Words& words) {
     render::Chart chart{words("Convergence"),
                         words("distance from the extrapolated value, if there is one; otherwise from the finest"),
                         "",
@@ -201,9 +201,8 @@ render::Image chart_of(const Levels& levels, const Words& words) {
                         {},
                         true,
                         words};
-    const GridConvergence* estimate = levels.convergence.data();
-    for (const RunStatistic& name : reported_statistics()) {
-        const double limit = (estimate++)->extrapolated;
+    for (const auto& [name, convergence] : estimates) {
+        const double limit = convergence.extrapolated;
         render::ChartSeries series{words("this scene"), {0, 90, 181}, {}};
         series.marker = render::Marker::circle;
         for (const Level& level : levels) {
@@ -308,14 +307,14 @@ int cmd_converge(const Arguments& arguments) {
         half = variants.read({"terrain.cell-size=" + shortest_text(finest / 2)}).scene.terrain;
 
     catch_stop_signals();
-    Levels levels;
+    std::vector<Level> levels;
     Raster own;
     for (; !scenes.empty(); scenes.pop_back()) {  // the coarsest is the last
         levels.push_back(run_level(scenes.back(), variants));
         if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
         own = std::move(scenes.back().scene.terrain);
     }
-    levels.estimate(own, half, spec.output.trace_threshold);
+    const std::vector<EstimatedValue> estimates = estimates_of(levels, own, half, spec.output.trace_threshold);
 
     RunLog log(quiet);
     for (const Level& level : levels)
@@ -323,7 +322,7 @@ int cmd_converge(const Arguments& arguments) {
     begin_own(folder.string(), files_of(folder));
     std::vector<Raster> depths;
     for (Level& level : levels) depths.push_back(std::move(level.depth));
-    const std::string text = sentences(levels);
+    const std::string text = sentences(levels, estimates);
     const ResultRaster& row = *find_result_raster(k_uncertainty);
     const Words words = words_of(spec);
     const std::string raster = (folder / k_uncertainty).string() + ".tif";
@@ -336,10 +335,10 @@ int cmd_converge(const Arguments& arguments) {
     const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
     gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
                       gis::StyleKind::classed, words(row.title));
-    render::write_png((folder / k_chart).string(), chart_of(levels, words));
+    render::write_png((folder / k_chart).string(), chart_of(levels, estimates, words));
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, text);
-    write_text_file((folder / k_study).string(), study_json(levels, spec));
+    write_text_file((folder / k_study).string(), study_json(levels, estimates, spec));
     record_files(files_of(folder));
     const std::string report = renewed_report(folder, spec, finest);
     if (values->count("json") > 0) {
@@ -347,7 +346,7 @@ int cmd_converge(const Arguments& arguments) {
         document["folder"] = folder.string();
         document["files"] = files_of(folder);
         if (!report.empty()) document["files"].push_back(report);
-        document["convergence"] = Json::parse(study_json(levels, spec));
+        document["convergence"] = Json::parse(study_json(levels, estimates, spec));
         document["levels"] = rows_of(csv_text(levels));
         print_document(document);
     } else {

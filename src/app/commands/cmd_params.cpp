@@ -78,11 +78,11 @@ namespace {
 Json scheme_json(const HazardScheme& scheme) {
     Json json{{"name", scheme.name},
               {"title", scheme.called},
-              {"classes_are", scheme.heading == k_intensity_title ? "intensities" : "zones"},
+              {"classes_are", scheme.has_zones() ? "zones" : "intensities"},
               {"source", scheme.named_source},
-              {"source_read", !scheme.quote.empty()},
-              {"quote", scheme.quote.empty() ? Json() : Json(scheme.quote)},
-              {"read_at", scheme.quote.empty() ? Json() : Json(scheme.read_at)},
+              {"source_read", scheme.is_source_read()},
+              {"quote", scheme.is_source_read() ? Json(scheme.quote) : Json()},
+              {"read_at", scheme.is_source_read() ? Json(scheme.read_at) : Json()},
               {"return_periods", scheme.periods},
               {"degree_of_hazard", scheme.matrix.has_value()},
               {"classes", Json::array()}};
@@ -96,14 +96,14 @@ Json scheme_json(const HazardScheme& scheme) {
 
 std::string scheme_text(const HazardScheme& scheme) {
     std::ostringstream text;
-    text << scheme.name << "\n  " << scheme.called << "; "
-         << (scheme.heading == k_intensity_title ? "intensities" : "zones") << " of scenarios";
+    text << scheme.name << "\n  " << scheme.called << "; " << (scheme.has_zones() ? "zones" : "intensities")
+         << " of scenarios";
     std::vector<std::string> periods;
     for (const double period : scheme.periods) periods.push_back(shortest_text(period));
     if (!periods.empty()) text << " of " << joined(periods, ", ") << " years";
     text << "\n  Source: " << scheme.named_source << '\n';
-    if (scheme.quote.empty())
-        text << "  Customary limits, source not read\n";
+    if (!scheme.is_source_read())
+        text << "  " << scheme.source << '\n';
     else
         text << "  Words read: \"" << scheme.quote << "\", " << scheme.read_at << '\n';
     for (const HazardClass& kind : scheme.classes) text << "  " << kind.value << "  " << kind.label() << '\n';

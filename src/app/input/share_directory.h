@@ -6,8 +6,7 @@
 namespace frana::app {
 
 /// Returns the folder with materials, hazard schemes and examples: $FRANA_SHARE, else share/frana beside the program
-/// (in a build) or
-/// ../share/frana from there (installed). Throws Error(environment) if none of them exists.
+/// (in a build) or ../share/frana from there (installed). Throws Error(environment) if none of them exists.
 std::string share_directory();
 
 /// Returns its folder of material presets.

@@ -93,7 +93,7 @@ std::optional<HazardScheme> hazard_scheme_of(const SceneSpec& scene) {
 std::vector<std::string> intensity_limits(const HazardScheme& scheme) {
     std::vector<std::string> lines{scheme.minimum_label()};
     for (const HazardClass& kind : scheme.classes) lines.push_back(intensity_name(kind.value) + ": " + kind.thresholds);
-    if (scheme.source == k_source_not_read) lines.push_back(scheme.source);
+    if (!scheme.is_source_read()) lines.push_back(scheme.source);
     return lines;
 }
 

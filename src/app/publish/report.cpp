@@ -255,7 +255,7 @@ namespace fs = std::filesystem;
 
 std::string hazard_heading(const SceneSpec& spec, const Words& words) {
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
-    return scheme && scheme->heading != k_intensity_title ? words(scheme->heading) : words("Intensity classes");
+    return scheme && scheme->has_zones() ? words(scheme->heading) : words("Intensity classes");
 }
 
 Figure figure_of(const ReportMap& map) {

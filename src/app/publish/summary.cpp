@@ -257,7 +257,7 @@ void add_hazard(Json& json, const SummaryFacts& facts) {
         json["hazard_scheme"] = {{"name", scheme->name},
                                  {"title", scheme->called},
                                  {"source", scheme->source},
-                                 {"source_read", scheme->source != k_source_not_read}};
+                                 {"source_read", scheme->is_source_read()}};
     for (const HazardArea& area : facts.hazard)
         json["hazard"].push_back({{"class", area.kind.value},
                                   {"label", area.kind.name},

@@ -141,8 +141,8 @@ void push_on_nodes(Step& now) {
     if (!now.solids()) return;
     State& state = now.state;
     over_solid_tiles(state, now.pool, [&](const NodeRange& range) {
-        push_solids(range, now.report.dt, state.grid, now.laws.solid, now.laws.coupling, state.solid->nodes,
-                    state.fluid.get());
+        push_solids(range, now.report.dt, state.grid, now.laws.solid, now.laws.coupling, now.laws.fluid,
+                    state.solid->nodes, state.fluid.get());
     });
 }
 

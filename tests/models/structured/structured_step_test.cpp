@@ -137,8 +137,8 @@ TEST(Coupling, ExchangesMomentum) {
     constexpr double dt = 0.2;
     const SolidNodes& nodes = state.solid->nodes;
     for (const std::int64_t tile : nodes.tiles)
-        push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes,
-                    state.fluid.get());
+        push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, c.laws.fluid,
+                    state.solid->nodes, state.fluid.get());
     ParticleSet& p = state.solid->particles;
     state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
     double gained = 0;
@@ -180,7 +180,7 @@ TEST(Coupling, ExchangesMomentumUnderGravity) {
         constexpr double dt = 0.2;
         const SolidNodes& nodes = state.solid->nodes;
         for (const std::int64_t tile : nodes.tiles)
-            push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling,
+            push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, c.laws.fluid,
                         state.solid->nodes, state.fluid.get());
         ParticleSet& p = state.solid->particles;
         state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
@@ -280,7 +280,7 @@ TEST(Coupling, TheBedSlowsTheColumnAsOne) {
     c.material.solid_fraction = 0.5;
     c.material.grain_density = 2400;
     c.material.bed_friction = c.material.cohesion = 0;
-    c.laws.fluid.manning = c.laws.coupling.column_manning = manning;
+    c.laws.fluid.manning = manning;
     c.laws.fluid.manning_on_total = true;
     c.fill(20, 0, 240, 60, [](Point) { return bench::Seed{2 * height, speed, 0}; });
     State state = c.start(flat(120, 20, 2), pool, true);
@@ -419,7 +419,7 @@ TEST(Coupling, DragRelaxes) {
             constexpr double dt = 0.4;
             for (const std::int64_t tile : state.solid->nodes.tiles)
                 push_solids({tile, state.solid->nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling,
-                            state.solid->nodes, state.fluid.get());
+                            c.laws.fluid, state.solid->nodes, state.fluid.get());
             SolidSums& sums = state.solid->nodes.sums[middle];
             sums.px += dt * sums.mass * state.solid->nodes.push[middle].ax;
             w *= exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * w * dt);

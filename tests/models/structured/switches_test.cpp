@@ -118,7 +118,7 @@ struct Sheet {
     double push(double dt) {
         const SolidNodes& nodes = state->solid->nodes;
         for (const std::int64_t tile : nodes.tiles)
-            push_solids({tile, nodes.grid, state->grid}, dt, state->grid, c.laws.solid, c.laws.coupling,
+            push_solids({tile, nodes.grid, state->grid}, dt, state->grid, c.laws.solid, c.laws.coupling, c.laws.fluid,
                         state->solid->nodes, state->fluid.get());
         return state->solid->nodes.push[middle].ax;
     }

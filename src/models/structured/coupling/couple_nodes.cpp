@@ -36,13 +36,14 @@ Point surface_gradient(const NodeGrid& grid, const SolidNodes& nodes, const Flui
 
 // Solids under fluid: buoyancy, then virtual mass and drag. Returns the total acceleration of the solids.
 Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity, double flat, Point slope, Point push,
-                 const CouplingLaws& laws, SolidNodes& nodes, FluidState& fluid) {
+                 const CouplingLaws& laws, const FluidLaws& bed, SolidNodes& nodes, FluidState& fluid) {
     const SolidSums& sums = nodes.sums[n];
     const CouplingSums& more = nodes.coupling[n];
     const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
     CellPhases cell;
     cell.free = fluid.now.depth[n];
-    const double filled = cell.free < nodes.pores[n] ? cell.free / nodes.pores[n] : 1;
+    const SolidsOnGrid solid = fluid_inputs(nodes);
+    const double filled = filled_pores(solid, n, cell.free);
     nodes.push[n].submergence = filled;
     if (!(cell.free > laws.dry)) return push;
     const Point surface = surface_gradient(grid, nodes, fluid, laws.dry, n);
@@ -60,11 +61,10 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     cell.friction = more.friction * inverse_area * flat;
     cell.coupled_velocity = {sums.px / sums.mass, sums.py / sums.mass};
     cell.free_velocity = {fluid.now.qx[n] / cell.free, fluid.now.qy[n] / cell.free};
-    if (laws.column_manning > 0) {
+    if (bed.manning_on_total) {
         const double u = cell.coupled_velocity.x(), v = cell.coupled_velocity.y();
         const double speed = speed_along_bed(u, v, flat < 1 ? slope.x * u + slope.y * v : 0);
-        const double braked = column_resistance(dt * gravity, laws.column_manning, density, fluid_inputs(nodes), n,
-                                                cell.free, std::sqrt(flat));
+        const double braked = dt * column_resistance(bed, solid, n, cell.free, std::sqrt(flat));
         const double taken = (1 - 1 / implicit_divisor(speed, 1.0, braked)) / dt;
         push.x -= taken * u;
         push.y -= taken * v;
@@ -103,7 +103,7 @@ void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidSt
 }
 
 void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const SolidLaws& laws,
-                 const CouplingLaws& coupling, SolidNodes& nodes, FluidState* fluid) {
+                 const CouplingLaws& coupling, const FluidLaws& bed, SolidNodes& nodes, FluidState* fluid) {
     const std::int64_t last_column = grid.stride() - 1, last_row = grid.padded_rows() - 1;
     range.for_each(grid.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
         if (i < 1 || j < 1 || i >= last_column || j >= last_row) return;  // a gradient needs the nodes beside
@@ -114,7 +114,7 @@ void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const 
         Point push{flat * (sums.fx / sums.mass - laws.gravity * slope.x),
                    flat * (sums.fy / sums.mass - laws.gravity * slope.y)};
         nodes.push[n] = {0, 0, flatness, 0};
-        if (fluid) push = with_fluid(n, dt, grid, laws.gravity, flat, slope, push, coupling, nodes, *fluid);
+        if (fluid) push = with_fluid(n, dt, grid, laws.gravity, flat, slope, push, coupling, bed, nodes, *fluid);
         nodes.push[n].ax = push.x;
         nodes.push[n].ay = push.y;
     });

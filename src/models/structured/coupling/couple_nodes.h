@@ -16,9 +16,10 @@ SolidsOnGrid fluid_inputs(const SolidNodes& nodes);
 void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
 
 /// Forces on the solids at the nodes of one of their tiles: terrain and thrust; with fluid, buoyancy, virtual mass
-/// and drag, whose reactions change the fluid's discharge.
+/// and drag, whose reactions change the fluid's discharge, and the bed's resistance to the column.
+/// @param bed its resistance
 /// @param fluid null: none
 void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const SolidLaws& laws,
-                 const CouplingLaws& coupling, SolidNodes& nodes, FluidState* fluid);
+                 const CouplingLaws& coupling, const FluidLaws& bed, SolidNodes& nodes, FluidState* fluid);
 
 }  // namespace frana::structured

@@ -176,9 +176,8 @@ struct CouplingLaws {
     bool drags = true;
     Drag drag;
     VirtualMass virtual_mass;
-    double block_size = 0;      ///< d_sc of the structured part [m]; 0: the local depth
-    double dry = k_dry_depth;   ///< least depth of free fluid that counts as fluid [m]
-    double column_manning = 0;  ///< n of the bed's resistance to solids and fluid as one column; 0: to the fluid alone
+    double block_size = 0;     ///< d_sc of the structured part [m]; 0: the local depth
+    double dry = k_dry_depth;  ///< least depth of free fluid that counts as fluid [m]
 };
 
 /// Solids and free fluid of one cell, per unit area in map view.

@@ -77,7 +77,7 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
         if (laws.manning_on_total && solid_depth > 0 && speed > 0) {
             // The solids' velocity along the fluid's, as a part of it; over solids at rest the fluid has its own depth.
             const double along = (u * solid.u[cell] + v * solid.v[cell]) / (u * u + v * v);
-            const double both = column_resistance(dt * laws.gravity, laws.manning, laws.density, solid, cell, h, flat);
+            const double both = dt * column_resistance(laws, solid, cell, h, flat);
             if (along > 0) kept = speed_over_solids(speed, b, both, own - both, along * speed) / speed;
         }
         fields.qx[cell] = h * u * kept;

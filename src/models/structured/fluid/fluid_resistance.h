@@ -18,6 +18,11 @@ bool has_viscosity(const FluidLaws& laws);
 /// share/doc/structured.md, "Free fluid").
 double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcept;
 
+/// Fraction of the pores of a cell's solids that free fluid h_u [m] fills.
+inline double filled_pores(const SolidsOnGrid& solid, std::size_t cell, double free) noexcept {
+    return free < solid.pores[cell] ? free / solid.pores[cell] : 1;
+}
+
 /// Manning's resistance of solids and fluid as one column, which both feel alike [1/m] (ours):
 ///
 ///     k rho_u g n^2 / d^(1/3) / (m_c + rho_u h_u),   k = (1 - f_sc) min(1, h_u / h_pores),   d = (h_u + h_c) cos
@@ -26,12 +31,11 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
 /// and loose solids as far as free fluid fills their pores.
 /// @param free h_u [m]
 /// @param flatness cosine of the bed's slope
-inline double column_resistance(double gravity, double manning, double density, const SolidsOnGrid& solid,
-                                std::size_t cell, double free, double flatness) noexcept {
+inline double column_resistance(const FluidLaws& laws, const SolidsOnGrid& solid, std::size_t cell, double free,
+                                double flatness) noexcept {
     const double total = free + solid.depth[cell];
-    const double filled = free < solid.pores[cell] ? free / solid.pores[cell] : 1;
-    return manning_resistance(gravity, manning, total * flatness) * density * total * (1 - solid.structured[cell]) *
-           filled / (solid.mass[cell] + density * free);
+    return manning_resistance(laws.gravity, laws.manning, total * flatness) * laws.density * total *
+           (1 - solid.structured[cell]) * filled_pores(solid, cell, free) / (solid.mass[cell] + laws.density * free);
 }
 
 /// Bed resistance in one tile over dt, fully implicit, so that it slows, never reverses, and steady flow is exact:

@@ -51,7 +51,7 @@ struct FluidLaws {
     double manning = 0;                   ///< n [s/m^(1/3)]
     /// R_n by depth and mass of solids and fluid together (paper, equation 46) as far as they move together; in excess
     /// of the solids' velocity by the fluid's own (ours: a film is braked by the block that it runs over). Needs
-    /// SolidsOnGrid::u, mass. The solids' part: CouplingLaws::column_manning.
+    /// SolidsOnGrid::u, mass.
     bool manning_on_total = false;
     double density = k_fluid_density;  ///< rho_u [kg/m3]
     double viscosity = 0;              ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
