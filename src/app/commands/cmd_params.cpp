@@ -103,7 +103,7 @@ std::string scheme_text(const HazardScheme& scheme) {
     if (!periods.empty()) text << " of " << joined(periods, ", ") << " years";
     text << "\n  Source: " << scheme.named_source << '\n';
     if (!scheme.is_source_read())
-        text << "  " << scheme.source << '\n';
+        text << "  Customary limits, source not read\n";
     else
         text << "  Words read: \"" << scheme.quote << "\", " << scheme.read_at << '\n';
     for (const HazardClass& kind : scheme.classes) text << "  " << kind.value << "  " << kind.label() << '\n';
