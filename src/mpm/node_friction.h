@@ -19,7 +19,8 @@ struct NodeUpdate {
     double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
     double effective_fraction = 1;        ///< 1 - r_u: effective fraction of the normal stress under pore pressure [-]
     double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
-    bool change_only = false;             ///< particles take the change of the velocity (FLIP), not the velocity
+    double kept = 0;                      ///< share of its own velocity that a particle keeps in a step: nodes return
+                                          ///< theirs without it (PIC and APIC: 0, FLIP: 1)
     bool wall = false;                    ///< ghost nodes mirror those inside
     Point* gathered = nullptr;            ///< padded, if recorded: velocity in map view before the update [m/s]
     double drift = 0;                     ///< over which the particles then move [s]

@@ -43,7 +43,7 @@ struct alignas(64) NodeForces {
 /// Results that the particles gather; kept until the node is cleared.
 struct alignas(64) NodeMotion {
     double u, v;            ///< velocity in map view [m/s]
-    double back_u, back_v;  ///< velocity, along the bed if particles carry it so, or, with FLIP, its change [m/s]
+    double back_u, back_v;  ///< velocity, along the bed if particles carry it so, without NodeUpdate::kept [m/s]
     double mass;            ///< [m3]
     double fraction;        ///< of the cell that the particles claim, phi [-]
     double climb;           ///< v . grad Z [m/s], only with curvature

@@ -9,15 +9,13 @@
 
 namespace frana {
 
-/// Transfer of velocity from the nodes to the particles (paper, equations 33-34).
+/// Transfer of velocity from the nodes to the particles (paper, equations 33-34). FLIP is PIC with NodeUpdate::kept
+/// = 1.
 struct PicTransfer {
-    static constexpr bool affine = false, increment = false;
-};
-struct FlipTransfer {
-    static constexpr bool affine = false, increment = true;
+    static constexpr bool affine = false;
 };
 struct ApicTransfer {
-    static constexpr bool affine = true, increment = false;
+    static constexpr bool affine = true;
 };
 
 /// Returns the second difference of the nodal velocity, u from column to column, v from row to row.
@@ -61,7 +59,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     // For the splines the inverse of the second moment; for hat functions the affine part is the gradient itself (Jiang
     // et al. 2015).
     const double inverse_moment = Shape::width == 3 ? 4 * grid.inverse_dx * grid.inverse_dx : 1;
-    ParticleSweep<double, affine, Transfer::increment, Stress, Relaxed, FollowsBed, shifts> update{
+    ParticleSweep<double, affine, Stress, Relaxed, FollowsBed, shifts> update{
         k, stress, nodes, particles, inverse_moment, solid_near(nodes, particles, tile.begin, tile.end)};
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {

@@ -175,6 +175,7 @@ struct ParticleUpdate {
     Point origin;            ///< release centroid, for the front distance, local metres
     double pull = 0;         ///< gravity times the duration of the forces [m/s]; for velocities along the bed
     double shift = 0;        ///< particle shifting: s of shifting.h, 0 in steps without it
+    double kept = 0;         ///< share of its own velocity that a particle keeps: NodeUpdate::kept
     BedSlopes slopes{};      ///< by pressure_to_nodes, when gravity acted; for velocities along the bed
 };
 
@@ -209,7 +210,7 @@ struct Gathered {
     Number cell_depth, fraction, climb, support;  // as in NodeMotion
     Number depth_x, depth_y, fraction_x, fraction_y,
         least;                      // for shifting: gradients of the first two; least fraction of any node
-    Number u, v, back_u, back_v;    // nodal velocity in map view; velocity that the particles take over
+    Number u, v, back_u, back_v;    // nodal velocity in map view; what the particles take over
     Number u_x, u_y, v_x, v_y;      // gradient of the former
     Number m_xx, m_xy, m_yx, m_yy;  // first moments of the latter (hat functions: its gradient)
     Number bed_x, bed_y;            // gradient of the bed, through the splines
@@ -264,9 +265,9 @@ struct Gathered {
     return any != 0;
 }
 
-/// The part of nodes_to_particles (mpm/nodes_to_particles.h) after the gather, for one particle or for four. Affine,
-/// Increment: of the transfer. Shifts: whether ParticleUpdate::shift may be other than 0.
-template <class Number, bool Affine, bool Increment, class Stress, bool Relaxed, bool FollowsBed, bool Shifts>
+/// The part of nodes_to_particles (mpm/nodes_to_particles.h) after the gather, for one particle or for four. Affine: of
+/// the transfer. Shifts: whether ParticleUpdate::shift may be other than 0.
+template <class Number, bool Affine, class Stress, bool Relaxed, bool FollowsBed, bool Shifts>
 struct ParticleSweep {
     using L = Lanes<Number>;
     using Mask = typename L::Mask;
@@ -310,13 +311,28 @@ struct ParticleSweep {
         const Number mass = L::load(volume + p, n), old_area = L::load(area + p, n);
         const double cell_area = grid.dx * grid.dx, courant = k.dt * grid.inverse_dx;
         const Number support = min(Number(1.0), g.support), held = max(Number(0.0), g.support - 1);
+        Number back_u = g.back_u, back_v = g.back_v;
+        Gradient<Number> c{d * g.m_xx, d * g.m_xy, d * g.m_yx, d * g.m_yy};
+        if (k.kept != 0) {
+            const auto add = [&](const double *from, Number &to) __attribute__((always_inline)) {
+                to += k.kept * L::load(from + p, n);
+            };
+            add(u, back_u);
+            add(v, back_v);
+            if constexpr (Affine) {
+                add(c_xx, c.xx);
+                add(c_xy, c.xy);
+                add(c_yx, c.yx);
+                add(c_yy, c.yy);
+            }
+        }
+        const Gradient<Number> whole = c;
         if constexpr (Affine) {
-            Gradient<Number> c{d * g.m_xx, d * g.m_xy, d * g.m_yx, d * g.m_yy};
             if constexpr (Relaxed) {
                 Number bound2 = (k_front_shear * k_front_shear * k.gravity) * mass / old_area;
                 if constexpr (FollowsBed) {  // in terms of velocities in map view
                     const Number speed2 = g.u * g.u + g.v * g.v;
-                    bound2 = select(speed2 > 0, bound2 * (g.back_u * g.back_u + g.back_v * g.back_v) / speed2, bound2);
+                    bound2 = select(speed2 > 0, bound2 * (back_u * back_u + back_v * back_v) / speed2, bound2);
                 }
                 c = bounded_at_front(c, support, grid.dx, bound2);
             }
@@ -325,14 +341,9 @@ struct ParticleSweep {
             L::store(c.yx, c_yx + p, n);
             L::store(c.yy, c_yy + p, n);
         }
-        Number back_u = g.back_u, back_v = g.back_v;
-        if constexpr (Increment) {
-            back_u = L::load(u + p, n) + back_u;
-            back_v = L::load(v + p, n) + back_v;
-        }
         if constexpr (FollowsBed && Relaxed) {
             const Number root = sqrt(1 + g.bed_x * g.bed_x + g.bed_y * g.bed_y);
-            const auto driven = in_map<Number>(d * (g.m_xx * g.u + g.m_xy * g.v), d * (g.m_yx * g.u + g.m_yy * g.v),
+            const auto driven = in_map<Number>(whole.xx * g.u + whole.xy * g.v, whole.yx * g.u + whole.yy * g.v,
                                                g.bed_x, g.bed_y, root);
             const double half = 0.5 * k.dt;
             const Number mean_u = g.u - half * (g.u_x * g.u + g.u_y * g.v - driven.x),

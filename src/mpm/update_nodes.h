@@ -351,10 +351,10 @@ struct NodeSweep {
             climb = after.x * in.bed.slope_x + after.y * in.bed.slope_y;
             way = velocity_underway<Number>(in.bed.curvature, frame, in.follows * k.drift, after);
         }
-        if (k.change_only) {
+        if (k.kept != 0) {
             MapVector<Number> before = old;
             if constexpr (Slope::curved) before = frame.along_bed(old.x, old.y);
-            back = {back.x - before.x, back.y - before.y};
+            back = {back.x - k.kept * before.x, back.y - k.kept * before.y};
         }
         for (std::size_t l = 0; k.gathered != nullptr && l < count; ++l) {
             const auto lane = static_cast<int>(l);

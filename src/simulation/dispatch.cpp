@@ -54,7 +54,6 @@ void choose_transfer(const ChosenStress& stress, Stages& stages) {
     stages.particles_to_nodes = stages.references ? particles_to_nodes<Shape, Transfer::affine, true>
                                                   : particles_to_nodes<Shape, Transfer::affine, false>;
     std::visit([&]<class Stress>(const Stress&) { choose_update<Shape, Transfer, Stress, Relaxed>(stages); }, stress);
-    stages.change_only = Transfer::increment;
     if (Transfer::affine) stages.fields = stages.fields | k_affine_fields;
 }
 
@@ -68,9 +67,8 @@ void choose_scheme(Transfer transfer, const ChosenStress& law, Stages& stages) {
     if (stress) stages.fields = stages.fields | k_stress_fields;
     switch (transfer) {
         case Transfer::pic:
-            return choose_transfer<Shape, Relaxed, PicTransfer>(law, stages);
         case Transfer::flip:
-            return choose_transfer<Shape, Relaxed, FlipTransfer>(law, stages);
+            return choose_transfer<Shape, Relaxed, PicTransfer>(law, stages);
         case Transfer::automatic:  // resolved before
         case Transfer::apic:
             return choose_transfer<Shape, Relaxed, ApicTransfer>(law, stages);
@@ -114,11 +112,16 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
         stages.references = well_balanced(numerics);
         stages.leapfrog = true;
         choose_scheme<QuadraticSplineShape, true>(transfer, stress, stages);
+        // APIC takes from the particles in a step what no linear velocity about a node holds. Shorter steps would take
+        // it more often: they take a part, so that the same is taken in the same time.
+        if (transfer == Transfer::apic)
+            stages.kept = std::max(0.0, 1 - courant_number(numerics, material) / default_courant(true));
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
         stages.flies = flight(numerics);
         if (stages.flies) stages.fields = stages.fields | FieldMask{Field::flown};
     }
+    if (transfer == Transfer::flip) stages.kept = 1;
     const bool summed = sums_friction(material, zones, entrainment);
     choose_node_stages(numerics, summed, stages);
     choose_exchange(entrainment, numerics, stages);

@@ -30,7 +30,7 @@ struct Stages {
     bool resamples = false;    ///< particles split and merge
     bool flies = false;        ///< particles leave a bed that falls away faster than free fall (Flights)
     bool follows_bed = false;  ///< particles carry the velocity along the bed (Curved), otherwise in map view
-    bool change_only = false;  ///< nodes return the change of the velocity, otherwise the velocity
+    double kept = 0;           ///< share of their own velocity that particles keep in a step
     FieldMask fields;          ///< fields of the particles for all of this
 };
 

@@ -125,7 +125,7 @@ void bed_resistance(Step& now) {
     const Laws& laws = now.laws;
     now.nodes = {now.kick, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
     now.nodes.moving_speed = laws.moving_speed;
-    now.nodes.change_only = now.stages.change_only;
+    now.nodes.kept = now.stages.kept;
     now.nodes.wall = laws.wall;
     now.nodes.drift = now.drift;
     if (state.gathered.size() != 0) now.nodes.gathered = state.gathered.data();
@@ -197,6 +197,7 @@ void nodes_to_particles(Step& now) {
                           laws.wall,
                           laws.origin,
                           laws.gravity * now.kick};
+    update.kept = now.stages.kept;
     update.slopes = {state.slope_x.data(), state.slope_y.data()};
     if (shifts_now(state, now.stages)) update.shift = k_shift;
     const auto& tiles = state.order.tiles();

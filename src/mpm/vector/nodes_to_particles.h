@@ -130,7 +130,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
     const NodeScale grid = nodes.scale();
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const double inverse_moment = 4 * grid.inverse_dx * grid.inverse_dx;
-    ParticleSweep<Quad, true, false, Stress, true, FollowsBed, Shifts> update{
+    ParticleSweep<Quad, true, Stress, true, FollowsBed, Shifts> update{
         k, stress, nodes, particles, inverse_moment, solid_near(nodes, particles, tile.begin, tile.end)};
     for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {
         const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);

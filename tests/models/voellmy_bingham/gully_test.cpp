@@ -117,5 +117,45 @@ TEST_P(Surge, ClimbsNoHigherThanItFell) {
 INSTANTIATE_TEST_SUITE_P(Valleys, Surge,
                          testing::Combine(testing::Values(30.0, 60.0), testing::Values(20.0, 40.0, 50.0, 60.0)));
 
+/// 99 % of the greatest speeds of an avalanche in a gully of 30 degrees between walls of 35, on cells of 10 m [m/s].
+/// @param waves height of waves of 50 m along the bed, across and oblique to it [m]
+double speed_in_gully(double cfl, double waves) {
+    const double fall = std::tan(30 * k_degree), wall = std::tan(35 * k_degree), k = 2 * M_PI / 50;
+    const Raster bed = bench::sample_raster(bench::plain_grid(110, 40, 10), [=](Point p) {
+        const double across = p.y - 200;
+        return (1100 - p.x) * fall + std::sqrt(across * across + 15 * 15) * wall +
+               waves * (std::sin(k * p.x) + std::sin(k * p.y) + std::sin(k * (0.8 * p.x + 0.6 * p.y)));
+    });
+    const ParticleSet seeds = bench::fill_lattice(bed.grid, 2, 0, [](Point p) {
+        return bench::Seed{p.x > 60 && p.x < 260 && std::abs(p.y - 200) < 60 ? 2.5 : 0};
+    });
+    Material material = dry_friction(std::atan(0.2) / k_degree);
+    material.turbulence = 2000;
+    Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open);
+    how.cfl = cfl;
+    how.flight = false;
+    Flow flow(bed, seeds, material, how, 1);
+    flow.advance_to(26);
+    std::vector<double> speeds;
+    for (std::size_t i = 0; i < flow.maxima().speed.size(); ++i)
+        if (flow.maxima().depth.data()[i] > 0.3) speeds.push_back(flow.maxima().speed.data()[i]);
+    EXPECT_GT(speeds.size(), 500);
+    const auto place = speeds.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(speeds.size()));
+    std::nth_element(speeds.begin(), place, speeds.end());
+    return *place;
+}
+
+class SpeedInGully : public testing::TestWithParam<double> {};
+
+// 1 % is what other terms of the step leave. With APIC's whole filter in every step a quarter of the step takes 2.6 % of
+// the speed, 2.0 % over waves.
+TEST_P(SpeedInGully, DoesNotDependOnTheStep) {
+    const double speed = speed_in_gully(0.8, GetParam());
+    EXPECT_NEAR(speed_in_gully(0.4, GetParam()), speed, 0.01 * speed);
+    EXPECT_NEAR(speed_in_gully(0.2, GetParam()), speed, 0.01 * speed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Waves, SpeedInGully, testing::Values(0.0, 0.7));
+
 }  // namespace
 }  // namespace frana::test
