@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
+#include <iomanip>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,44 @@ TEST_F(Readme, ItsFirstSceneRunsUnchanged) {
                                "output.maps=off", "--set", "output.animation=off"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_TRUE(fs::exists(folder_ / "my-slope/results/my-slope/max_depth.tif"));
+}
+
+using Tutorial = TinyScene;
+
+// In their order, with the files that the page writes ("```ini FILE"). Five seconds of the flow and sixteen runs are
+// enough to show that each command takes what the one before it left.
+TEST_F(Tutorial, EachOfItsCommandsRuns) {
+    fs::create_directory_symlink(FRANA_SOURCE_DIR "/sample_data", folder_ / "sample_data");
+    const std::string opening = "```ini ", command = "    frana ";
+    std::istringstream page(document("share/doc/tutorial.md"));
+    int commands = 0, shortened = 0;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with(opening)) {
+            const std::string file = line.substr(opening.size());
+            std::string text;
+            while (std::getline(page, line) && line != "```") {
+                const std::string whole = line;
+                if (line == "end = 900") line = "end = 5";
+                if (line == "samples = 64") line = "samples = 16";
+                shortened += line != whole ? 1 : 0;
+                text += line + "\n";
+            }
+            write(file, text);
+        }
+        if (!line.starts_with(command)) continue;
+        std::istringstream rest(line.substr(command.size()));
+        std::vector<std::string> words;
+        for (std::string word; rest >> std::quoted(word);) words.push_back(word);
+        const Outcome outcome = frana(words);
+        ASSERT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
+        ++commands;
+    }
+    EXPECT_EQ(shortened, 2);
+    EXPECT_GE(commands, 8);
+    for (const char* made :
+         {"slope/results/slope/report.html", "slope/results/range/report.html", "slope/results/slope/comparison.json",
+          "slope/sheets/max_depth.pdf", "slope/range-sheets/probability_depth_0.5.pdf"})
+        EXPECT_TRUE(fs::exists(folder_ / made)) << made;
 }
 
 TEST(Documents, LinkOnlyToExistingFiles) {
