@@ -40,7 +40,9 @@ TEST_P(Example, LeadsFromTheRawFilesToTheReportInAtMostFifteenLines) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Example,
                          ::testing::Values(std::pair{"wa_s1000.ini", "wa_s1000_2021"},
                                            std::pair{"realtopo.ini", "iseesnow"},
-                                           std::pair{"colima.ini", "colima_titan2d"}),
+                                           std::pair{"colima.ini", "colima_titan2d"},
+                                           std::pair{"lavangsdalen.ini", "lavangsdalen"},
+                                           std::pair{"massmov2d.ini", "massmov2d_sample"}),
                          [](const auto& tested) {
                              const std::string name = tested.param.first;
                              return name.substr(0, name.find('.'));
