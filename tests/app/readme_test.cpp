@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
+#include <iomanip>
+#include <map>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -38,6 +41,46 @@ TEST_F(Readme, ItsFirstSceneRunsUnchanged) {
                                "output.maps=off", "--set", "output.animation=off"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_TRUE(fs::exists(folder_ / "my-slope/results/my-slope/max_depth.tif"));
+}
+
+using Tutorial = TinyScene;
+
+// In their order, with the files that the page writes ("```ini FILE"). Two seconds of the flow on larger cells, few
+// runs and pictures of half the size are enough to show that each command takes what the one before it left.
+TEST_F(Tutorial, EachOfItsCommandsRuns) {
+    const std::map<std::string, std::string> shorter{
+        {"end = 900", "end = 2"},
+        {"cell-size = 5", "cell-size = 20"},
+        {"samples = 64", "samples = 16"},
+        {"title = Bindo, scenario 1", "maps = off\nanimation = off\ncharts = off\nframes = off"}};
+    fs::create_directory_symlink(FRANA_SOURCE_DIR "/sample_data", folder_ / "sample_data");
+    const std::string opening = "```ini ", command = "    frana ";
+    std::istringstream page(document("share/doc/tutorial.md"));
+    std::size_t commands = 0, shortened = 0;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with(opening)) {
+            const std::string file = line.substr(opening.size());
+            std::string text;
+            while (std::getline(page, line) && line != "```") {
+                const auto found = shorter.find(line);
+                shortened += found == shorter.end() ? 0 : 1;
+                text += (found == shorter.end() ? line : found->second) + "\n";
+            }
+            write(file, text);
+        }
+        if (!line.starts_with(command)) continue;
+        std::istringstream rest(std::regex_replace(line.substr(command.size()), std::regex("@300"), "@150"));
+        std::vector<std::string> words;
+        for (std::string word; rest >> std::quoted(word);) words.push_back(word);
+        const Outcome outcome = frana(words);
+        ASSERT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
+        ++commands;
+    }
+    EXPECT_EQ(shortened, shorter.size());
+    EXPECT_GE(commands, 8U);
+    for (const char* made : {"results/slope/report.html", "results/range/report.html", "results/slope/comparison.json",
+                             "sheets/max_depth.pdf", "sheets/hazard.pdf", "range-sheets/probability_depth_0.5.pdf"})
+        EXPECT_TRUE(fs::exists(folder_ / "slope" / made)) << made;
 }
 
 TEST(Documents, LinkOnlyToExistingFiles) {

@@ -27,7 +27,7 @@ TEST_P(Example, LeadsFromTheRawFilesToTheReportInAtMostFifteenLines) {
     EXPECT_LE(lines, 15) << scene;
     if (!std::filesystem::exists(std::string(FRANA_SHARED_DIR) + "/data/" + data))
         GTEST_SKIP() << "the event's data are not at " << FRANA_SHARED_DIR << "/data/" << data;
-    // A second of the flow; the whole runs are in share/doc/examples.md.
+    // A second of the flow; the whole runs are in share/doc/validation.md.
     const Outcome outcome =
         frana({"run", file, "--out", "result", "--quiet", "--set", "time.end=1", "--set", "output.maps=max_depth",
                "--set", "output.animation=off", "--set", "output.frames=off", "--set", "output.map-size=800x600"});
@@ -40,7 +40,9 @@ TEST_P(Example, LeadsFromTheRawFilesToTheReportInAtMostFifteenLines) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Example,
                          ::testing::Values(std::pair{"wa_s1000.ini", "wa_s1000_2021"},
                                            std::pair{"realtopo.ini", "iseesnow"},
-                                           std::pair{"colima.ini", "colima_titan2d"}),
+                                           std::pair{"colima.ini", "colima_titan2d"},
+                                           std::pair{"lavangsdalen.ini", "lavangsdalen"},
+                                           std::pair{"massmov2d.ini", "massmov2d_sample"}),
                          [](const auto& tested) {
                              const std::string name = tested.param.first;
                              return name.substr(0, name.find('.'));
