@@ -33,10 +33,67 @@ constexpr std::string_view k_main_keys[] = {
     "observed.perimeter",
 };
 
+/// A key whose own words do not say what it is to somebody who does not know scene files.
+struct KeyTitle {
+    const char *key, *title;
+};
+
+constexpr std::size_t k_first_keys = 10;  ///< of these rows, in this order
+constexpr KeyTitle k_titles[] = {
+    {"terrain.dtm", "terrain model (DTM)"},
+    {"release.perimeter", "release area"},
+    {"release.thickness", "release thickness"},
+    {"material.preset", "process and material preset"},
+    {"time.end", "longest simulated time"},
+    {"terrain.cell-size", "cell size"},
+    {"numerics.accuracy", "accuracy, instead of a cell size"},
+    {"output.maps", "maps"},
+    {"output.language", "language of maps and report"},
+    {"observed.perimeter", "surveyed outline"},
+    {"terrain.crs", "working CRS"},
+    {"terrain.dtm-crs", "CRS of the DTM"},
+    {"terrain.bounds", "part of the DTM"},
+    {"terrain.nodata-policy", "ground without elevation"},
+    {"terrain.nodata-value", "value that means no elevation"},
+    {"terrain.error", "error of the elevations"},
+    {"terrain.source", "source of the elevations"},
+    {"release.dtm-contains-release", "DTM contains the release"},
+    {"release.start", "time of failure"},
+    {"release.velocity", "initial speed"},
+    {"inflow.line", "lines of inflow"},
+    {"material.bed-friction", "laws of bed friction"},
+    {"structured.fluid-density", "density of the fluid"},
+    {"structured.manning", "Manning n"},
+    {"structured.solid-fraction", "fraction of solids"},
+    {"structured.grain-density", "density of the grains"},
+    {"structured.bed-friction-angle", "friction angle at the bed"},
+    {"structured.zones", "areas of these values"},
+    {"numerics.cfl", "Courant number"},
+    {"output.names", "names of the files"},
+    {"observed.front", "surveyed front"},
+    {"observed.deposit", "surveyed deposit"},
+    {"observed.threshold", "depth that counts as covered"},
+};
+
 }  // namespace
 
 bool is_main_key(const std::string& name) {
     return std::find(std::begin(k_main_keys), std::end(k_main_keys), name) != std::end(k_main_keys);
+}
+
+std::optional<std::size_t> place_in_dialogue(const std::string& name) {
+    for (std::size_t place = 0; place < k_first_keys; ++place)
+        if (name == k_titles[place].key) return place;
+    return std::nullopt;
+}
+
+std::string title_of(const Parameter& key) {
+    for (const KeyTitle& row : k_titles)
+        if (key.name() == row.key) return row.title;
+    if (!key.called.empty()) return key.called;
+    std::string title = key.key;
+    std::replace(title.begin(), title.end(), '-', ' ');
+    return title;
 }
 
 namespace {
@@ -80,7 +137,7 @@ std::string absent_in(const Parameter& key, const Words& words) {
 }
 
 std::vector<std::string> rows_of(const Parameter& key) {
-    std::vector<std::string> rows{own_meaning(key)};
+    std::vector<std::string> rows{own_meaning(key), title_of(key)};
     const std::string absent = NumberPattern(key.absent).text;
     const bool is_key = absent.find('.') != absent.npos && absent.find(' ') == absent.npos;  // another key's value
     const bool has_words = !absent.empty() && absent != "{1}" && absent != "off" && !is_key;
