@@ -86,7 +86,9 @@ TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesTenInADialogue) {
     const Json german = Json::parse(reference_json(Language::german));
     for (const Json& key : german) {
         EXPECT_FALSE(key.at("title").get<std::string>().empty()) << key["name"];
-        if (key.contains("place")) EXPECT_TRUE(places.insert(key["place"].get<std::size_t>()).second) << key["name"];
+        if (key.contains("place")) {
+            EXPECT_TRUE(places.insert(key["place"].get<std::size_t>()).second) << key["name"];
+        }
         if (key["name"] == "release.perimeter") {
             EXPECT_EQ(key["title"], "Anrissgebiet");
             EXPECT_EQ(key["section_title"], "Anrissgebiet");
