@@ -212,6 +212,19 @@ def test_loading():
     assert len([child for child in root.children() if isinstance(child, QgsLayerTreeGroup)]) == 1
 
 
+def test_compared_later():
+    """The outline of a later comparison is in the result's project and on its sheets."""
+    found = run("run", scene("later"))
+    run("compare", {"RESULT": found["OUTPUT"], "OBSERVED": SCAR})
+    project = QgsProject()
+    assert project.read(found["PROJECT"])
+    survey = [layer for layer in project.mapLayers().values() if layer.name().startswith("Surveyed outline")]
+    assert len(survey) == 1 and survey[0].isValid() and survey[0].featureCount() == 1, survey
+    assert survey[0].crs().authid() == "EPSG:32632"
+    layouts = project.layoutManager().printLayouts()
+    assert layouts and all(survey[0] in layout.itemById("map").layers() for layout in layouts)
+
+
 def test_region():
     """A polygon is a slope, its columns are the slope's: union, degree of hazard, exposure, all in the project."""
     slopes = polygons(UPPER, LOWER, mu=[0.15, 0.3], scen=["often", "rare"], years=[30, 300], label=["up", "low"])

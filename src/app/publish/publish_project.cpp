@@ -81,8 +81,10 @@ class ProjectWriter {
         gis::ProjectGroup group{named(words_("Outlines")), {}};
         for (const VectorLayer& row : vector_layers()) {
             if (!result_.has_layer(row.file, row.name)) continue;
-            const bool visible =
-                row.file == k_outlines_file || row.file == k_gauge_places || row.file == k_exposure_file;
+            // Of two surveys that of the later comparison.
+            if (row.file == k_outlines_file && result_.has_layer(k_comparison_outline, row.name)) continue;
+            const bool visible = row.file == k_outlines_file || row.file == k_comparison_outline ||
+                                 row.file == k_gauge_places || row.file == k_exposure_file;
             group.layers.push_back(
                 {named(words_(row.title)), row.file, row.name, row.shape, style_in(row, words_).qml, visible, {}});
         }
