@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "core/error.h"
@@ -44,6 +45,16 @@ std::string style_content(const std::string& qml) {
     return qml.substr(begin + 1, end - begin - 1);
 }
 
+/// The labels of the classes of a raster's style, as they are in it.
+std::vector<std::string> labels_of(const std::string& qml) {
+    std::vector<std::string> labels;
+    for (std::size_t at = qml.find("<item "); at != std::string::npos; at = qml.find("<item ", at + 1)) {
+        const std::size_t begin = qml.find("label=\"", at) + 7;
+        labels.push_back(qml.substr(begin, qml.find('"', begin) - begin));
+    }
+    return labels;
+}
+
 std::string extent_element(const Bounds& box) {
     return "<extent>" + element("xmin", shortest_text(box.west)) + element("ymin", shortest_text(box.south)) +
            element("xmax", shortest_text(box.east)) + element("ymax", shortest_text(box.north)) + "</extent>";
@@ -57,6 +68,12 @@ class Document {
   public:
     explicit Document(const QgisProject& project) : project_(project), crs_(crs_element(project.crs_wkt)) {
         for (const ProjectGroup& group : project.groups) add(group);
+        int number = 0;
+        for (const ProjectLayout& layout : project.layouts) {
+            std::vector<LayerReference> shown;
+            for (const std::string& title : layout.layers) shown.push_back(references_.at(title));
+            layouts_ += layout_element(layout, shown, crs_, ++number);
+        }
     }
 
     [[nodiscard]] std::string text() const {
@@ -71,7 +88,8 @@ class Document {
             << layers_ << "  </projectlayers>\n"
             << "  <properties><Paths><Absolute type=\"bool\">false</Absolute></Paths>" << crs_switch()
             << "</properties>\n"
-            << time_settings() << "</qgis>\n";
+            << time_settings() << "  <Layouts>\n"
+            << layouts_ << "  </Layouts>\n</qgis>\n";
         return out.str();
     }
 
@@ -89,6 +107,8 @@ class Document {
                      (layer.layer.empty() ? "gdal" : "ogr") + "\" checked=\"" + state(layer.visible) +
                      "\" expanded=\"" + (layer.visible && layer.layer.empty() ? "1" : "0") + "\"/>\n";
             add(layer, id, source);
+            references_[layer.title] = {id, layer.title, source, layer.layer.empty() ? "gdal" : "ogr",
+                                        labels_of(layer.style)};
         }
         tree_ += "    </layer-tree-group>\n";
     }
@@ -103,6 +123,7 @@ class Document {
         layers_ += "      " + element("id", id) + element("datasource", source) + element("layername", layer.title) +
                    "\n      <srs>" + crs_ + "</srs>\n      " +
                    (raster ? "<provider>gdal</provider>" : "<provider encoding=\"UTF-8\">ogr</provider>") + "\n";
+        if (!layer.attribution.empty()) layers_ += "      " + element("attribution", layer.attribution) + "\n";
         if (layer.seconds) {
             layers_ += "      <temporal enabled=\"1\" mode=\"0\" fetchMode=\"0\"><fixedRange>" +
                        element("start", date_text(layer.seconds->first)) +
@@ -134,7 +155,8 @@ class Document {
     }
 
     const QgisProject& project_;
-    std::string crs_, tree_, layers_;
+    std::string crs_, tree_, layers_, layouts_;
+    std::map<std::string, LayerReference> references_;  ///< by title
     int count_ = 0;
     double last_ = 0;
 };

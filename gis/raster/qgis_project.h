@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "gis/raster/qgis_layout.h"
 #include "gis/vector/vector_style.h"
 
 namespace frana::gis {
@@ -20,7 +21,8 @@ struct ProjectLayer {
     std::string style{};        ///< QML document; empty: QGIS's own choice
     bool visible = false;
     std::optional<std::pair<double, double>>
-        seconds{};  ///< shown from the first to the second, both included (gis/access/table_in.h)
+        seconds{};              ///< shown from the first to the second, both included (gis/access/table_in.h)
+    std::string attribution{};  ///< source of its data
 };
 
 struct ProjectGroup {
@@ -36,6 +38,7 @@ struct QgisProject {
     Bounds extent;        ///< shown at first
     std::vector<ProjectGroup> groups;
     double step = 0;  ///< of its temporal controller [s], if layers have times
+    std::vector<ProjectLayout> layouts{};
 };
 
 /// Writes a .qgz. Its temporal controller begins at time 0. The same project gives

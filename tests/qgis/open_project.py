@@ -6,15 +6,18 @@ opened alone take their styles from the file). Writes NAME.png into RESULT, to l
 import find_qgis  # noqa: F401
 from judge import judge_each
 import csv
+import math
 import os
 import shutil
 import sys
 import tempfile
 
-from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt
 from qgis.PyQt.QtGui import QColor, QImage, QPainter
-from qgis.core import (QgsApplication, QgsDateTimeRange, QgsMapRendererCustomPainterJob, QgsMapSettings, QgsProject,
-                       QgsRasterLayer, QgsUnitTypes, QgsVectorLayer)
+from qgis.core import (QgsApplication, QgsDateTimeRange, QgsLayoutExporter, QgsLayoutItem, QgsLayoutItemLabel,
+                       QgsLayoutItemLegend, QgsLayoutItemMap, QgsLayoutItemPage, QgsLayoutItemPicture, QgsLayoutItemScaleBar,
+                       QgsMapRendererCustomPainterJob, QgsMapSettings, QgsProject, QgsRasterLayer, QgsUnitTypes,
+                       QgsVectorLayer)
 
 BACKGROUND = QColor(255, 0, 255)
 
@@ -79,7 +82,54 @@ def check_relief(layer, picture):
         return sum(abs(a - 2 * b + c) for row in greys for a, b, c in zip(row, row[1:], row[2:])) / len(rows[::3]) / len(columns)
     of_cells = contrast(layer.width())
     enlarged = [contrast(times * layer.width()) for times in (2, 4, 7)]  # without smoothing 8 to 28 where the cells have 6
-    assert max(enlarged) < of_cells, (of_cells, enlarged)
+    assert max(enlarged) < of_cells and enlarged[-1] < 0.25 * of_cells, (of_cells, enlarged)  # bilinear 0.29, cubic 0.17
+    for parts in (1, 4):  # slopes that face the sun keep their shades, reduced too; a fifth was white
+        image = draw([layer], layer.extent(), picture, layer.width() // parts)
+        greys = [image.pixelColor(x, y).red() for x in range(image.width()) for y in range(image.height())]
+        assert sum(grey > 252 for grey in greys) < 0.01 * len(greys), (parts, max(greys))
+
+
+def check_layouts(project, folder, picture):
+    """A sheet for each map, with all its parts inside the page, which QGIS exports as it is."""
+    maps = [node.layer() for node in project.layerTreeRoot().children()[1].findLayers()
+            if isinstance(node.layer(), QgsRasterLayer)]
+    layouts = project.layoutManager().printLayouts()
+    assert len(layouts) == len(maps) > 5, ([layout.name() for layout in layouts], len(maps))
+    trace = QgsVectorLayer(os.path.join(folder, "extent.gpkg") + "|layername=trace", "trace", "ogr").extent()
+    for layout, layer in zip(layouts, maps):
+        page = QRectF(QPointF(0, 0), layout.pageCollection().page(0).rect().size())
+        items = [item for item in layout.items() if isinstance(item, QgsLayoutItem) and not
+                 isinstance(item, QgsLayoutItemPage)]
+        kinds = {type(item) for item in items}
+        assert {QgsLayoutItemMap, QgsLayoutItemLegend, QgsLayoutItemScaleBar, QgsLayoutItemPicture, QgsLayoutItemLabel} <= kinds
+        sheet = layout.itemById("map")
+        assert sheet.extent().contains(trace), (sheet.extent(), trace)
+        mantissa = round(sheet.scale()) / 10 ** math.floor(math.log10(round(sheet.scale())))
+        assert min(abs(mantissa - one) for one in (1, 1.5, 2, 2.5, 3, 4, 5, 7.5)) < 1e-6, sheet.scale()
+        assert layer in sheet.layers() and os.path.basename(sheet.layers()[-1].source()) == "dtm.tif", layout.name()
+        legend = next(item for item in items if isinstance(item, QgsLayoutItemLegend))
+        shown = [node.layer() for node in legend.model().rootGroup().findLayers()]
+        assert layer in shown and len(shown) > 2, [one.name() for one in shown]
+        legend.adjustBoxSize()
+        place = legend.mapRectToScene(legend.rect())
+        covered = [item.displayName() for item in items if item is not legend and
+                   place.intersects(item.mapRectToScene(item.rect()))]
+        assert not covered, (layout.name(), covered)
+        for item in items:
+            assert page.adjusted(-0.1, -0.1, 0.1, 0.1).contains(item.mapRectToScene(item.rect())), (layout.name(), item)
+        texts = " ".join(item.currentText() for item in items if isinstance(item, QgsLayoutItemLabel))
+        assert "Simulated with frana" in texts and "dtm.tif" in texts and "1 : " in texts and project.title() in texts, texts
+    pictures = QgsLayoutExporter.ImageExportSettings()
+    pictures.dpi = 150
+    exporter = QgsLayoutExporter(layouts[[layer.source().endswith("max_depth.tif") for layer in maps].index(True)])
+    stem = picture.replace(".png", "_sheet")
+    assert exporter.exportToImage(stem + ".png", pictures) == QgsLayoutExporter.Success, exporter.errorFile()
+    assert exporter.exportToPdf(stem + ".pdf", QgsLayoutExporter.PdfExportSettings()) == QgsLayoutExporter.Success
+    image = QImage(stem + ".png")
+    seen = {image.pixelColor(x, y).name() for x in range(0, image.width(), 2) for y in range(0, image.height(), 2)}
+    items = next(layer for layer in maps if layer.source().endswith("max_depth.tif")).renderer().shader(
+        ).rasterShaderFunction().colorRampItemList()
+    assert sum(item.color.name() in seen for item in items) >= 3, "the depths are not on the sheet"
 
 
 def check_project(folder, picture):
@@ -117,6 +167,8 @@ def check_project(folder, picture):
             check_outline(layer)
     # Otherwise the relief is striped in a project of another CRS.
     assert rasters["dtm.tif"].dataProvider().isProviderResamplingEnabled()
+    assert "dtm.tif" in rasters["dtm.tif"].attribution(), rasters["dtm.tif"].attribution()
+    check_layouts(project, folder, picture)
     check_relief(rasters["dtm.tif"], picture.replace(".png", "_relief.png"))
     visible = [layer for layer in project.layerTreeRoot().layerOrder()
                if project.layerTreeRoot().findLayer(layer.id()).isVisible()]

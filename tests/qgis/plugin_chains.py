@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Outputs, models, loading, keys that the plugin does not know: plugin_chains.py TESTS FRANA SAMPLE PLUGINS."""
-from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, drawn, folder, main, polygons, processing, provider, run, scene,
-                          use_program)
+from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, drawn, folder, main, polygons, processing, provider, refusal,
+                          run, scene, use_program)
+import csv
 import json
 import os
 import stat
@@ -13,7 +14,7 @@ from qgis.core import (QgsLayerTreeGroup, QgsProcessingFeatureSourceDefinition, 
                        QgsProcessingModelOutput, QgsProcessingModelParameter, QgsProcessingParameterDefinition,
                        QgsProcessingParameterFeatureSource, QgsProcessingParameterFolderDestination,
                        QgsProcessingParameterNumber, QgsProcessingParameterRasterLayer, QgsProject, QgsRasterLayer,
-                       QgsVectorLayer)
+                       QgsSettings, QgsVectorLayer)
 
 OBSERVED = {"observed_perimeter": SCAR, "hazard_scheme": "swiss-flood", "output_report": True}
 
@@ -112,7 +113,7 @@ def test_probability():
 
 def test_probability_style():
     """The plugin's classes of probability are the program's."""
-    from frana.styles import style_probability
+    from frana.algorithms.probability import style_probability
     range_of_runs = run("ensemble", {**scene("styled"), "VARY": ["release.volume", "uniform(3e4, 5e4)"], "SAMPLES": 2})
     theirs, ours = (QgsRasterLayer(range_of_runs["PROBABILITY"], "styled") for _ in range(2))
     style_probability(ours)
@@ -211,10 +212,107 @@ def test_loading():
     assert len([child for child in root.children() if isinstance(child, QgsLayerTreeGroup)]) == 1
 
 
+def test_compared_later():
+    """The outline of a later comparison is in the result's project and on its sheets."""
+    found = run("run", scene("later"))
+    run("compare", {"RESULT": found["OUTPUT"], "OBSERVED": SCAR})
+    project = QgsProject()
+    assert project.read(found["PROJECT"])
+    survey = [layer for layer in project.mapLayers().values() if layer.name().startswith("Surveyed outline")]
+    assert len(survey) == 1 and survey[0].isValid() and survey[0].featureCount() == 1, survey
+    assert survey[0].crs().authid() == "EPSG:32632"
+    layouts = project.layoutManager().printLayouts()
+    assert layouts and all(survey[0] in layout.itemById("map").layers() for layout in layouts)
+
+
+def test_region():
+    """A polygon is a slope, its columns are the slope's: union, degree of hazard, exposure, all in the project."""
+    slopes = polygons(UPPER, LOWER, mu=[0.15, 0.3], scen=["often", "rare"], years=[30, 300], label=["up", "low"])
+    parameters = scene("region", release_perimeter=slopes, release_thickness_column="thick", FRICTION="mu", SCENARIO="scen",
+                       RETURN_PERIOD="years", NAME="label", hazard_scheme="swiss-hillslope-debris-flow",
+                       output_exposure=polygons(LOWER), output_report=True)
+    del parameters["release_thickness"]
+    assert "Scenario, from a column: " in refusal("batch", {**parameters, "SCENARIO": "nothing"})
+    found = load("batch", parameters)
+    check_outputs("batch", found, {"EXPOSED_POINTS", "EXPOSED_LINES"})
+    assert (found["FINISHED"], found["FAILED"], found["EXPOSED_REACHED"]) == (2, 0, 1), found
+    with open(found["MEMBERS"], encoding="utf-8", newline="") as table:
+        rows = list(csv.DictReader(table))
+    assert [row["name"] for row in rows] == ["up", "low"], rows
+    assert [float(row["material.friction-coefficient"]) for row in rows] == [0.15, 0.3], rows
+    released = [float(row["volume_m3"]) for row in rows]
+    assert all(abs(one / wanted - 1) < 1e-6 for one, wanted in zip(released, (2 * 15000, 3 * 5000))), released
+    depths, degrees = (gdal.Open(found[name]).ReadAsArray() for name in ("UNION_MAX_DEPTH", "HAZARD_DEGREE"))
+    assert (degrees[depths > 1] >= 2).all() and (depths > 1).any()
+    names = [node.layer().name() for node in QgsProject.instance().layerTreeRoot().findLayers()]
+    for shown in ("Degree of hazard", "Exposed areas", "Zones of hazard"):
+        assert any(name.startswith(shown) for name in names), names
+    # The union is what the slopes do alone.
+    alone = [run("run", scene(f"slope{mu}", release_perimeter=polygons(text), release_thickness=str(thickness),
+                              material_friction_coefficient=mu))["MAX_DEPTH"]
+             for text, mu, thickness in ((UPPER, 0.15, 2), (LOWER, 0.3, 3))]
+    highest = max(gdal.Open(path).ReadAsArray().max() for path in alone)
+    assert abs(depths.max() - highest) < 1e-6 * highest, (depths.max(), highest)
+
+
+def test_events():
+    """A column of the release area names events, each with its own outline; nothing is given: told."""
+    layers = {name: polygons(*texts, event=["upper", "lower's"]) for name, texts in (
+        ("release", (UPPER, LOWER)), ("survey", (LOWER, UPPER)))}
+    parameters = {**scene("events", release_perimeter=layers["release"], observed_perimeter=layers["survey"], EVENT="event",
+                          output_report=True),
+                  "VARY": ["Material: Friction angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
+                  "SAMPLES": 4, "REFINE": 4}
+    assert "Measures: none is given" in refusal("calibrate", {**parameters, "OBJECTIVE": None})
+    found = run("calibrate", parameters)
+    check_outputs("calibrate", found, {"BEST_SCENE"})  # each event has its own
+    with open(found["CALIBRATION"], encoding="utf-8") as file:
+        events = json.load(file)["events"]
+    assert [event["name"] for event in events] == ["lower_s", "upper"], events
+    best = run("run", {"SCENE": os.path.join(found["OUTPUT"], "best_upper.ini"), "OUTPUT": os.path.join(folder, "best")})
+    assert abs(best["VOLUME_M3"] / 45000 - 1) < 1e-6, best["VOLUME_M3"]
+
+
+def test_dialogue():
+    """The twelve are visible, the others under their sections' titles; nothing is needed and optional at once."""
+    from qgis.PyQt.QtWidgets import QGroupBox, QLabel
+    for name, seen in (("run", "Release area"), ("batch", "Return period [years], from a column"), ("calibrate", "Events: ")):
+        dialogue = provider.algorithm(name).create().createCustomParametersWidget(None)
+        boxes = {box.title(): box for box in dialogue.findChildren(QGroupBox)}
+        sections = [title for title in boxes if title in ("Terrain", "Release", "Material", "Numerical method", "Output")]
+        assert sections == ["Terrain", "Release", "Material", "Numerical method", "Output"], list(boxes)
+        labels = [label.text() for label in dialogue.mainWidget().findChildren(QLabel)]
+        assert any(text.startswith(seen) for text in labels), labels
+        assert not any("optional" in text or "needed" in text for text in labels), labels
+        inside = [label.text() for label in boxes["Numerical method"].findChildren(QLabel)]
+        assert "Courant number (0.8, 0.5 for scheme paper and for material.model = structured)" in inside or \
+            "Courant number" in inside, inside
+        dialogue.deleteLater()
+
+
+def test_language():
+    """Fields are named in the language of QGIS, messages too."""
+    settings = QgsSettings()
+    settings.setValue("locale/overrideFlag", True)
+    settings.setValue("locale/userLocale", "de_AT")
+    try:
+        provider.refreshAlgorithms()
+        algorithm = provider.algorithm("run")
+        assert algorithm.parameterDefinition("release_perimeter").description() == "Anrissgebiet"
+        number = algorithm.parameterDefinition("numerics_cfl").description()
+        assert number.startswith("Numerisches Verfahren: Courant-Zahl"), number
+        assert "Anrissgebiet: " in refusal("run", {"terrain_dtm": scene("x")["terrain_dtm"], "material_preset": "debris-flow",
+                                                   "release_thickness": "2", "OUTPUT": os.path.join(folder, "x")})
+    finally:
+        settings.setValue("locale/userLocale", "en")
+        provider.refreshAlgorithms()
+
+
 def test_new_key():
     """A key that a newer program has appears by itself; a command that an older one lacks has no algorithm."""
     row = {"name": "material.stickiness", "section": "material", "key": "stickiness", "type": "number", "unit": "N",
-           "default": None, "when_absent": "not sticky", "limits": "0.5 to 9", "meaning": "How sticky it is."}
+           "default": None, "when_absent": "not sticky", "limits": "0.5 to 9", "meaning": "How sticky it is.", "title": "stickiness",
+           "section_title": "Material", "required": False}
     choice = {**row, "name": "novel.colour", "section": "novel", "key": "colour", "type": "choice", "unit": "",
               "limits": "red, dark-blue"}
     layer = {**row, "name": "novel.trees", "section": "novel", "key": "trees", "type": "file", "content": "points",
@@ -226,8 +324,8 @@ def test_new_key():
 import json, subprocess, sys
 answer = subprocess.run([{FRANA!r}, *sys.argv[1:]], capture_output=True)
 text = answer.stdout.decode()
-if sys.argv[1:] == ["params", "--json"]:
-    text = json.dumps(json.loads(text) + {keys.replace("null", "None")})
+if sys.argv[1:3] == ["params", "--json"]:
+    text = json.dumps(json.loads(text) + {keys.replace("null", "None").replace("false", "False")})
 if sys.argv[1:] == ["--help"]:
     text = "\\n".join(line for line in text.split("\\n") if not line.startswith("  calibrate"))
 sys.stdout.write(text)
@@ -241,7 +339,7 @@ sys.exit(answer.returncode)
     algorithm = provider.algorithm("run")
     number = algorithm.parameterDefinition("material_stickiness")
     assert number.type() == "number" and (number.minimum(), number.maximum()) == (0.5, 9)
-    assert number.description() == "Material: stickiness [N] (0.5 to 9; otherwise not sticky)", number.description()
+    assert number.description() == "Material: Stickiness [N] (not sticky)", number.description()
     assert number.defaultValue() is None and number.flags() & QgsProcessingParameterDefinition.FlagAdvanced
     assert algorithm.parameterDefinition("novel_colour").options() == ["red", "dark-blue"]
     assert algorithm.parameterDefinition("novel_trees").type() == "source"
@@ -264,7 +362,9 @@ def test_every_key():
              "points, lines or polygons": "source", "raster or polygons": "layer", "table": "file"}
     first = [definition.name() for definition in algorithm.parameterDefinitions()
              if not definition.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
-    assert first[0] == "terrain_dtm" and len([name for name in first if name.islower()]) <= 25, first
+    assert first == ["terrain_dtm", "release_perimeter", "release_thickness", "release_thickness_column", "material_preset",
+                     "time_end", "terrain_cell_size", "numerics_accuracy", "output_maps", "output_language",
+                     "observed_perimeter", "OUTPUT"], first
     for key in keys:
         if key["name"] in ("scene.format", "output.directory"):
             continue

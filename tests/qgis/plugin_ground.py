@@ -16,7 +16,7 @@ from qgis.core import (QgsApplication, QgsFeature, QgsField, QgsGeometry, QgsPro
                        QgsProcessingFeedback, QgsProject, QgsSettings, QgsVectorLayer)
 from qgis.PyQt.QtCore import QVariant  # noqa: E402
 
-application = QgsApplication([], False)
+application = QgsApplication([], True)
 application.initQgis()
 from processing.core.Processing import Processing  # noqa: E402
 import processing  # noqa: E402
@@ -45,15 +45,19 @@ LOWER = ("MULTIPOLYGON(((529400 5094250, 529450 5094250, 529450 5094300, 529400 
          "((529460 5094250, 529510 5094250, 529510 5094300, 529460 5094300, 529460 5094250)))")
 
 
-def polygons(*texts, crs="EPSG:32632"):
-    """A layer in memory, as a user draws one."""
+def polygons(*texts, crs="EPSG:32632", **columns):
+    """A layer in memory, as a user draws one. `columns`: of each a value for every polygon, texts or numbers."""
     layer = QgsVectorLayer("Polygon?crs=" + crs, "drawn", "memory")
-    layer.dataProvider().addAttributes([QgsField("fid", QVariant.Int), QgsField("thick", QVariant.Double)])
+    layer.dataProvider().addAttributes(
+        [QgsField("fid", QVariant.Int), QgsField("thick", QVariant.Double)] +
+        [QgsField(name, QVariant.String if isinstance(values[0], str) else QVariant.Double)
+         for name, values in columns.items()])
     layer.updateFields()
     for number, text in enumerate(texts):
         feature = QgsFeature(layer.fields())
         feature.setGeometry(QgsGeometry.fromWkt(text))
-        feature.setAttributes([7, 2.0 + number])  # the same fid twice: a column, not a key
+        # The same fid twice: a column, not a key.
+        feature.setAttributes([7, 2.0 + number, *(values[number] for values in columns.values())])
         layer.dataProvider().addFeature(feature)
     layer.updateExtents()
     QgsProject.instance().addMapLayer(layer)

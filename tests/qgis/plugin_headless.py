@@ -44,7 +44,7 @@ ask(qgis_process, "plugins", "enable", "frana")
 found = json.loads(run_headless("first").stdout)["results"]
 assert os.path.isfile(found["MAX_DEPTH"]) and found["VOLUME_M3"] > 0, found
 refused = run_headless("second", "numerics_cfl=7", code=1)
-assert "Numerics: cfl: is out of range (value 7" in refused.stdout + refused.stderr, refused
+assert "Numerical method: Courant number: is out of range (value 7" in refused.stdout + refused.stderr, refused
 
 with zipfile.ZipFile(archive) as package:
     names = [name for name in package.namelist() if not name.endswith("/")]

@@ -60,7 +60,7 @@ def test_corrected_crs():
     copy.GetRasterBand(1).WriteArray(own.ReadAsArray())
     del copy
     layer = QgsRasterLayer(bare, "bare")
-    assert "Terrain: dtm" in refusal("run", scene("bare", terrain_dtm=layer, release_perimeter=polygons(UPPER, crs="")))
+    assert "Terrain model (DTM)" in refusal("run", scene("bare", terrain_dtm=layer, release_perimeter=polygons(UPPER, crs="")))
     layer.setCrs(QgsCoordinateReferenceSystem("EPSG:32632"))
     assert "32632" in run("run", scene("bare", terrain_dtm=layer))["CRS_USED"]
 
@@ -70,7 +70,7 @@ def test_selected():
     layer = polygons(UPPER, LOWER)
     chosen = QgsProcessingFeatureSourceDefinition(layer.id(), True)
     message = refusal("run", scene("none", release_perimeter=chosen))
-    assert message.startswith("Release: perimeter: ") and "selected" in message, message
+    assert message.startswith("Release area: ") and "selected" in message, message
     layer.selectByIds([max(layer.allFeatureIds())])
     both = run("run", scene("both", release_perimeter=layer))
     one = run("run", scene("one", release_perimeter=chosen))
@@ -91,33 +91,33 @@ def test_bad_value():
     message = refusal("run", parameters)
     lines = message.split("\n")
     assert len(lines) == 3, message
-    for field in ("Numerics: cfl: is out of range (value 3", "Release: thickness: ", "Terrain: bounds: "):
+    for field in ("Numerical method: Courant number: is out of range (value 3", "Release thickness: ", "Terrain: Part of the DTM: "):
         assert any(line.startswith(field) for line in lines), message
     try:
         run("run", parameters)
     except QgsProcessingException as error:
-        assert "Numerics: cfl" in str(error), error
+        assert "Courant number" in str(error), error
     else:
         raise AssertionError("not refused")
     assert not os.path.exists(parameters["OUTPUT"])
     empty = refusal("run", {"OUTPUT": parameters["OUTPUT"]})
-    assert "Terrain: dtm: is missing" in empty, empty
+    assert "Terrain model (DTM): is missing" in empty, empty
     # A problem found only when the files are read, too.
     outside = "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))"
-    assert "Release: perimeter: " in refusal("run", scene("bad", release_perimeter=polygons(outside)))
+    assert "Release area: " in refusal("run", scene("bad", release_perimeter=polygons(outside)))
 
 
 def test_written_values():
     """Texts, as a command line and a batch give them: one that is no number is not 0, "no" is not yes."""
     texts = {"material_friction_coefficient": "0,2", "material_viscosity": "abc", "output_report": "no", "THREADS": "1.5"}
     message = refusal("run", scene("texts", **texts))
-    for sentence in ("Material: friction coefficient: is not a number (value 0,2). Write a point",
-                     "Material: viscosity: is not a number (value abc)", "is neither true nor false (value no)",
+    for sentence in ("Material: Friction coefficient: is not a number (value 0,2). Write a point",
+                     "Material: Viscosity: is not a number (value abc)", "is neither true nor false (value no)",
                      "is not a whole number (value 1.5)"):
         assert sentence in message, message
     message = refusal("run", scene("choices", material_preset="mudflo", output_maps=["off", "depth_of"]))
-    assert "Material: preset: is not one of the choices (value mudflo; allowed " in message, message
-    assert "Output: maps: is not one of the choices (value depth_of; " in message and message.count("\n") == 1, message
+    assert "Process and material preset: is not one of the choices (value mudflo; allowed " in message, message
+    assert "Maps: is not one of the choices (value depth_of; " in message and message.count("\n") == 1, message
     assert "Number of resolutions: is out of range (value 2; allowed 3 to 6)" in refusal("converge", scene("few", LEVELS=2))
     assert "Measures: none is given" in refusal("calibrate", {"SCENES": [DTM], "OUTPUT": os.path.join(folder, "none")})
     try:
@@ -134,9 +134,9 @@ def test_written_values():
 
 def test_refusals_elsewhere():
     """Studies, folders and comparisons name their fields too."""
-    message = refusal("ensemble", scene("range", VARY=["material.friction-angel", "uniform(1, 2)", "Release: volume", "unif(1)"]))
+    message = refusal("ensemble", scene("range", VARY=["material.friction-angel", "uniform(1, 2)", "Release: Volume", "unif(1)"]))
     assert message.startswith("Uncertain values: material.friction-angel: unknown key"), message
-    assert "\nUncertain values: Release: volume: 'unif' is not a distribution" in message, message
+    assert "\nUncertain values: Release: Volume: 'unif' is not a distribution" in message, message
     assert refusal("ensemble", scene("range")).startswith("Uncertain values: no row is given")
     first = scene("taken")
     run("run", first)
@@ -203,7 +203,7 @@ def test_scene_file():
     told = Told()
     found = run("run", {"SCENE": written["OUTPUT"], "release_thickness": "6", "OUTPUT": os.path.join(folder, "from")}, told)
     assert abs(found["VOLUME_M3"] - 90000) < 1, found["VOLUME_M3"]
-    assert any("Output: animation: off, as in the scene file" in line for line in told.infos), told.infos
+    assert any("Output: Animation: off, as in the scene file" in line for line in told.infos), told.infos
 
 
 def test_observed_deposit():

@@ -3,5 +3,5 @@
 
 
 def classFactory(iface):  # noqa: N802 (the name that QGIS calls)
-    from .plugin import FranaPlugin
+    from .provider import FranaPlugin
     return FranaPlugin()

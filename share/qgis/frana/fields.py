@@ -13,7 +13,7 @@ from qgis.core import (QgsProcessing, QgsProcessingAlgorithm, QgsProcessingConte
                        QgsProcessingParameterString, QgsRasterLayer)
 from qgis.PyQt.QtCore import QVariant
 
-from .keys import Key, in_order_of_dialogue
+from .keys import Key
 from .layers import Layer, RasterSource, VectorSource
 
 _GEOMETRY = {"polygons": [QgsProcessing.TypeVectorPolygon], "lines": [QgsProcessing.TypeVectorLine],
@@ -107,31 +107,42 @@ class Field:
         self.column_name = self.name + "_column" if self.column_of else ""
 
     @property
+    def names(self) -> list[str]:
+        """Of its parameters."""
+        return [name for name in (self.name, self.raster_name, self.column_name) if name]
+
+    @property
     def is_switch(self) -> bool:
         """A box to tick. One whose default depends on other keys has three states: it is a choice."""
         return self.key.type == "on | off" and self.key.default is not None
 
-    def parameters(self) -> list[QgsProcessingParameterDefinition]:
+    def label(self, name: str, is_within_section: bool = False) -> str:
+        """What the dialogue calls one of its parameters, under the section's title or without it."""
+        title = self.key.short_title() if is_within_section else self.key.title()
+        if name == self.name:
+            return title if self.is_switch else self.key.label(title)
+        return title + (", from a column" if name == self.column_name else ", from a raster layer")
+
+    def parameters(self, is_first: bool) -> list[QgsProcessingParameterDefinition]:
         made = [self._own()]
-        if self.raster_name:
-            made.append(QgsProcessingParameterRasterLayer(
-                self.raster_name, self.key.title() + ", from a raster layer", None, True))
         if self.column_name:
             made.append(QgsProcessingParameterField(
-                self.column_name, self.key.title() + ", from a column", None, self.column_of.parameter,
+                self.column_name, self.label(self.column_name), None, self.column_of.parameter,
                 QgsProcessingParameterField.Numeric, False, True))
+        if self.raster_name:
+            made.append(QgsProcessingParameterRasterLayer(self.raster_name, self.label(self.raster_name), None, True))
         for parameter in made:
             parameter.setHelp(self.key.help())
-            if not self.key.is_first:
+            if not is_first or parameter.name() == self.raster_name:
                 parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
         return made
 
     def _own(self) -> QgsProcessingParameterDefinition:
-        key, name, label = self.key, self.name, self.key.label()
+        key, name, label = self.key, self.name, self.label(self.name)
         if key.type in ("number", "integer") and key.range():
             return number_parameter(name, label, key.range(), key.type == "integer")
         if self.is_switch:
-            return QgsProcessingParameterBoolean(name, f"{key.title()}", key.default == "on", True)
+            return QgsProcessingParameterBoolean(name, label, key.default == "on", True)
         if key.type in ("choice", "on | off", "integer") and key.words():
             return QgsProcessingParameterEnum(name, label, key.words(), False, None, True, True)
         if key.type == "list" and key.words():
@@ -192,6 +203,9 @@ def _layer_of_columns(key: Key, keys: list[Key]) -> Key | None:
 
 
 def fields_of(keys: list[Key], presets: dict[str, list[str]]) -> list[Field]:
-    """In the order of the dialogue. The folder of the result and fixed values are not asked for."""
+    """In the order of the dialogue: first those with a place in it, then the others section by section. The folder of the
+    result and fixed values are not asked for."""
+    sections = list(dict.fromkeys(key.section for key in keys))
     asked = [key for key in keys if not key.is_fixed() and key.name != "output.directory"]
-    return [Field(key, presets, _layer_of_columns(key, keys)) for key in in_order_of_dialogue(asked)]
+    asked.sort(key=lambda key: (len(keys) if key.place is None else key.place, sections.index(key.section)))
+    return [Field(key, presets, _layer_of_columns(key, keys)) for key in asked]

@@ -24,9 +24,11 @@ class Given:
             if value is not None:
                 self.given.append((field, value))
 
-    def name_of(self, key: str) -> str:
-        """The name of the layer that a key has; empty without one."""
-        return next((value[1].name for field, value in self.given if field.key.name == key and not isinstance(value, str)), "")
+    def layer_of(self, key: str) -> Layer | None:
+        return next((value[1] for field, value in self.given if field.key.name == key and not isinstance(value, str)), None)
+
+    def text_of(self, key: str) -> str:
+        return next((value for field, value in self.given if field.key.name == key and isinstance(value, str)), "")
 
     def texts(self, folder: str, layers: str) -> list[tuple[Field, str]]:
         """Writes the layers into the folder `layers` inside `folder`; returns each key's text, with paths from `folder`."""
@@ -47,11 +49,18 @@ def make_folder(folder: str) -> None:
                                      "place") from error
 
 
-def write_scene(folder: str, given: Given, title: str, name: str, layers: str = "") -> str:
-    """Writes the layers into the folder `layers` inside `folder`, and the scene; returns the scene's path."""
+def write_scene(folder: str, given: Given, title: str, name: str, layers: str = "",
+                more: tuple[tuple[str, str], ...] = ()) -> str:
+    """Writes the layers into the folder `layers` inside `folder`, and the scene, with `more` keys and texts in place of
+    those given; returns the scene's path."""
     make_folder(folder)
     sections: dict[str, list[str]] = {}
+    for key, text in more:
+        section, _, word = key.partition(".")
+        sections.setdefault(section, []).append(f"{word} = {text}")
     for field, text in given.texts(folder, layers):
+        if field.key.name in dict(more):
+            continue
         lines = sections.setdefault(field.key.section, [])
         lines += textwrap.wrap(field.key.meaning, 116, initial_indent="# ", subsequent_indent="# ")
         lines.append(f"{field.key.key} = {' '.join(text.split())}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A key of a scene file, as `frana params --json` describes it, and which keys a dialogue shows first."""
+"""A key of a scene file, as `frana params --json` describes it."""
 from __future__ import annotations
 
 import re
@@ -20,41 +20,39 @@ class Key:
     limits: str
     meaning: str
     content: str  # of a file
-    is_first: bool  # a main key; all others are advanced
+    words_of_key: str  # in the user's language, as are the section's title, the meaning and the effect
+    section_title: str
+    place: int | None  # among the fields that a dialogue does not hide
+    is_required: bool  # under some condition at least
 
     @property
     def parameter(self) -> str:
         """Name of the parameter of an algorithm: letters, digits and _ only."""
         return re.sub(r"\W", "_", self.name)
 
-    def label(self) -> str:
-        """"Terrain: cell size [m] (0.01 to 1000; otherwise the DTM's own)", as much as fits into a dialogue."""
-        label = self.title() + (f" [{self.unit}]" if self.unit else "")
-        limits = "" if self.type in ("choice", "on | off") else self.limits
-        for facts in ((limits, self.otherwise()), (self.otherwise(),), (limits,)):
-            text = "; ".join(fact for fact in facts if fact)
-            if text and len(label) + len(text) <= _LONGEST_LABEL:
-                return f"{label} ({text})"
-        return label
+    def short_title(self) -> str:
+        """"Cell size": within its section."""
+        return self.words_of_key[:1].upper() + self.words_of_key[1:]
+
+    def title(self) -> str:
+        """"Release area"; of the many others with the section: "Time: Frame interval"."""
+        return self.short_title() if self.place is not None else f"{self.section_title}: {self.short_title()}"
+
+    def label(self, title: str) -> str:
+        """A title with unit and, where it fits into a dialogue, what counts if the field stays empty."""
+        label = title + (f" [{self.unit}]" if self.unit else "")
+        text = "" if self.is_required or self.type == "on | off" else self.otherwise()
+        return f"{label} ({text})" if text and len(label) + len(text) <= _LONGEST_LABEL else label
 
     def otherwise(self) -> str:
         """What counts if the key is not given."""
-        if self.default is not None:
-            return f"otherwise {self.default}"
-        if self.absent == "required":
-            return "needed, unless a scene file is given"
-        if self.absent.startswith("required"):
-            return "needed" + self.absent[len("required"):]
-        return f"otherwise {self.absent}" if self.absent else ""
+        return self.absent if self.default is None else self.default
 
     def help(self) -> str:
         """Everything about it."""
-        facts = [f"Allowed: {self.limits}" if self.limits else "", self.otherwise(), f"Key: {self.name}"]
+        facts = [f"Allowed: {self.limits}" if self.limits else "", f"Empty: {self.otherwise()}" if self.otherwise() else "",
+                 f"Key: {self.name}"]
         return "\n".join([self.meaning, "", *(fact for fact in facts if fact)])
-
-    def title(self) -> str:
-        """Section and key as words: "Terrain: cell size"."""
-        return f"{self.section.capitalize()}: {self.key.replace('-', ' ')}"
 
     def range(self) -> tuple[float, float] | None:
         """The limits of a number; None where the text says more than two numbers."""
@@ -77,10 +75,5 @@ class Key:
 
 def key_from_json(row: dict) -> Key:
     return Key(row["name"], row["section"], row["key"], row["type"], row["unit"], row["default"],
-               row.get("when_absent", ""), row["limits"], row["meaning"], row.get("content", ""), row.get("main", False))
-
-
-def in_order_of_dialogue(keys: list[Key]) -> list[Key]:
-    """The first ones, then the others, both section by section."""
-    sections = list(dict.fromkeys(key.section for key in keys))
-    return sorted(keys, key=lambda key: (not key.is_first, sections.index(key.section)))
+               row.get("when_absent", ""), row["limits"], row["meaning"], row.get("content", ""), row["title"],
+               row["section_title"], row.get("place"), row["required"])

@@ -10,6 +10,7 @@ from osgeo import gdal
 from qgis.core import (QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsFeatureRequest, QgsFeatureSink,
                        QgsProcessingException, QgsProcessingFeatureSource, QgsRasterFileWriter,
                        QgsRasterLayer, QgsRasterPipe, QgsVectorFileWriter, QgsWkbTypes)
+from qgis.PyQt.QtCore import QVariant
 
 VECTOR_DRIVER = "GPKG"
 
@@ -47,6 +48,15 @@ class VectorSource:
             raise QgsProcessingException(f"{title}: the layer {source.sourceName()} has no features, or only its selected "
                                          "features are asked for and none is selected. Select features, or untick "
                                          "“Selected features only”")
+
+    def has(self, column: str) -> bool:
+        return self.source.fields().lookupField(column) >= 0
+
+    def values_of(self, column: str) -> list[str | float]:
+        """The different values of a column, sorted; without empty ones."""
+        request = QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)
+        found = {feature[column] for feature in self.source.getFeatures(request)}
+        return sorted((value for value in found if not (value is None or isinstance(value, QVariant))), key=str)
 
     def write(self, folder: str, stem: str) -> str:
         name = stem + ".gpkg"

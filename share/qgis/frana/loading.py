@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Callable
 
 from qgis.core import (QgsInterval, QgsLayerTreeGroup, QgsLayerTreeLayer, QgsMapLayer, QgsProcessingContext,
                        QgsProcessingFeedback, QgsProcessingLayerPostProcessorInterface, QgsProject,
@@ -10,31 +11,23 @@ from qgis.core import (QgsInterval, QgsLayerTreeGroup, QgsLayerTreeLayer, QgsMap
 from qgis.PyQt.QtXml import QDomDocument
 
 PROJECT_FILE = "result.qgz"
-_waiting: list[QgsProcessingLayerPostProcessorInterface] = []  # QGIS does not keep them alive
 
 
-class _Processor(QgsProcessingLayerPostProcessorInterface):
-    """Runs in the main thread, when QGIS has added the layer."""
+class After(QgsProcessingLayerPostProcessorInterface):
+    """Does something with a layer when QGIS has loaded it, in the main thread."""
 
-    def __init__(self, folder: str) -> None:
+    waiting: list["After"] = []  # QGIS does not keep them alive
+
+    def __init__(self, action: Callable[[QgsMapLayer, QgsProcessingContext], None]) -> None:
         super().__init__()
-        self.folder = folder
+        self.action = action
+        self.waiting.append(self)
 
     def postProcessLayer(self, layer: QgsMapLayer, context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> None:
-        if self in _waiting:
-            _waiting.remove(self)
-        add_result(self.folder, layer, context.project())
-
-
-class _OwnStyle(QgsProcessingLayerPostProcessorInterface):
-    """The style beside the file again, in place of Processing's own for all results."""
-
-    def postProcessLayer(self, layer: QgsMapLayer, context: QgsProcessingContext,  # noqa: N802
-                         feedback: QgsProcessingFeedback) -> None:
-        if self in _waiting:
-            _waiting.remove(self)
-        layer.loadDefaultStyle()
+        if self in self.waiting:
+            self.waiting.remove(self)
+        self.action(layer, context)
         layer.triggerRepaint()
 
 
@@ -42,17 +35,17 @@ def load_result(folder: str, first: str, context: QgsProcessingContext) -> None:
     """Asks QGIS to load `first`, a file of the result, when the algorithm has ended; the whole result follows it."""
     if not os.path.isfile(os.path.join(folder, PROJECT_FILE)) or not os.path.isfile(first):
         return
-    load_layer(first, os.path.basename(first), context, _Processor(folder))
+    load_layer(first, os.path.basename(first), context,
+               lambda layer, at: add_result(folder, layer, at.project()))
 
 
 def load_layer(path: str, name: str, context: QgsProcessingContext,
-               processor: QgsProcessingLayerPostProcessorInterface | None = None) -> None:
+               action: Callable[[QgsMapLayer, QgsProcessingContext], None] | None = None) -> None:
+    """`action`: on the layer; otherwise it gets the style beside its file again, in place of Processing's own."""
     if context.project() is None:
         return
     details = QgsProcessingContext.LayerDetails(name, context.project())
-    processor = processor or _OwnStyle()
-    _waiting.append(processor)
-    details.setPostProcessor(processor)
+    details.setPostProcessor(After(action or (lambda layer, at: layer.loadDefaultStyle())))
     context.addLayerToLoadOnCompletion(path, details)
 
 

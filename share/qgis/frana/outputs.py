@@ -145,6 +145,23 @@ ENSEMBLE = (
     Output("number", "FAILED", "Runs failed", "summary.json|failed"),
     Output("number", "LARGEST_STANDARD_ERROR", "Largest standard error", "summary.json|largest_standard_error"),
 ) + EXPOSURE
+BATCH = tuple(_raster(f"UNION_{name}", f"{label} that any slope causes") for name, label in (
+    ("MAX_DEPTH", "Greatest depth [m]"), ("MAX_VELOCITY", "Greatest speed [m/s]"),
+    ("MAX_PRESSURE", "Greatest pressure [kPa]"), ("ARRIVAL_TIME", "Earliest arrival [s]"))) + (
+    _raster("HIT_COUNT", "Number of slopes that reach the cell"), _raster("WORST_SOURCE", "Slope with the greatest depth"),
+    _raster("HAZARD_DEGREE", "Degree of hazard, with a scheme and return periods"),
+    Output("rasters", "SCENARIOS", "Rasters of each scenario", "scenario_*.tif"),
+    Output("layer", "HAZARD_DEGREE_ZONES", "Zones of hazard", "hazard_degree_zones.gpkg|hazard_degree_zones"),
+    Output("layer", "SLOPES", "Slopes: values, figures, reasons of failures", "members.gpkg|slopes"),
+    Output("layer", "OUTLINES", "Outlines of what each slope reaches", "members.gpkg|members"),
+    Output("layer", "TRACE", "Outline of the trace", "extent.gpkg|trace"),
+    Output("file", "MEMBERS", "Slopes: values and figures (CSV)", "members.csv"),
+    Output("file", "REPORT", "Report", "report.html"), Output("file", "PROJECT", "QGIS project", "result.qgz"),
+    Output("file", "REGION_USED", "Region as used", "region.ini"),
+    Output("file", "SUMMARY", "Summary (JSON)", "summary.json"),
+    Output("number", "FINISHED", "Slopes finished", "summary.json|finished"),
+    Output("number", "FAILED", "Slopes failed", "summary.json|failed"),
+) + EXPOSURE
 CALIBRATE = (
     Output("file", "POSTERIOR", "Weighted runs (CSV)", "posterior.csv"),
     Output("file", "BEST_SCENE", "Best scene", "best.ini"),

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 from dataclasses import dataclass, field
 
-from qgis.core import QgsSettings
+from qgis.core import QgsApplication, QgsSettings
 
 from .keys import Key, key_from_json
 
@@ -76,7 +76,8 @@ def ask_program() -> Program:
     if not version.startswith("frana "):
         raise ProgramError(f"{path} is not frana: it says it is {version!r}")
     try:
-        keys = [key_from_json(row) for row in json.loads(_answer(path, "params", "--json"))]
+        rows = json.loads(_answer(path, "params", "--json", "--language", QgsApplication.locale()))
+        keys = [key_from_json(row) for row in rows]
     except (ValueError, KeyError, TypeError) as error:
         raise ProgramError(f"{path} params --json is not understood: {error}") from error
     presets = {key: re.findall(r"^([a-z][\w-]*)$", _answer(path, command), re.MULTILINE)

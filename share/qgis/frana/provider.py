@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The provider: one algorithm for each command that the program has."""
+"""What QGIS starts and stops: a provider with one algorithm for each command that the program has."""
 from __future__ import annotations
 
 import os
 import sys
 
 from processing.core.ProcessingConfig import ProcessingConfig, Setting
-from qgis.core import Qgis, QgsMessageLog, QgsProcessingProvider
+from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .algorithms import algorithms_of
@@ -66,3 +66,20 @@ class FranaProvider(QgsProcessingProvider):
 
     def warningMessage(self) -> str:  # noqa: N802 (the toolbox shows it)
         return self.problem
+
+
+class FranaPlugin:
+    def __init__(self) -> None:
+        self.provider: FranaProvider | None = None
+
+    def initProcessing(self) -> None:  # noqa: N802 (called alone by qgis_process)
+        self.provider = FranaProvider()
+        QgsApplication.processingRegistry().addProvider(self.provider)
+
+    def initGui(self) -> None:  # noqa: N802
+        self.initProcessing()
+
+    def unload(self) -> None:
+        if self.provider is not None:
+            QgsApplication.processingRegistry().removeProvider(self.provider)
+            self.provider = None

@@ -24,6 +24,7 @@
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
 #include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/error.h"
@@ -281,6 +282,9 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
                                             : std::vector<std::string>{comparison_files(folder).front()});
     if (comparison.statistics) begin_own(folder, comparison_pictures(simulated.source.style, folder));
     write_comparison(comparison, simulated.input, folder);
+    if (comparison.statistics)
+        write_result_outlines((fs::path(folder) / k_comparison_outline).string(), simulated.input.depth.grid.crs_wkt,
+                              {{"scar", {{simulated.input.survey.scar, {}, {}}}}}, simulated.input.words);
     if (comparison.statistics) {
         simulated.source.scar = simulated.input.survey.scar;
         LayerDrawer drawer(simulated.source);

@@ -23,7 +23,8 @@ CommandForm params_form() {
                      "",
                      {}};
     form.options.add_options()("ini", "as a scene file to fill in (default)")("json", "for programs")(
-        "markdown", "for documents")("schema", "as a JSON Schema of scenes");
+        "markdown", "for documents")("schema", "as a JSON Schema of scenes")(
+        "language", one("LOCALE"), "json: of titles and meanings (default: English)");
     return form;
 }
 
@@ -34,7 +35,8 @@ int cmd_params(const Arguments& arguments) {
         throw Error(ErrorKind::input, Problem{"more than one format is requested", "command line", "", "",
                                               "Give one of --ini, --json, --markdown, --schema"});
     }
-    std::cout << (values->count("json") > 0       ? reference_json()
+    const Language language = language_of_locale(text_option(*values, "language").value_or(""));
+    std::cout << (values->count("json") > 0       ? reference_json(language)
                   : values->count("schema") > 0   ? scene_schema()
                   : values->count("markdown") > 0 ? reference_markdown()
                                                   : reference_ini());

@@ -68,24 +68,6 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
     return outlines;
 }
 
-std::string attribution(const MapSource& source) {
-    const std::string own = source.style.words(source.foreign ? worded("Drawn with {1}") : worded("Simulated with {1}"),
-                                               {std::string(k_program) + " " + k_version});
-    const Words& words = source.style.words;
-    std::vector<std::string> parts;
-    if (!source.terrain_source.empty())
-        parts.push_back(words.labelled(words("Terrain"), elided(valid_utf8(source.terrain_source), k_longest_source)));
-    if (!source.style.background.empty()) {
-        const std::string& licence = source.style.background_licence;
-        const std::string file = std::filesystem::path(source.style.background).filename().string();
-        parts.push_back(
-            words.labelled(words("Base map"), elided(valid_utf8(licence.empty() ? file : licence), k_longest_source)));
-    }
-    if (const std::string by = page_attribution(source); !by.empty()) parts.push_back(by);
-    parts.push_back(own);
-    return joined(parts, "; ");
-}
-
 std::string own_title(const MapSource& source) {
     constexpr std::size_t k_longest = 120;  // letters: two lines on a small page
     return elided(valid_utf8(source.title), k_longest);
@@ -120,7 +102,7 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     if (layer.time && !scenario.empty()) spec.subtitle += ", " + scenario;
     spec.legend_title = layer.legend_title.empty() ? layer.title : layer.legend_title;
     spec.unit = layer.unit;
-    spec.attribution = attribution(source);
+    spec.attribution = map_sources(source);
     spec.source = layer.source;
     if (layer.time) spec.source += ", " + time_words(*layer.time, spec.words);
     spec.palette = layer.palette;
@@ -239,6 +221,24 @@ std::string foot_line(const std::vector<std::string>& parts) {
 
 std::string page_title(const MapSource& source, const std::string& shown) {
     return source.style.words.labelled(own_title(source), shown);
+}
+
+std::string map_sources(const MapSource& source) {
+    const std::string own = source.style.words(source.foreign ? worded("Drawn with {1}") : worded("Simulated with {1}"),
+                                               {std::string(k_program) + " " + k_version});
+    const Words& words = source.style.words;
+    std::vector<std::string> parts;
+    if (!source.terrain_source.empty())
+        parts.push_back(words.labelled(words("Terrain"), elided(valid_utf8(source.terrain_source), k_longest_source)));
+    if (!source.style.background.empty()) {
+        const std::string& licence = source.style.background_licence;
+        const std::string file = std::filesystem::path(source.style.background).filename().string();
+        parts.push_back(
+            words.labelled(words("Base map"), elided(valid_utf8(licence.empty() ? file : licence), k_longest_source)));
+    }
+    if (const std::string by = page_attribution(source); !by.empty()) parts.push_back(by);
+    parts.push_back(own);
+    return joined(parts, "; ");
 }
 
 std::string page_attribution(const MapSource& source) {

@@ -86,6 +86,8 @@ std::string foot_line(const std::vector<std::string>& parts);
 std::string page_title(const MapSource& source, const std::string& shown);
 /// Returns sources of data and author, shortened if long.
 std::string page_attribution(const MapSource& source);
+/// Returns the small print at the foot of a map: sources of terrain, background and data, author, program.
+std::string map_sources(const MapSource& source);
 
 /// Returns a map of one raster. The spec borrows the terrain of `source` and the values of `layer`.
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer);

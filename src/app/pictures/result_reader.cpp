@@ -271,9 +271,10 @@ bool ResultReader::has_layer(const std::string& file, const std::string& layer) 
 
 MultiPolygon ResultReader::outline(const std::string& layer, const std::string& crs_wkt) const {
     MultiPolygon all;
-    const std::string file = path(k_outlines_file);
-    // A result without a scar has no such layer.
-    if (!has_layer(k_outlines_file, layer)) return all;
+    // The outline of a later comparison comes before the run's own; a result without a scar has no such layer.
+    const char* const name = has_layer(k_comparison_outline, layer) ? k_comparison_outline : k_outlines_file;
+    const std::string file = path(name);
+    if (!has_layer(name, layer)) return all;
     for (const PolygonFeature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
         all.insert(all.end(), feature.parts.begin(), feature.parts.end());
     return all;

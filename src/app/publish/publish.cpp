@@ -329,7 +329,6 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     publish_frame_stacks(prepared, directory);
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
     if (frames.count() > 0) publish_frame_styles(directory.folder());
-    publish_project(directory.folder(), prepared.spec.output.title.value_or(scene_name(prepared.spec)));
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
@@ -351,6 +350,8 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
             directory);
     }
     write_text_file(directory.path(k_summary_file), summary_json(result, facts));
+    // Its sheets show what the summary says.
+    publish_project(directory.folder(), prepared.spec.output.title.value_or(scene_name(prepared.spec)));
     log.note("wrote summary.json");
     write_text_file(directory.path(k_log_file), log.text());
     return pictures;

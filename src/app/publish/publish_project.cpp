@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "app/pictures/map_layer.h"
+#include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
@@ -16,7 +17,9 @@
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "gis/vector/vector_in.h"
+#include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
+#include "render/map/map_ground.h"
 
 namespace frana::app {
 namespace {
@@ -52,7 +55,8 @@ class ProjectWriter {
 
     void write() {
         gis::QgisProject project{title_, result_.grid().crs_wkt, result_.grid().bounds(), {}, frame_step()};
-        for (const gis::ProjectGroup& group : {outlines(), maps()})
+        const gis::ProjectGroup lines = outlines(), rasters = maps();
+        for (const gis::ProjectGroup& group : {lines, rasters})
             if (!group.layers.empty()) project.groups.push_back(group);
         for (const ResultRaster* row : frame_rasters(result_)) project.groups.push_back(frames(*row));
         if (result_.has(raster_file("dtm")))
@@ -63,7 +67,9 @@ class ProjectWriter {
                                         gis::Shape::area,
                                         gis::relief_style("dtm", words_("Terrain")).qml,
                                         true,
-                                        {}}}});
+                                        {},
+                                        source_.terrain_source}}});
+        add_layouts(lines, rasters, project);
         gis::write_qgis_project(result_.path(k_project_file), project);
     }
 
@@ -75,8 +81,10 @@ class ProjectWriter {
         gis::ProjectGroup group{named(words_("Outlines")), {}};
         for (const VectorLayer& row : vector_layers()) {
             if (!result_.has_layer(row.file, row.name)) continue;
-            const bool visible =
-                row.file == k_outlines_file || row.file == k_gauge_places || row.file == k_exposure_file;
+            // Of two surveys that of the later comparison.
+            if (row.file == k_outlines_file && result_.has_layer(k_comparison_outline, row.name)) continue;
+            const bool visible = row.file == k_outlines_file || row.file == k_comparison_outline ||
+                                 row.file == k_gauge_places || row.file == k_exposure_file;
             group.layers.push_back(
                 {named(words_(row.title)), row.file, row.name, row.shape, style_in(row, words_).qml, visible, {}});
         }
@@ -112,6 +120,59 @@ class ProjectWriter {
                 {named(title), raster_file(name), "", gis::Shape::area, style_beside(raster_file(name)), visible, {}});
         }
         return group;
+    }
+
+    /// A sheet for each map, of the scene's paper or A4, upright or not: as the flow fits at the greater scale, or by
+    /// its shape.
+    void add_layouts(const gis::ProjectGroup& lines, const gis::ProjectGroup& rasters, gis::QgisProject& project) {
+        render::MapSpec content;
+        if (source_.terrain.grid.columns > 0) content.terrain = &source_.terrain;
+        if (source_.extent.grid.columns > 0) content.extent = &source_.extent;
+        for (const MultiPolygon& area : {source_.release, source_.scar})
+            content.outlines.push_back({"", area, {}, 1, false});
+        if (content.terrain == nullptr && content.extent == nullptr) content.window = result_.grid().bounds();
+        const Bounds shown = render::required_window(content);
+        gis::ProjectLayout sheet;
+        sheet.sheet = source_.style.size.paper.starts_with("A3") ? "A3" : "A4";
+        const auto [upright, upright_scale] = window_on(sheet.sheet, true, content);
+        const auto [across, across_scale] = window_on(sheet.sheet, false, content);
+        sheet.portrait = std::pair(upright_scale, shown.width()) < std::pair(across_scale, shown.height());
+        sheet.window = sheet.portrait ? upright : across;
+        sheet.subtitle = scenario_line(source_);
+        sheet.notes = joined(source_.notes, "\n") + '\n' + source_.crs_label;
+        sheet.title_block = joined(block_lines(source_.style), "\n");
+        sheet.logo = source_.style.logo;
+        sheet.sources = map_sources(source_);
+        const std::string of_run = named("");
+        for (const gis::ProjectLayer& map : rasters.layers) {
+            if (!map.layer.empty()) continue;  // zones: their raster has a sheet
+            gis::ProjectLayout& one = project.layouts.emplace_back(sheet);
+            const auto show = [&](const gis::ProjectLayer& layer, bool in_legend) {
+                one.layers.push_back(layer.title);
+                one.legend.push_back(in_legend ? layer.title.substr(0, layer.title.size() - of_run.size()) : "");
+            };
+            for (const gis::ProjectLayer& line : lines.layers)
+                if (line.visible) show(line, true);
+            show(map, true);
+            one.title = page_title(source_, one.legend.back());
+            if (project.groups.back().layers.front().file == raster_file("dtm"))
+                show(project.groups.back().layers.front(), false);
+        }
+    }
+
+    /// Returns the ground on a sheet's map, and n of 1 : n: the least round one, or the scene's if that is greater.
+    [[nodiscard]] std::pair<Bounds, double> window_on(const std::string& sheet, bool portrait,
+                                                      render::MapSpec content) const {
+        constexpr double k_pixels = 10;  // per mm
+        const Point frame = gis::frame_of(sheet, portrait);
+        const auto at_scale = [&](std::optional<double> scale) {
+            content.print = {k_pixels * 25.4, sheet, scale};
+            const Bounds ground = render::map_window(content, static_cast<int>(std::lround(k_pixels * frame.x)),
+                                                     static_cast<int>(std::lround(k_pixels * frame.y)));
+            return std::pair{ground, ground.width() / frame.x * 1000};
+        };
+        const auto least = at_scale(std::nullopt);
+        return source_.style.scale.value_or(0) > least.second ? at_scale(source_.style.scale) : least;
     }
 
     /// Of the controller [s]: what the scene asks for.
@@ -162,6 +223,7 @@ class ProjectWriter {
     ResultReader result_;
     Words words_ = result_.words();
     std::string title_;
+    MapSource source_ = result_.map_source();
 };
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <string_view>
 
 #include "analysis/ground_statistics.h"
 #include "app/input/share_directory.h"
@@ -24,6 +23,7 @@
 #include "params/keys/materials.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 #include "params/keys/zone_keys.h"
 #include "params/scene/write_scene.h"
 #include "simulation/run_summary.h"
@@ -36,30 +36,17 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t k_names = 3, k_area_letters = 40;
 
-/// Names of keys that no law brings with it; of the structured model, those that a reader asks for first.
-struct KeyName {
-    const char *key, *name;
-};
-constexpr KeyName k_names_of_keys[] = {
-    {"material.density", worded("density")},
-    {"entrainment.erodible-depth", worded("erodible depth")},
-    {"structured.internal-friction-angle", worded("internal friction angle")},
-    {"structured.bed-friction-angle", worded("friction angle at the bed")},
-    {"structured.cohesion", worded("cohesion")},
-    {"structured.solid-fraction", worded("fraction of solids")},
-    {"structured.grain-density", worded("density of the grains")},
-    {"structured.fluid-density", worded("density of the fluid")},
-    {"structured.manning", "Manning n"},
-};
+/// Of the structured model, the keys that a reader asks for first.
+constexpr const char* k_structured_keys[] = {"structured.internal-friction-angle",
+                                             "structured.bed-friction-angle",
+                                             "structured.cohesion",
+                                             "structured.solid-fraction",
+                                             "structured.grain-density",
+                                             "structured.fluid-density",
+                                             "structured.manning"};
 
 std::string name_of(const std::string& key, const Words& words) {
-    if (const Parameter& law_key = *find_parameter(scene_parameters(), key); !law_key.called.empty())
-        return words(law_key.called);
-    for (const KeyName& one : k_names_of_keys)
-        if (key == one.key) return words(one.name);
-    std::string name = key.substr(key.find('.') + 1);
-    std::replace(name.begin(), name.end(), '-', ' ');
-    return name;
+    return words(title_of(*find_parameter(scene_parameters(), key)));
 }
 
 std::string value_with_unit(const std::string& value, const std::string& unit) {
@@ -123,9 +110,8 @@ std::string by_place(const ReportInput& input, const std::string& key, const Wor
 std::vector<std::string> told_keys(const SceneSpec& spec) {
     std::vector<std::string> keys;
     if (spec.material.model == "structured") {
-        for (const KeyName& one : k_names_of_keys)
-            if (std::string_view(one.key).starts_with("structured.") && model_reads(spec, one.key))
-                keys.emplace_back(one.key);
+        for (const char* const key : k_structured_keys)
+            if (model_reads(spec, key)) keys.emplace_back(key);
         return keys;
     }
     const std::vector<const Law*> laws = laws_of(spec);

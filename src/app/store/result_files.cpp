@@ -125,7 +125,8 @@ std::vector<ResultFile> make_table() {
     }
     table.by("compare");
     table.add(FileKind::text, {k_comparison_file})
-        .add(FileKind::table, {k_comparison_curve, k_reliability_table, k_roc_table});
+        .add(FileKind::table, {k_comparison_curve, k_reliability_table, k_roc_table})
+        .add(FileKind::vector, {k_comparison_outline});
     table.add_rasters().add_page("comparison");
     table.by("ensemble");
     table.add(FileKind::text, {k_study_file, std::string(k_member_folder) + "/member_*/scene.ini"});

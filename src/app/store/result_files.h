@@ -74,6 +74,7 @@ inline constexpr const char *k_scheme_item = "HAZARD_SCHEME", *k_scheme_title_it
                             *k_scheme_words_item = "HAZARD_WORDS";
 inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
+inline constexpr const char* k_comparison_outline = "comparison.gpkg";  ///< that of a survey given to `frana compare`
 /// Of a map of probability.
 inline constexpr const char* k_reliability_table = "reliability.csv";
 inline constexpr const char* k_roc_table = "roc.csv";

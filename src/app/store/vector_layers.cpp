@@ -144,6 +144,7 @@ const std::vector<VectorLayer>& vector_layers() {
         {k_exposure_file, "exposure_points", worded("Exposed places"), Shape::point, {{}, 3, false, ""}},
         {k_exposure_file, "exposure_lines", worded("Exposed lines"), Shape::line, {{}, 0.8, false, ""}},
         {k_exposure_file, "exposure_areas", worded("Exposed areas"), Shape::area, {{}, 0.6, false, ""}},
+        {k_comparison_outline, "scar", worded("Surveyed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
         {k_outlines_file, "scar", worded("Surveyed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
         {k_outlines_file, "release", worded("Release"), Shape::area, {k_release_colour, 0.6, true, k_name}},
         {k_outlines_file, "deposit", worded("Outline of the deposit"), Shape::area, {{120, 70, 0}, 0.4, false, ""}},

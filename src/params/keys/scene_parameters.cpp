@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/words/words.h"
 #include "params/keys/declare.h"
 #include "params/keys/material_parameters.h"
 #include "params/keys/output_parameters.h"
@@ -430,19 +431,20 @@ const std::vector<Parameter>& scene_parameters() {
 }
 
 std::vector<Section> scene_sections() {
-    return {{"scene", "The scene file."},
-            {"terrain", "Terrain and working grid."},
-            {"release", "Release area and thickness."},
-            {"inflow", "Inflow through lines over time."},
-            {"material", "Material of the flow."},
-            {"structured", "Material of the structured model (material.model = structured)."},
-            {"zones", "Material values by place, where they differ from [material]."},
-            {"entrainment", "Erosion and deposition."},
-            {"numerics", "Numerical method."},
-            {"time", "Simulated time, stopping and frames."},
-            {"output", "Output files and pictures."},
-            {"hazard", "Intensity classes."},
-            {"observed", "The surveyed outline to compare with; [scar] is the same section."}};
+    return {
+        {"scene", worded("Scene file"), "The scene file."},
+        {"terrain", worded("Terrain"), "Terrain and working grid."},
+        {"release", worded("Release"), "Release area and thickness."},
+        {"inflow", worded("Inflow"), "Inflow through lines over time."},
+        {"material", worded("Material"), "Material of the flow."},
+        {"structured", worded("Structured model"), "Material of the structured model (material.model = structured)."},
+        {"zones", worded("Values by place"), "Material values by place, where they differ from [material]."},
+        {"entrainment", worded("Erosion and deposition"), "Erosion and deposition."},
+        {"numerics", worded("Numerical method"), "Numerical method."},
+        {"time", worded("Simulated time"), "Simulated time, stopping and frames."},
+        {"output", worded("Output"), "Output files and pictures."},
+        {"hazard", worded("Intensity classes"), "Intensity classes."},
+        {"observed", worded("Survey"), "The surveyed outline to compare with; [scar] is the same section."}};
 }
 
 }  // namespace frana

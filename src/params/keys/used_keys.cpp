@@ -10,33 +10,79 @@
 namespace frana {
 namespace {
 
-constexpr std::string_view k_main_keys[] = {
-    "terrain.dtm",
-    "terrain.crs",
-    "terrain.cell-size",
-    "terrain.vertical-unit",
-    "terrain.nodata-policy",
-    "release.perimeter",
-    "release.thickness",
-    "release.thickness-direction",
-    "release.dtm-contains-release",
-    "material.preset",
-    "material.friction-angle",
-    "material.turbulence",
-    "material.density",
-    "numerics.accuracy",
-    "time.end",
-    "time.frame-interval",
-    "output.title",
-    "output.trace-threshold",
-    "hazard.scheme",
-    "observed.perimeter",
+/// A key that nearly every scene has, or whose own words do not say what it is. The first ten are those that a
+/// dialogue shows, in this order.
+struct KeyRow {
+    std::string_view key;
+    bool is_main = false;
+    const char* title = "";
+};
+constexpr std::size_t k_first_keys = 10;
+constexpr KeyRow k_rows[] = {
+    {"terrain.dtm", true, "terrain model (DTM)"},
+    {"release.perimeter", true, "release area"},
+    {"release.thickness", true, "release thickness"},
+    {"material.preset", true, "process and material preset"},
+    {"time.end", true, "longest simulated time"},
+    {"terrain.cell-size", true, "cell size"},
+    {"numerics.accuracy", true, "accuracy, instead of a cell size"},
+    {"output.maps", false, "maps"},
+    {"output.language", false, "language of maps and report"},
+    {"observed.perimeter", true, "surveyed outline"},
+    {"terrain.crs", true, "working CRS"},
+    {"terrain.dtm-crs", false, "CRS of the DTM"},
+    {"terrain.bounds", false, "part of the DTM"},
+    {"terrain.nodata-policy", true, "ground without elevation"},
+    {"terrain.nodata-value", false, "value that means no elevation"},
+    {"terrain.error", false, "error of the elevations"},
+    {"terrain.source", false, "source of the elevations"},
+    {"release.dtm-contains-release", true, "DTM contains the release"},
+    {"release.start", false, "time of failure"},
+    {"release.velocity", false, "initial speed"},
+    {"inflow.line", false, "lines of inflow"},
+    {"material.bed-friction", false, "laws of bed friction"},
+    {"structured.fluid-density", false, "density of the fluid"},
+    {"structured.manning", false, "Manning n"},
+    {"structured.solid-fraction", false, "fraction of solids"},
+    {"structured.grain-density", false, "density of the grains"},
+    {"structured.bed-friction-angle", false, "friction angle at the bed"},
+    {"structured.zones", false, "areas of these values"},
+    {"numerics.cfl", false, "Courant number"},
+    {"output.names", false, "names of the files"},
+    {"observed.front", false, "surveyed front"},
+    {"observed.deposit", false, "surveyed deposit"},
+    {"observed.threshold", false, "depth that counts as covered"},
+    {"terrain.vertical-unit", true},
+    {"release.thickness-direction", true},
+    {"material.friction-angle", true},
+    {"material.turbulence", true},
+    {"material.density", true},
+    {"time.frame-interval", true},
+    {"output.title", true},
+    {"output.trace-threshold", true},
+    {"hazard.scheme", true},
 };
 
 }  // namespace
 
 bool is_main_key(const std::string& name) {
-    return std::find(std::begin(k_main_keys), std::end(k_main_keys), name) != std::end(k_main_keys);
+    return std::any_of(std::begin(k_rows), std::end(k_rows),
+                       [&](const KeyRow& row) { return row.is_main && row.key == name; });
+}
+
+std::optional<std::size_t> place_in_dialogue(const std::string& name) {
+    for (std::size_t place = 0; place < k_first_keys; ++place)
+        if (name == k_rows[place].key) return place;
+    return std::nullopt;
+}
+
+std::string title_of(const Parameter& key) {
+    for (const KeyRow& row : k_rows)
+        if (key.name() == row.key && *row.title != 0) return row.title;
+    if (!key.called.empty()) return key.called;
+    std::string title = key.key;
+    std::replace(title.begin(), title.end(), '-', ' ');
+    return title;
 }
 
 namespace {
@@ -80,7 +126,7 @@ std::string absent_in(const Parameter& key, const Words& words) {
 }
 
 std::vector<std::string> rows_of(const Parameter& key) {
-    std::vector<std::string> rows{own_meaning(key)};
+    std::vector<std::string> rows{own_meaning(key), title_of(key)};
     const std::string absent = NumberPattern(key.absent).text;
     const bool is_key = absent.find('.') != absent.npos && absent.find(' ') == absent.npos;  // another key's value
     const bool has_words = !absent.empty() && absent != "{1}" && absent != "off" && !is_key;

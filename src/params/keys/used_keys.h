@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,14 @@
 
 namespace frana {
 
-/// Whether a key is one of the twenty that nearly every scene states or asks for: `frana new` writes them, and
-/// dialogues show them first. `frana params --json` marks them.
+/// Whether a key is one of the twenty that nearly every scene states or asks for: `frana new` writes them.
 bool is_main_key(const std::string& name);
+
+/// Returns where a dialogue shows a key among those that it does not hide, from 0; none: among the others.
+std::optional<std::size_t> place_in_dialogue(const std::string& name);
+
+/// Returns a key in plain words, without a capital letter: "release area", "cell size".
+std::string title_of(const Parameter& key);
 
 // What a key's declaration says, in the language of a report. Its English texts are in the catalogues.
 
@@ -23,7 +29,7 @@ std::string meaning_in(const Parameter& key, const Words& words);
 /// Returns the effect if the key is not given.
 std::string absent_in(const Parameter& key, const Words& words);
 
-/// Returns the texts of the catalogues that these two need, in English.
+/// Returns the texts of the catalogues that these two and the title need, in English.
 std::vector<std::string> rows_of(const Parameter& key);
 
 /// Returns whether a key matters for the numbers of a scene: it was given, or the scene's model, its laws and its other

@@ -290,21 +290,28 @@ std::string reference_ini() {
     return text;
 }
 
-std::string reference_json() {
+std::string reference_json(Language language) {
+    const Words words(language);
+    std::map<std::string, std::string> titles;
+    for (const Section& section : scene_sections()) titles[section.name] = words(section.title);
     Json keys = Json::array();
     for (const Parameter& parameter : scene_parameters()) {
         Json& key = keys.emplace_back(Json{{"name", parameter.name()},
                                            {"section", parameter.section},
                                            {"key", parameter.key},
                                            {"type", parameter.type},
-                                           {"unit", parameter.unit}});
+                                           {"unit", parameter.unit},
+                                           {"title", words(title_of(parameter))},
+                                           {"section_title", titles[parameter.section]},
+                                           {"required", parameter.absent.starts_with("required")}});
         if (!parameter.content.empty()) key["content"] = parameter.content;
         const std::string fixed = parameter.default_text();
         key["default"] = fixed.empty() ? Json() : Json(fixed);
-        if (fixed.empty()) key["when_absent"] = parameter.absent;
+        if (fixed.empty()) key["when_absent"] = absent_in(parameter, words);
         key["limits"] = parameter.limits;
-        key["meaning"] = parameter.meaning;
+        key["meaning"] = meaning_in(parameter, words);
         key["main"] = is_main_key(parameter.name());
+        if (const auto place = place_in_dialogue(parameter.name())) key["place"] = *place;
     }
     return json_text(keys);
 }

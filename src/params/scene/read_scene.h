@@ -64,8 +64,9 @@ SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::ve
 std::optional<Problem> problem_of_key(const std::string& name, const std::string& value);
 
 /// The reference of all keys, generated from their declarations.
-std::string reference_ini();       ///< a scene file with every key commented out at its default
-std::string reference_json();      ///< an array of objects: name, type, unit, default, limits, meaning
+std::string reference_ini();  ///< a scene file with every key commented out at its default
+/// An array of objects: name, type, unit, default, limits; titles and meanings in a language; the place in a dialogue.
+std::string reference_json(Language language = Language::english);
 std::string reference_markdown();  ///< one table per section
 
 /// Entries of one source; a later source overrides an earlier one.

@@ -88,6 +88,7 @@ void Overwrite::make_studies(bool all) const {
                                                    {"calibrate", "fitted.ini", "--out", "fitted", "--quiet"}};
     if (all)
         commands.insert(commands.end(), {{"compare", "range", "--scar", "scar.geojson", "--size", "640x480"},
+                                         {"compare", "old", "--scar", "scar.geojson", "--size", "640x480"},
                                          {"ensemble", "union.ini", "--out", "union", "--quiet"},
                                          {"calibrate", "fitted_to_two.ini", "--out", "fitted_to_two", "--quiet"}});
     for (const std::vector<std::string>& command : commands) {

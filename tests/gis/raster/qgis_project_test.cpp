@@ -17,10 +17,12 @@ namespace {
 
 using Xml = std::unique_ptr<CPLXMLNode, decltype(&CPLDestroyXMLNode)>;
 
+const std::string outline_title = "A < B & \"C\"";
+
 QgisProject project() {
     ProjectLayer frame{"Depth, 2.5 s", "frames/depth_0001.tif", "", Shape::area, "", true, std::pair{2.5, 5.0}};
     ProjectLayer outline{
-        "A < B & \"C\"", "extent.gpkg", "release", Shape::area, style_of("release", Shape::area, {}).qml, true, {}};
+        outline_title, "extent.gpkg", "release", Shape::area, style_of("release", Shape::area, {}).qml, true, {}};
     return {"Run <1>",
             crs_from_user("EPSG:32632", ""),
             {1, 2, 3, 4},
@@ -53,6 +55,31 @@ TEST(QgisProject, IsAnArchiveOfSoundXmlWithRelativeFilesAndTimes) {
           "<end>2000-01-01T00:00:05.000Z</end>", "<title>Run &lt;1&gt;</title>", "<authid>EPSG:32632</authid>",
           "<ProjectionsEnabled type=\"int\">1<", "timeStep=\"2500\"", "<Absolute type=\"bool\">false</Absolute>"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
+}
+
+TEST(QgisProject, ASheetShowsItsLayersAndBreaksLongLabelsInItsLegend) {
+    const test::Folder folder;
+    QgisProject sheets = project();
+    ProjectLayer& classes = sheets.groups[1].layers.front();
+    classes.style = "<qgis><item value=\"1\" label=\"Medium: depth &lt; 1 m or speed below 1 m/s\"/></qgis>";
+    ProjectLayout sheet{"Run <1>: Depth", "", "A4", true, {0, 0, 950, 800}, {outline_title, classes.title},
+                        {"", "Depth"}};
+    sheet.sources = "DTM & flow";
+    sheets.layouts = {sheet, sheet};
+    sheets.layouts[1].portrait = false;
+    write_qgis_project(folder.file("result.qgz"), sheets);
+    const std::string text = content(folder.file("result.qgz"));
+    ASSERT_TRUE(Xml(CPLParseXMLString(text.c_str()), CPLDestroyXMLNode)) << text;
+    for (const std::string part :
+         {"<Layout name=\"Run &lt;1&gt;: Depth\"", "size=\"210,297,mm\"", "size=\"297,210,mm\"",
+          "provider=\"ogr\">frana_layer_1</Layer>", "provider=\"gdal\">frana_layer_2</Layer></LayerSet>",
+          "legend/title-label\" value=\"Depth\"", "legend/node-order\" value=\"1\"", "DTM &amp; flow",
+          "value=\"Medium: depth &lt; 1 m or|speed below 1 m/s\""})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_EQ(text.find("legend/title-label\" value=\"A &lt;"), std::string::npos)
+        << "a layer that is not in the legend";
+    EXPECT_GT(frame_of("A4", true).y, frame_of("A4", true).x * 0.9);
+    EXPECT_GT(frame_of("A4", false).x, frame_of("A4", false).y);
 }
 
 TEST(QgisProject, TheSameProjectHasTheSameBytesWhateverTheNumberOfThreads) {

@@ -80,6 +80,27 @@ TEST(Reference, TheJsonFormMarksTheTwentyMainKeys) {
     EXPECT_EQ(marked, 20);  // each is a key: a misspelt one would be missing here
 }
 
+TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesTenInADialogue) {
+    std::set<std::size_t> places;
+    int translated = 0;
+    const Json german = Json::parse(reference_json(Language::german));
+    for (const Json& key : german) {
+        EXPECT_FALSE(key.at("title").get<std::string>().empty()) << key["name"];
+        if (key.contains("place")) {
+            EXPECT_TRUE(places.insert(key["place"].get<std::size_t>()).second) << key["name"];
+        }
+        if (key["name"] == "release.perimeter") {
+            EXPECT_EQ(key["title"], "Anrissgebiet");
+            EXPECT_EQ(key["section_title"], "Anrissgebiet");
+            EXPECT_TRUE(key.at("required").get<bool>());
+        }
+        translated += key["title"] != title_of(*find_parameter(scene_parameters(), key["name"])) ? 1 : 0;
+    }
+    EXPECT_EQ(places.size(), 10U);
+    EXPECT_EQ(*places.rbegin(), 9U) << "each row of the table is a key";
+    EXPECT_GT(translated, static_cast<int>(german.size()) * 9 / 10);
+}
+
 TEST(Reference, TheDocumentInShareIsWhatTheProgramPrints) {
     std::ifstream file(FRANA_SOURCE_SHARE "/doc/parameters.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsProcessingAlgorithm
 
 from ..program import Program
+from .batch import BatchAlgorithm
 from .calibrate import CalibrateAlgorithm
 from .check import CheckAlgorithm
 from .compare import CompareAlgorithm
@@ -16,7 +17,7 @@ from .render import RenderAlgorithm
 from .run import RunAlgorithm
 
 _ALL = (RunAlgorithm, CheckAlgorithm, CompareAlgorithm, RenderAlgorithm, ConvergeAlgorithm, EnsembleAlgorithm,
-        CalibrateAlgorithm, NewSceneAlgorithm, ProbabilityAlgorithm)
+        BatchAlgorithm, CalibrateAlgorithm, NewSceneAlgorithm, ProbabilityAlgorithm)
 
 
 def algorithms_of(program: Program) -> list[QgsProcessingAlgorithm]:

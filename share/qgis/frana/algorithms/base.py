@@ -97,17 +97,19 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
         self.addParameter(parameter)
 
     def add_threads(self) -> None:
-        self.add_advanced(QgsProcessingParameterNumber("THREADS", "Threads (otherwise all processors)",
+        self.add_advanced(QgsProcessingParameterNumber("THREADS", "Threads (all processors)",
                                                        QgsProcessingParameterNumber.Integer, None, True, 1, 1024),
                           "Number of threads. The result is the same for any number.")
+
+    def add_seed(self) -> None:
+        self.add_advanced(QgsProcessingParameterNumber("SEED", "Seed (1)", QgsProcessingParameterNumber.Integer, None, True, 0,
+                                                       2147483647), "The same seed gives the same runs.")
 
     def add_result_folder(self, label: str = "Folder of the result") -> None:
         self.addParameter(QgsProcessingParameterFolderDestination("OUTPUT", label))
 
     def add_box(self, name: str, label: str, text: str, is_on: bool = False) -> None:
-        parameter = QgsProcessingParameterBoolean(name, label, is_on, True)
-        parameter.setHelp(text)
-        self.addParameter(parameter)
+        self.add_advanced(QgsProcessingParameterBoolean(name, label, is_on, True), text)
 
     def add_resume(self) -> None:
         self.add_box("RESUME", "Resume a stopped run",

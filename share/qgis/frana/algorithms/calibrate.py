@@ -3,83 +3,102 @@
 from __future__ import annotations
 
 import os
+import re
 from typing import Any
 
 from qgis.core import (QgsProcessing, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
-                       QgsProcessingParameterFile, QgsProcessingParameterMultipleLayers)
+                       QgsProcessingParameterField, QgsProcessingParameterMultipleLayers)
 
 from ..fields import Values, number_parameter
-from ..inputs import inputs_folder, make_folder
-from ..outputs import CALIBRATE, collect, declare
-from ..process import run_or_refuse
-from .base import FranaAlgorithm
-from .study_text import objective_parameter, rows, section, varied, vary_parameter
+from ..inputs import settings, write_scene
+from ..outputs import CALIBRATE, declare
+from .study import StudyAlgorithm, by_key, rows, section, table, vary_parameter
+
+_RELEASE, _SURVEY = "release.perimeter", "observed.perimeter"
 
 
-class CalibrateAlgorithm(FranaAlgorithm):
+class CalibrateAlgorithm(StudyAlgorithm):
     COMMAND = NAME = "calibrate"
     TITLE = "Calibrate on surveyed events"
     GROUP = "Many runs"
-    HELP = ("Finds the values of uncertain keys that explain one or several surveyed events, and how uncertain they stay. Each "
-            "scene has an observed outline; “New scene from layers” writes one. Give scenes and uncertain values, or a "
-            "study file.")
+    HELP = ("Finds the values of uncertain keys that explain one or several surveyed events, and how uncertain they stay.\n\n"
+            "An event is a scene with its surveyed outline: the layers of the fields; or, with a column of the release "
+            "polygons that names events, one for each of its values, with the outlines that have the same value; and scene "
+            "files (“New scene from layers” writes one), for which the other fields count too.")
     TAGS = ("back-calculation", "inverse")
-    NAMES = {**FranaAlgorithm.NAMES, "vary": "Uncertain values", "objective": "Measures", "study": "Study"}
+    TAKES_SCENE_FILE = False
+    NOT_FIRST = ("output.maps", "numerics.accuracy")
+    NAMES = {**StudyAlgorithm.NAMES, "vary": "Uncertain values", "objective": "Measures", "study": "Study"}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
-        self.addParameter(QgsProcessingParameterMultipleLayers("SCENES", "Scenes of the events", QgsProcessing.TypeFile, None,
-                                                               True))
         self.addParameter(vary_parameter())
-        self.addParameter(objective_parameter())
+        self.addParameter(table("OBJECTIVE", "Measures: name and weight", ["Measure", "Weight"],
+                                "For example jaccard and 2, runout and 1; see “Calibration” in frana's documents."))
+        self.add_scene()
+        for name, label, key in (("EVENT", "Events: column of the release area", _RELEASE),
+                                 ("SURVEYED_EVENT", "Events: column of the surveyed outline", _SURVEY)):
+            column = QgsProcessingParameterField(name, label, None, key.replace(".", "_"), QgsProcessingParameterField.Any,
+                                                 False, True)
+            column.setHelp("Each value is an event of its own. Without a column the layers are one event.")
+            self.addParameter(column)
+        self.addParameter(QgsProcessingParameterMultipleLayers("SCENES", "Scene files of further events",
+                                                               QgsProcessing.TypeFile, None, True))
         self.addParameter(number_parameter("SAMPLES", "First runs, on coarse cells", (2, 1_000_000), True, 200))
         self.addParameter(number_parameter("REFINE", "Runs on the scenes' own cells", (0, 1_000_000), True, 100))
-        self.addParameter(QgsProcessingParameterFile("STUDY", "Study file, instead of the fields above",
-                                                     QgsProcessingParameterFile.File, "ini", None, True))
-        self.add_advanced(number_parameter("COARSE", "Coarse cells, in units of the scene's (otherwise 2)", (1, 16), True),
+        self.add_advanced(number_parameter("COARSE", "Coarse cells, in units of the scene's (2)", (1, 16), True),
                           "1: the first runs are on the scenes' own cells.")
-        self.add_advanced(number_parameter("SEED", "Seed (otherwise 1)", (0, 2147483647), True),
-                          "The same seed gives the same runs.")
+        self.add_seed()
+        self.add_file()
         self.add_threads()
         self.add_resume()
         self.add_overwrite()
         self.add_result_folder("Folder of the calibration")
         declare(self, CALIBRATE)
 
-    def study(self, values: Values, folder: str) -> str:
-        if values.has("STUDY"):
-            return os.path.abspath(values.text("STUDY"))
-        scenes = self.parameterAsFileList(values.parameters, "SCENES", values.context) if values.has("SCENES") else []
-        if not scenes:
-            raise QgsProcessingException("Scenes of the events: none is given. Add scene files, or a study file")
-        entries = [("scene", ", ".join(os.path.abspath(scene) for scene in scenes)),
-                   ("samples", str(values.whole("SAMPLES"))), ("refine", str(values.whole("REFINE")))]
-        entries += [(name.lower(), str(values.whole(name))) for name in ("COARSE", "SEED") if values.has(name)]
-        make_folder(folder)
-        path = os.path.join(folder, "study.ini")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write("\n".join(["# A calibration from QGIS.", *section("study", entries),
-                                  *section("objective", rows(values, "OBJECTIVE", "Measures")),
-                                  *section("vary", varied(values, self.program.keys))]) + "\n")
-        return path
+    def events(self, values: Values, folder: str) -> list[tuple[str, str]]:
+        """Writes the scenes of the layers; returns name and file of each."""
+        release, survey = (self.given.layer_of(key) for key in (_RELEASE, _SURVEY))
+        column = values.column("EVENT")
+        if release is None or not column:
+            return [] if release is None else [("layers", os.path.basename(
+                write_scene(folder, self.given, f"{self.TITLE}, from QGIS", self.scene_name(folder))))]
+        surveyed = values.column("SURVEYED_EVENT") or (column if survey is not None and survey.has(column) else "")
+        written: dict[str, str] = {}
+        for value in release.values_of(column):
+            name = re.sub(r"[^\w-]+", "_", str(value)).strip("_") or "event"
+            while name in written:
+                name += "_"
+            text = "'" + value.replace("'", "''") + "'" if isinstance(value, str) else f"{value:g}"
+            filters = []
+            for key, of_event in ((_RELEASE, column), (_SURVEY, surveyed)):
+                if of_event:
+                    own = self.given.text_of(key + "-filter")
+                    filters.append((key + "-filter", (f"({own}) AND " if own else "") + f'"{of_event}" = {text}'))
+            written[name] = os.path.basename(write_scene(folder, self.given, f"Event {value}, from QGIS", f"event-{name}.ini",
+                                                         more=tuple(filters)))
+        return list(written.items())
 
-    def checkParameterValues(self, parameters: dict[str, Any],  # noqa: N802
-                             context: QgsProcessingContext) -> tuple[bool, str]:
-        good, message = super().checkParameterValues(parameters, context)
-        values = self.values(parameters, context)
-        if good and not values.has("STUDY"):
-            needed = {"SCENES": "Scenes of the events", "OBJECTIVE": "Measures", "VARY": "Uncertain values"}
-            missing = [f"{title}: none is given. Add one, or a study file"
-                       for name, title in needed.items() if not values.has(name)]
-            if missing:
-                return False, "\n".join(missing)
-        return good, message
+    def sections(self, values: Values, folder: str) -> list[str]:
+        files = self.parameterAsFileList(values.parameters, "SCENES", values.context) if values.has("SCENES") else []
+        events = self.events(values, folder)
+        objective = rows(values, "OBJECTIVE", "Measures")
+        vary = by_key(values, self.program.keys, "VARY", "Uncertain values")
+        needed = (("Events", events or files, "Choose layers, or scene files"), ("Measures", objective, "Add one"),
+                  ("Uncertain values", vary, "Add one"))
+        missing = [f"{title}: none is given. {remedy}, or a study file" for title, there, remedy in needed if not there]
+        if missing:
+            raise QgsProcessingException("\n".join(missing))
+        entries = [("samples", str(values.whole("SAMPLES"))), ("refine", str(values.whole("REFINE")))]
+        entries += [(name.lower(), str(values.whole(name))) for name in ("COARSE", "SEED") if values.has(name)]
+        if files:
+            entries.insert(0, ("scene", ", ".join(os.path.abspath(file) for file in files)))
+        lines = section("study", entries)
+        for name, scene in events:
+            lines += section("event " + name, [("scene", scene)])
+        if not events:
+            lines += section("set", settings(folder, self.given))
+        return [*lines, *section("objective", objective), *section("vary", vary)]
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:
-        values = self.values(parameters, context)
-        folder = values.path("OUTPUT")
-        study = self.study(values, inputs_folder(folder))
-        done = run_or_refuse([self.program.path, "calibrate", study, "--out", folder, *self.options(values)], feedback, [],
-                             self.NAMES, self.resume_hint(folder))
-        feedback.pushConsoleInfo(done.output)
-        return {"OUTPUT": folder, **collect(folder, CALIBRATE)}
+        return self.compute(self.values(parameters, context), feedback, CALIBRATE)

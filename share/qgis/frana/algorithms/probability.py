@@ -5,13 +5,34 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from qgis.core import (QgsProcessing, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
-                       QgsProcessingOutputNumber, QgsProcessingParameterMultipleLayers, QgsProcessingParameterNumber,
-                       QgsProcessingParameterRasterDestination)
+from qgis.core import (QgsColorRampShader, QgsProcessing, QgsProcessingContext, QgsProcessingException,
+                       QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingParameterMultipleLayers,
+                       QgsProcessingParameterNumber, QgsProcessingParameterRasterDestination, QgsRasterLayer,
+                       QgsRasterShader, QgsSingleBandPseudoColorRenderer)
+from qgis.PyQt.QtGui import QColor
 
 from ..exceedance import GridError, write_exceedance
-from ..styles import ProbabilityStyle
+from ..loading import After
 from .base import FranaAlgorithm
+
+# The classes of maps of probability, as in the program's own; a test compares.
+# Upper limit of each class, its colour; no colour: transparent.
+PROBABILITY = ((0.0, ""), (0.01, "#fde725"), (0.05, "#93d641"), (0.25, "#3ab776"), (0.5, "#21918c"), (0.75, "#31678d"),
+               (0.95, "#433980"), (float("inf"), "#440154"))
+
+
+def style_probability(layer: QgsRasterLayer) -> None:
+    items, below = [], 0.0
+    for limit, colour in PROBABILITY:
+        shown = QColor(colour) if colour else QColor(255, 255, 255, 0)
+        label = "0" if limit == 0 else f"{below:g} – {min(limit, 1.0):g}"
+        items.append(QgsColorRampShader.ColorRampItem(limit, shown, label))
+        below = limit
+    ramp = QgsColorRampShader(0, 1, None, QgsColorRampShader.Discrete)
+    ramp.setColorRampItemList(items)
+    shader = QgsRasterShader(0, 1)
+    shader.setRasterShaderFunction(ramp)
+    layer.setRenderer(QgsSingleBandPseudoColorRenderer(layer.dataProvider(), 1, shader))
 
 
 class ProbabilityAlgorithm(FranaAlgorithm):
@@ -61,7 +82,8 @@ class ProbabilityAlgorithm(FranaAlgorithm):
         except GridError as problem:
             raise QgsProcessingException(f"Rasters of the results: {problem}") from problem
         if context.willLoadLayerOnCompletion(target):
-            ProbabilityStyle.attach(context.layerToLoadOnCompletionDetails(target))
+            style = After(lambda layer, at: style_probability(layer))
+            context.layerToLoadOnCompletionDetails(target).setPostProcessor(style)
         return {"OUTPUT": target, "REACHED_AREA": area, "LARGEST_STANDARD_ERROR": error, "RESULTS": len(self.paths)}
 
 

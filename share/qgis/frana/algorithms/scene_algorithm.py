@@ -10,6 +10,7 @@ from typing import Any
 
 from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
                        QgsProcessingParameterDefinition, QgsProcessingParameterFile)
+from qgis.PyQt.QtWidgets import QWidget
 
 from ..fields import Field, Values, fields_of
 from ..inputs import Given, result_of, settings, write_scene
@@ -20,6 +21,8 @@ from .base import FranaAlgorithm
 
 class SceneAlgorithm(FranaAlgorithm):
     TAKES_SCENE_FILE = True
+    ALSO_FIRST: tuple[str, ...] = ()  # keys whose fields this dialogue does not hide
+    NOT_FIRST: tuple[str, ...] = ()
 
     def __init__(self, program) -> None:
         super().__init__(program)
@@ -27,29 +30,34 @@ class SceneAlgorithm(FranaAlgorithm):
         self.given: Given | None = None
 
     def add_scene(self) -> None:
-        """The fields of the keys; those that matter most first, the others under the advanced parameters."""
+        """The fields of the keys: those that matter most, the others under the advanced parameters."""
         for field in self.fields:
-            if field.key.is_first:
-                self._add(field)
+            for parameter in field.parameters(self.is_first(field)):
+                self.addParameter(parameter)
         if self.TAKES_SCENE_FILE:
-            scene = QgsProcessingParameterFile("SCENE", "Scene file, instead of the fields or to change some of its values",
-                                               QgsProcessingParameterFile.File, "ini", None, True)
-            scene.setHelp("A scene file of frana. Fields that are given replace its values; a box to tick does so where it "
-                          "differs from its default.")
-            self.addParameter(scene)
-        for field in self.fields:
-            if not field.key.is_first:
-                self._add(field)
+            self.add_advanced(QgsProcessingParameterFile(
+                "SCENE", "Scene file, instead of the fields or to change some of its values", QgsProcessingParameterFile.File,
+                "ini", None, True), "A scene file of frana. Fields that are given replace its values; a box to tick does so "
+                "where it differs from its default.")
 
-    def _add(self, field: Field) -> None:
-        for parameter in field.parameters():
-            self.addParameter(parameter)
+    def is_first(self, field: Field) -> bool:
+        """Whether the dialogue does not hide a field."""
+        name = field.key.name
+        return name in self.ALSO_FIRST or field.key.place is not None and name not in self.NOT_FIRST
+
+    def createCustomParametersWidget(self, parent: QWidget | None) -> QWidget:  # noqa: N802
+        from ..dialogue import dialogue_by_sections  # needs a window
+        return dialogue_by_sections(self, parent)
+
+    def field_of(self, parameter: str) -> Field | None:
+        return next((one for one in self.fields if parameter in one.names), None)
 
     def is_own(self, parameter: QgsProcessingParameterDefinition) -> bool:
-        return all(one.name != parameter.name() for one in self.fields)
+        return self.field_of(parameter.name()) is None
 
     def title_of(self, parameter: QgsProcessingParameterDefinition) -> str:
-        return next((one.key.title() for one in self.fields if one.name == parameter.name()), super().title_of(parameter))
+        field = self.field_of(parameter.name())
+        return field.key.title() if field else super().title_of(parameter)
 
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> bool:
@@ -73,7 +81,8 @@ class SceneAlgorithm(FranaAlgorithm):
         """The name of the scene, which its maps show: the result's, or the release layer's if the result is temporary."""
         result = result_of(folder)
         if result in ("", "OUTPUT"):
-            result = self.given.name_of("release.perimeter") if self.given else ""
+            layer = self.given.layer_of("release.perimeter") if self.given else None
+            result = layer.name if layer else ""
         return (re.sub(r"[^\w. -]", "_", result).strip(" .") or "scene") + ".ini"
 
     def _tell_switches(self, scene: str, changed: set[str], feedback: QgsProcessingFeedback) -> None:
@@ -109,10 +118,13 @@ class SceneAlgorithm(FranaAlgorithm):
             self.given = None
         return (False, "\n".join(problems)) if problems else super().checkParameterValues(parameters, context)
 
+    def words_of_check(self, values: Values, folder: str) -> list[str]:
+        return self.scene_words(values, folder)
+
     def problems(self, values: Values, folder: str) -> list[str]:
         """Of the scene; written into a temporary folder."""
-        words = self.scene_words(values, folder)
-        done = run_program([self.program.path, "check", *words], QgsProcessingFeedback(False))
+        words = [self.program.path, "check", *self.words_of_check(values, folder)]
+        done = run_program(words, QgsProcessingFeedback(False))
         if done.code == 0:
             return []
         found = problems_of(done.lines, self.fields, self.NAMES) or [f"frana check ended with exit code {done.code}"]
