@@ -62,8 +62,13 @@ TEST(QgisProject, ASheetShowsItsLayersAndBreaksLongLabelsInItsLegend) {
     QgisProject sheets = project();
     ProjectLayer& classes = sheets.groups[1].layers.front();
     classes.style = "<qgis><item value=\"1\" label=\"Medium: depth &lt; 1 m or speed below 1 m/s\"/></qgis>";
-    ProjectLayout sheet{"Run <1>: Depth", "", "A4", true, {0, 0, 950, 800}, {outline_title, classes.title},
-                        {"", "Depth"}};
+    ProjectLayout sheet;
+    sheet.title = "Run <1>: Depth";
+    sheet.sheet = "A4";
+    sheet.portrait = true;
+    sheet.window = {0, 0, 950, 800};
+    sheet.layers = {outline_title, classes.title};
+    sheet.legend = {"", "Depth"};
     sheet.sources = "DTM & flow";
     sheets.layouts = {sheet, sheet};
     sheets.layouts[1].portrait = false;
