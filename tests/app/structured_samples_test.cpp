@@ -222,7 +222,9 @@ TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
         const bool at_corner = cell.row == corner || cell.row == corner - 1;
         const bool ahead = cell.column >= front - 1, outside = !ahead || cell.row > corner;
         EXPECT_TRUE(!(at_corner && ahead) || cell.lost > 0.2) << cell.column << ", " << cell.row << ": " << cell.lost;
-        EXPECT_TRUE(!outside || cell.lost < 0.1) << cell.column << ", " << cell.row << ": " << cell.lost;
+        // The cells right behind are within two damage lengths of what broke.
+        const double most = cell.column == front - 2 ? 0.2 : 0.15;
+        EXPECT_TRUE(!outside || cell.lost < most) << cell.column << ", " << cell.row << ": " << cell.lost;
         if (cell.column == back && cell.row == corner - 2) blocked = cell.x;
         if (cell.column == back && cell.row == corner + 3) free = cell.x;
     }
