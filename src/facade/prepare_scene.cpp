@@ -351,7 +351,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     if (scene.structured) scene.structured->more_fluid = !scene.inflows.empty();
     if (scene.structured)
         for (const frana::Problem& problem :
-             structured_problems(*scene.structured, [](const std::string& key) { return key; }))
+             structured_problems(*scene.structured, scene.grid.cell_size, [](const std::string& key) { return key; }))
             problems.add(problem);
     check_inflow_counts(scene, problems);
     problems.throw_if_any();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -70,6 +71,21 @@ class CellOrder {
         for (std::int64_t r = -k_near; r <= k_near; ++r)
             runs[static_cast<std::size_t>(r + k_near)] = cells(row + r, column - k_near, column + k_near);
         return runs;
+    }
+
+    /// Runs a task, parallel, over runs of rows whose particles add to places up to half of `width` [m] away, and
+    /// slack: every second strip of rows at a time, the strip between is wider than the places that two of them could
+    /// share.
+    template <class Task>
+    void for_each_strip(double width, ThreadPool& pool, const Task& task) const {
+        const auto strip = static_cast<std::int64_t>((width + slack()) / side_) + 1;
+        const std::int64_t strips = (rows_ + strip - 1) / strip;
+        for (std::int64_t parity = 0; parity < 2; ++parity) {
+            pool.for_each(static_cast<std::size_t>((strips - parity + 1) / 2), [&](std::size_t k) {
+                const std::int64_t first = (2 * static_cast<std::int64_t>(k) + parity) * strip;
+                task(whole_rows(first, std::min(first + strip, rows_) - 1));
+            });
+        }
     }
 
     template <class Archive>

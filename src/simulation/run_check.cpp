@@ -81,7 +81,7 @@ std::string text(double value, int digits) {
 
 }  // namespace
 
-std::vector<Problem> structured_problems(const StructuredMaterial& material,
+std::vector<Problem> structured_problems(const StructuredMaterial& material, double cell_size,
                                          const std::function<std::string(const std::string&)>& where) {
     std::vector<Problem> problems;
     if (!material.solids) return problems;
@@ -93,6 +93,13 @@ std::vector<Problem> structured_problems(const StructuredMaterial& material,
              text(material.modulus_reduction, 4), most > 1 ? "at most " + text(most, 3) : "1, none: it is soft already",
              "Lower it: at its strength the material would have an elastic strain of over a twentieth of "
              "structured.critical-strain"});
+    }
+    if (const double length = material.damage_length.value_or(cell_size);
+        length < k_least_length * cell_size || length > k_greatest_length * cell_size) {
+        problems.push_back({"does not fit the cells", where("structured.damage-length"), text(length, 4) + " m",
+                            text(k_least_length * cell_size, 4) + " to " + text(k_greatest_length * cell_size, 4) +
+                                " m: half a cell to two cells",
+                            "Choose cells between half and twice of it, or another length"});
     }
     double lightest = HUGE_VAL;
     visit_materials(material, [&](const SolidValues& solid) { lightest = std::min(lightest, solid.grain_density); });

@@ -16,7 +16,7 @@ namespace frana {
 
 /// Returns the problems of a structured material: values that its laws do not describe.
 /// @param where returns where a key was given, for messages
-std::vector<Problem> structured_problems(const StructuredMaterial& material,
+std::vector<Problem> structured_problems(const StructuredMaterial& material, double cell_size,
                                          const std::function<std::string(const std::string&)>& where);
 
 /// Returns the greatest speed possible by a fall without friction [m/s]: free fall from the highest surface to the

@@ -28,6 +28,13 @@ SolidStages stages_for(const StructuredMaterial& material) {
     return stages;
 }
 
+double thickest(const ParticleSet& columns) {
+    double thickness = 0;
+    for (std::size_t p = 0; p < columns.size(); ++p)
+        thickness = std::max(thickness, columns[Field::volume][p] / columns[Field::area][p]);
+    return thickness;
+}
+
 // Converts columns of full thickness to particles of solids with their confined fluid.
 ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const Numerics& numerics,
                       const GridSpec& grid, FieldMask fields) {
@@ -54,7 +61,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       numerics_(numerics),
       material_(material),
       pool_(threads),
-      laws_(structured_laws(material, numerics, grid_)),
+      laws_(structured_laws(material, numerics, grid_, thickest(released))),
       state_(initial_state(walled(ground, walls), laws_, material, numerics, grid_, released)),
       tiles_(structured::tiles_on(state_.grid)),
       maxima_(state_.grid.bed.size()),

@@ -164,8 +164,12 @@ double greatest_modulus_reduction(const StructuredMaterial& m) {
     return greatest;
 }
 
-structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, const GridSpec& grid) {
-    structured::Laws laws(0.5 * grid.cell_size);
+structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, const GridSpec& grid,
+                                 double thickness) {
+    const double cell = grid.cell_size;
+    const double length =
+        m.damage_length.value_or(std::clamp(k_of_thickness * thickness, k_least_length * cell, 2.0 / 3 * cell));
+    structured::Laws laws(cell, length);
     laws.fluid = fluid_laws(m, numerics);
     laws.gaps_are_walls = numerics.nodata != NodataPolicy::stop;
     structured::SolidLaws& solid = laws.solid;
@@ -184,7 +188,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.fragmentation.measure =
         m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;
     solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m));
-    solid.spacing = grid.cell_size / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
+    solid.spacing = cell / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
     solid.viscosity = {m.linear_viscosity, m.quadratic_viscosity, m.sound_speed > 0 ? m.sound_speed : solid.wave_speed,
                        solid.kernel.length()};
     solid.artificial_stress = m.artificial_stress;

@@ -9,9 +9,16 @@
 
 namespace frana {
 
-/// Returns the structured model's laws for a scene's material and numerics. Solids: the smoothing length is half a
-/// cell, and the spacing of particles follows numerics.particles-per-cell.
-structured::Laws structured_laws(const StructuredMaterial& material, const Numerics& numerics, const GridSpec& grid);
+/// A damage length over the cell size: the least, under which the nodes of its sums have no particles, and the
+/// greatest, up to which the kernel follows it; and the default over the thickness, within half a cell and 2/3, with
+/// which the kernel reaches as far as without.
+inline constexpr double k_least_length = 0.5, k_greatest_length = 2, k_of_thickness = 0.25;
+
+/// Returns the structured model's laws for a scene's material and numerics. The spacing of the solids'
+/// particles follows numerics.particles-per-cell.
+/// @param thickness greatest of the columns at the start, for the default of the damage length [m]
+structured::Laws structured_laws(const StructuredMaterial& material, const Numerics& numerics, const GridSpec& grid,
+                                 double thickness = 0);
 
 /// Returns the properties of the solids at a place in local metres.
 structured::SolidMaterial material_at(const StructuredMaterial& material, const GridSpec& grid, Point local);

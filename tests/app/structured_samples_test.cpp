@@ -20,7 +20,6 @@ struct Statistics {
     double lost = 0;          // mean loss of cohesion, by volume
     double damaged = 0;       // fraction of the particles that lost any
     double whole_strain = 0;  // greatest of particles that lost none
-    double least_strain = 1;  // of those that lost a tenth and more, the least of their greatest strains so far
     double length = 0;        // from the hindmost to the foremost particle, eastward [m]
     double apart = 0;         // rms of the phases' difference in velocity where both are present, weighted by fluid
                               // [m/s]
@@ -48,7 +47,6 @@ class SampleRun {
             f.lost += (1 - ratio) * p[Field::volume][i];
             f.damaged += (ratio < 1) / static_cast<double>(p.size());
             if (ratio == 1) f.whole_strain = std::max(f.whole_strain, greatest_strain(p, i));
-            if (ratio < 0.9) f.least_strain = std::min(f.least_strain, greatest_strain(p, i));
         }
         f.lost /= volume;
         const auto [back, front] = std::minmax_element(p[Field::x], p[Field::x] + p.size());
@@ -120,10 +118,9 @@ class SampleRun {
     StructuredFlow flow_;
 };
 
-// No numerical fracture: material without loss has moved as one, and material that lost a tenth or more was strained.
+// No numerical fracture: material without loss has moved as one.
 void breaks_where_it_yields(const Statistics& f) {
     EXPECT_LT(f.whole_strain, 0.01);
-    EXPECT_GT(f.least_strain, 0.002);
 }
 
 TEST(FractureSample, TwoAMovesAsOneBlock) {
@@ -141,11 +138,11 @@ constexpr double k_loss_digits = 0.006, k_length_digits = 1;
 
 TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
     SampleRun run("fracture/2b.ini", "20");
-    EXPECT_NEAR(run.at(5).lost, 0.08, k_loss_digits);
-    EXPECT_NEAR(run.at(14).length, 304, k_length_digits);
+    EXPECT_NEAR(run.at(5).lost, 0.11, k_loss_digits);
+    EXPECT_NEAR(run.at(14).length, 282, k_length_digits);
     const Statistics late = run.at(24);
-    EXPECT_NEAR(late.lost, 0.36, k_loss_digits);
-    EXPECT_NEAR(late.length, 577, k_length_digits);  // 193 m at the start
+    EXPECT_NEAR(late.lost, 0.23, k_loss_digits);
+    EXPECT_NEAR(late.length, 574, k_length_digits);  // 193 m at the start
     EXPECT_LT(late.apart, 3);
     breaks_where_it_yields(late);
 }
@@ -173,7 +170,7 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
     EXPECT_EQ(run.at(14).lost, 0);
-    EXPECT_NEAR(run.at(24).lost, 0.71, k_loss_digits);
+    EXPECT_NEAR(run.at(24).lost, 0.78, k_loss_digits);
     EXPECT_GT(run.at(40).lost, 0.995);
     EXPECT_EQ(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83500"}).at(14).lost, 0);
     EXPECT_GT(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83000"}).at(14).lost, 0.8);
@@ -187,16 +184,15 @@ TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 3) << time << " s";
 }
 
-// On cells of 20, 12.5 and 10 m: what breaks as a whole hardly depends on them (3C), nor how far apart the parts are
-// (2B at 14 s). Where a band breaks (2B), or the valley bends the block (3B), the loss decreases with the cells: a
-// known error, whose size the README tells.
+// On cells of 20, 12.5 and 10 m the same is lost within a tenth: damage has a length. How far apart the parts are
+// follows the cells until the block has parted.
 TEST(FractureSample, DependenceOnTheCells) {
     struct Row {
         const char* cell;
         double third_c, third_b, second_b, length;
     };
-    // On 20 m they are those of the tests above: 0.68, 0.71, 0.36 and 304 m.
-    for (const Row& row : {Row{"12.5", 0.67, 0.55, 0.20, 333}, Row{"10", 0.64, 0.49, 0.14, 340}}) {
+    // On 20 m they are those of the tests above: 0.68, 0.78, 0.23 and 282 m.
+    for (const Row& row : {Row{"12.5", 0.67, 0.78, 0.21, 304}, Row{"10", 0.65, 0.78, 0.21, 309}}) {
         SampleRun three_c("fracture/3c.ini", row.cell), three_b("fracture/3b.ini", row.cell),
             two_b("fracture/2b.ini", row.cell);
         EXPECT_NEAR(three_c.at(2).lost, row.third_c, k_loss_digits) << row.cell;
@@ -226,7 +222,9 @@ TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
         const bool at_corner = cell.row == corner || cell.row == corner - 1;
         const bool ahead = cell.column >= front - 1, outside = !ahead || cell.row > corner;
         EXPECT_TRUE(!(at_corner && ahead) || cell.lost > 0.2) << cell.column << ", " << cell.row << ": " << cell.lost;
-        EXPECT_TRUE(!outside || cell.lost < 0.1) << cell.column << ", " << cell.row << ": " << cell.lost;
+        // The cells right behind are within two damage lengths of what broke.
+        const double most = cell.column == front - 2 ? 0.2 : 0.15;
+        EXPECT_TRUE(!outside || cell.lost < most) << cell.column << ", " << cell.row << ": " << cell.lost;
         if (cell.column == back && cell.row == corner - 2) blocked = cell.x;
         if (cell.column == back && cell.row == corner + 3) free = cell.x;
     }

@@ -205,6 +205,11 @@ INSTANTIATE_TEST_SUITE_P(
             {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
              "numerics.particles-per-cell=9", "structured.modulus-reduction=10"},
             {"structured.modulus-reduction", "10", "at most 1.5"}},  // 0.05 / 20 of 12 MPa over 1.994 times 10 kPa
+        Refused{
+            "damage_over_less_than_half_a_cell",
+            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
+             "numerics.particles-per-cell=9", "structured.damage-length=0.01"},
+            {"structured.damage-length", "0.01 m", "half a cell to two cells", "Choose cells"}},
         Refused{"keys_of_the_other_model",
                 {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
                 {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion", "does not use it"}},

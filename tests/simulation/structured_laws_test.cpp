@@ -21,6 +21,13 @@ TEST(StructuredLaws, EveryChoiceArrives) {
     EXPECT_EQ(usual.solid.earth_pressure, structured::EarthPressure::hydrostatic);
     EXPECT_EQ(usual.solid.broken, structured::BrokenMaterial::earth_pressure);
     EXPECT_FALSE(usual.solid.strength_of_particle_stress);
+    const double cell = scene.grid.cell_size;
+    EXPECT_EQ(structured_laws(m, scene.numerics, scene.grid, 2.4 * cell).solid.damage_length, 0.6 * cell);
+    EXPECT_EQ(usual.solid.damage_length, 0.5 * cell);  // however thin
+    m.damage_length = 1.5 * cell;
+    EXPECT_EQ(laws().solid.damage_length, 1.5 * cell);
+    EXPECT_GT(laws().solid.kernel.length(), usual.solid.kernel.length());  // it follows the damage length
+    m.damage_length.reset();
     m.exponent_by_grains = m.mixing_by_solids = m.yield_on_own_stress = m.broken_is_elastic = true;
     m.virtual_mass = StructuredMaterial::VirtualMass::pudasaini_2019;
     m.earth_pressure = StructuredMaterial::EarthPressure::passive;

@@ -94,7 +94,8 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
                              const GridSpec& grid, RunLog& log, Problems& problems) {
     if (!m.solids) return;
     const Extremes e(m);
-    for (const Problem& problem : structured_problems(m, [&](const std::string& key) { return reading.where(key); }))
+    for (const Problem& problem :
+         structured_problems(m, grid.cell_size, [&](const std::string& key) { return reading.where(key); }))
         problems.add(problem);
     warn_of_keys_without_effect(reading, m, e, log);
     if (e.bed_over_own > 1e-6)

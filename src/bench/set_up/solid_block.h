@@ -14,7 +14,8 @@ namespace frana::bench {
 /// Structured solids for a bench or a test: laws, one material, columns on a lattice. Three particles per cell side,
 /// the smoothing length half a cell; dry, cohesive, E = 100 MPa, nu = 1/4, 1700 kg/m3, 28 degrees, unless changed.
 struct SolidBlock {
-    explicit SolidBlock(double cell) : laws(0.5 * cell) {
+    explicit SolidBlock(double cell) : SolidBlock(cell, 0.5 * cell) {}
+    SolidBlock(double cell, double damage_length) : laws(cell, damage_length) {
         laws.solid.spacing = cell / 3;
         laws.solid.elastic = structured::Elasticity::from_young_and_bulk(1e8, 1e8 / 1.5);
         material.solid_fraction = 1;

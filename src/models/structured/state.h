@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "models/structured/coupling/exchange.h"
@@ -11,8 +12,12 @@ namespace frana::structured {
 
 /// Parameters and laws; constant during a run.
 struct Laws {
-    /// @param smoothing_length of the solids' kernel [m]
-    explicit Laws(double smoothing_length) : solid(smoothing_length) {}
+    /// The solids' kernel reaches over a cell, or over 3/2 damage lengths where that is more: with less, material parts
+    /// before it is broken (a bar that is pulled apart, on the reach of R, with a third of its cohesion).
+    /// @param cell_size, damage_length [m]
+    Laws(double cell_size, double damage_length) : solid(0.5 * std::max(cell_size, 1.5 * damage_length)) {
+        solid.damage_length = damage_length;
+    }
 
     SolidLaws solid;
     CouplingLaws coupling;

@@ -85,7 +85,7 @@ State::State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const Solid
     }
     // Also in scenes whose solids are released later: the nodes are allocated at the start.
     SolidNodes nodes(grid, laws.gaps_are_walls, with_fluid);
-    solid = std::make_unique<SolidState>(std::move(solids), laws.solid, std::move(nodes));
+    solid = std::make_unique<SolidState>(std::move(solids), laws.solid, grid.bounds(), std::move(nodes));
 }
 
 void add_solids(State& state, const ParticleSet& solids) {

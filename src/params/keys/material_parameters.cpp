@@ -103,6 +103,10 @@ void add_solids(std::vector<Parameter>& list) {
     list.push_back(option("structured.damage", FRANA_MEMBER(structured.damage_by_distortion),
                           Flag{{"equivalent-plastic", true}, {"volumetric", false}},
                           "Strain measure for critical-strain: distortion, or volumetric opening alone."));
+    list.push_back(number("structured.damage-length", FRANA_MEMBER(structured.damage_length), "m", Range{0, 1000, true},
+                          "Length over which damage is averaged, the standard deviation of a Gaussian: a band breaks "
+                          "as wide on any cells. From half a cell to two cells.",
+                          "a fourth of the greatest thickness at the start, within half a cell and two thirds"));
     list.push_back(number("structured.initial-structured-fraction", FRANA_MEMBER(structured.initial_structured), "",
                           Range{0, 1}, "Structured fraction of the solids in intact material."));
     list.push_back(option("structured.yield-check", FRANA_MEMBER(structured.yield_on_own_stress),

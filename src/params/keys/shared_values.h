@@ -44,6 +44,7 @@ struct StructuredValues {
     double young_modulus = 12e6;             ///< [Pa]
     double bulk_modulus = 23e6;              ///< [Pa]
     double critical_strain = 0.05;           ///< eps_c [-]
+    std::optional<double> damage_length;     ///< R [m]
     double modulus_reduction = 1;            ///< divides both moduli [-]
     double pic_fraction = 0;                 ///< [-]
     double pore_pressure_fraction = 0;       ///< B [-]

@@ -11,6 +11,7 @@ inline const double k_degree = M_PI / 180;
 
 struct Case : bench::SolidBlock {
     explicit Case(double cell) : SolidBlock(cell), cell_size(cell) {}
+    Case(double cell, double damage_length) : SolidBlock(cell, damage_length), cell_size(cell) {}
     double cell_size;
 };
 

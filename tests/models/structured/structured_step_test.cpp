@@ -77,12 +77,16 @@ TEST(StructuredStep, KeepsEachPhaseThroughFractureAndRelease) {
         ASSERT_NEAR(run.state.released, now.fluid, 1e-12 * start.water());
     }
     EXPECT_GT(run.state.released, 0.02 * start.water());
-    // The same share is gone from cohesion and from the confined fluid of every particle.
+    // The same share is gone from cohesion and from the confined fluid of every particle, or more of the fluid from one
+    // that has become so thick that its strength does not bear it.
     const ParticleSet& p = run.state.solid->particles;
+    std::size_t same = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        EXPECT_NEAR(p[Field::confined][i], p[Field::cohesion_ratio][i] * p[Field::volume][i],
-                    1e-12 * p[Field::volume][i]);
+        const double left = p[Field::cohesion_ratio][i] * p[Field::volume][i], rounding = 1e-12 * p[Field::volume][i];
+        EXPECT_LE(p[Field::confined][i], left + rounding);
+        same += std::abs(p[Field::confined][i] - left) <= rounding;
     }
+    EXPECT_GT(same, p.size() * 9 / 10);
 }
 
 TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {

@@ -27,9 +27,9 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
     };
     for (std::size_t p = 0; p < particles.size(); ++p) {
         double& volume = particles[Field::released][p];
-        if (!(volume > 0)) continue;
         if (particles[Field::cohesion_ratio][p] == 0)
             volume = particles[Field::confined][p];  // all of it, including what rounding left
+        if (!(volume > 0)) continue;
         const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, solid.nodes);
         (stencil.any ? released.inside : released.outside) += volume;
         for (std::size_t b = 0; stencil.any && b < 4; ++b) {

@@ -57,19 +57,13 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         particles[Field::e_yy][p] = total(1, 1);
         particles[Field::e_xy][p] = total(0, 1);
         if constexpr (Kind::cohesive) {
-            double& ratio = particles[Field::cohesion_ratio][p];
-            if (const double before = ratio; before > 0) {
-                if (laws.fractures && yielded) {
-                    double& damage = particles[Field::damage][p];
-                    damage += laws.fragmentation.increment(strain);
-                    ratio = std::min(before, laws.fragmentation.cohesion_ratio(damage));
-                }
-                if constexpr (Kind::wet) {
-                    // Released fluid moves with the particle until the end of the step: the nodes' push was for both.
-                    const double held = particles[Field::confined_start][p] * column.held * ratio / before;
-                    double& released = particles[Field::released][p];
-                    released = std::max(released, particles[Field::confined][p] - held);
-                }
+            const bool loses = laws.fractures && yielded && particles[Field::cohesion_ratio][p] > 0;
+            w[PairWork::strain][p] = loses ? laws.fragmentation.increment(strain) : 0;
+            if constexpr (Kind::wet) {
+                // Released fluid moves with the particle until the end of the step: the nodes' push was for both.
+                double& released = particles[Field::released][p];
+                released = std::max(released,
+                                    particles[Field::confined][p] - particles[Field::confined_start][p] * column.held);
             }
         }
         const double area = particles[Field::area][p], density = column.mass / area;

@@ -46,13 +46,15 @@ inline void for_each_near(const PairWork& w, std::int64_t row, std::size_t i, co
 
 /// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which makes it
 /// exact for linear velocities (Randles & Libersky 1996). Uncorrected where B is nearly singular: few neighbours, or
-/// all in one line, across which the inverse would magnify any difference.
+/// all in one line, across which the inverse would magnify any difference. The sums of a cohesive particle are over
+/// cohesive ones alone, unless it has almost none: a crumb among loose material is strained with that.
 void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKernel& kernel, PairWork& w) {
     // About 0.06 and 0.11 at a corner.
-    constexpr double k_least_determinant = 0.01, k_least_of_trace = 0.05;
+    constexpr double k_least_determinant = 0.01, k_least_of_trace = 0.05, k_alone = 0.1;
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
     const Quad inverse(1 / length), reach2(4 * length * length);
-    for_each_moving(order, row, w, [&](std::size_t i) {
+    // Writes L, with weights of at least `least` times the area; returns the trace of B, inside of material 2.
+    const auto gradient_of = [&](std::size_t i, const Quad& least) {
         const Quad u(w[PairWork::u][i]), v(w[PairWork::v][i]);
         Quad l_xx(0.0), l_xy(0.0), l_yx(0.0), l_yy(0.0), b_xx(0.0), b_xy(0.0), b_yy(0.0);
         for_each_near(w, row, i, reach2, [&](const NearQuad& near) {
@@ -61,7 +63,8 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
             const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
             const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
             const auto real = first_lanes(count);
-            const Quad weight = select(real, slope * Quad::load(w[PairWork::area] + k), 0.0);
+            const Quad area = Quad::load(w[PairWork::area] + k) * max(Quad::load(w[PairWork::bonds] + k), least);
+            const Quad weight = select(real, slope * area, 0.0);
             const Quad gx = weight * dx, gy = weight * dy;
             const Quad du = Quad::load(w[PairWork::u] + k) - u, dv = Quad::load(w[PairWork::v] + k) - v;
             l_xx += du * gx;
@@ -76,18 +79,17 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
         const double lxx = scale * sum(l_xx), lxy = scale * sum(l_xy);
         const double lyx = scale * sum(l_yx), lyy = scale * sum(l_yy);
         const double determinant = bxx * byy - bxy * bxy;
-        if (determinant >= std::max(k_least_determinant, k_least_of_trace * (bxx + byy))) {
-            const double d = 1 / determinant;
-            w[PairWork::l_xx][i] = d * (lxx * byy - lxy * bxy);
-            w[PairWork::l_xy][i] = d * (lxy * bxx - lxx * bxy);
-            w[PairWork::l_yx][i] = d * (lyx * byy - lyy * bxy);
-            w[PairWork::l_yy][i] = d * (lyy * bxx - lyx * bxy);
-        } else {
-            w[PairWork::l_xx][i] = lxx;
-            w[PairWork::l_xy][i] = lxy;
-            w[PairWork::l_yx][i] = lyx;
-            w[PairWork::l_yy][i] = lyy;
-        }
+        const bool enough = determinant >= std::max(k_least_determinant, k_least_of_trace * (bxx + byy));
+        const double d = 1 / determinant;
+        w[PairWork::l_xx][i] = enough ? d * (lxx * byy - lxy * bxy) : lxx;
+        w[PairWork::l_xy][i] = enough ? d * (lxy * bxx - lxx * bxy) : lxy;
+        w[PairWork::l_yx][i] = enough ? d * (lyx * byy - lyy * bxy) : lyx;
+        w[PairWork::l_yy][i] = enough ? d * (lyy * bxx - lyx * bxy) : lyy;
+        return bxx + byy;
+    };
+    for_each_moving(order, row, w, [&](std::size_t i) {
+        const double cohesive = w[PairWork::bonds][i];
+        if (gradient_of(i, 1 - cohesive) < k_alone && cohesive > 0) gradient_of(i, 1.0);
     });
 }
 

@@ -18,7 +18,8 @@ struct PairWork {
         y,
         u,
         v,
-        area,  // read by velocity_gradients
+        area,
+        bonds,  // 1: cohesive, and when intact bears its weight; read by velocity_gradients
         l_xx,
         l_xy,
         l_yx,
@@ -35,6 +36,7 @@ struct PairWork {
         a_x,
         a_y,         // written by accelerations
         resistance,  // of the bed, as a deceleration [m/s2]
+        strain,      // increment of damage by the particle's own yielding [-]
         count
     };
     static constexpr std::size_t k_padding = 3;

@@ -102,6 +102,10 @@ class Rest {
         reports_[cell] = report;
         now_[cell] = report.rests;
     }
+    /// Cells whose strength has changed are computed in the next substep, in any case.
+    void wake(const std::vector<std::uint8_t>& changed) {
+        for (std::size_t c = 0; c < changed.size(); ++c) now_[c] &= changed[c] == 0;
+    }
     /// Call after a substep: determines the inactive cells of the next.
     void end_substep(PairWork& work) {
         both_.resize(now_.size());

@@ -283,7 +283,7 @@ enum class BrokenMaterial {
 
 /// Laws and parameters of the solids; constant during a run. Lengths in metres, in map view.
 struct SolidLaws : PairLaws {
-    explicit SolidLaws(double smoothing_length) : PairLaws(smoothing_length) {}
+    explicit SolidLaws(double smoothing_length) : PairLaws(smoothing_length), damage_length(smoothing_length) {}
 
     double gravity = k_standard_gravity;
     bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
@@ -295,6 +295,7 @@ struct SolidLaws : PairLaws {
     BasalPressure basal;
     bool fractures = true;  ///< cohesion can be lost
     Fragmentation fragmentation;
+    double damage_length;           ///< R, over which damage is averaged; half of the smoothing length or more [m]
     double initial_structured = 1;  ///< f_sc of intact material
 
     double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]

@@ -21,7 +21,13 @@ SolidStages stages_of() {
     return stages;
 }
 
-void load_work(SolidState& state, ThreadPool& pool) {
+double particle_mass(const ParticleSet& particles, const SolidLaws& laws, std::size_t p) {
+    const double confined = particles[Field::confined] != nullptr ? particles[Field::confined][p] : 0;
+    return particles[Field::grain_density][p] * particles[Field::volume][p] + laws.basal.fluid_density * confined;
+}
+
+void load_work(SolidState& state, const SolidLaws& laws, ThreadPool& pool) {
+    const ParticleSet& particles = state.particles;
     constexpr std::size_t k_block = 16384;
     state.work.resize(state.particles.size());
     pool.for_blocks(state.particles.size(), k_block, [&](std::size_t begin, std::size_t end) {
@@ -31,7 +37,14 @@ void load_work(SolidState& state, ThreadPool& pool) {
                                                             {Field::v, PairWork::v},
                                                             {Field::area, PairWork::area}};
         for (const auto& [field, array] : copied)
-            std::copy(state.particles[field] + begin, state.particles[field] + end, state.work[array] + begin);
+            std::copy(particles[field] + begin, particles[field] + end, state.work[array] + begin);
+        if (!particles.mask().has(Field::cohesion)) return;
+        for (std::size_t p = begin; p < end; ++p) {
+            const double bears =
+                DruckerPrager::of(particles[Field::friction][p], particles[Field::cohesion][p]).uniaxial();
+            const double weight = laws.gravity * particle_mass(particles, laws, p) / particles[Field::area][p];
+            state.work[PairWork::bonds][p] = particles[Field::cohesion_ratio][p] > 0 && 2 * bears >= weight;
+        }
     });
     find_neighbours(state, pool);
 }
@@ -74,7 +87,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
         const double x = particles[Field::x][p], y = particles[Field::y][p];
         const double u = particles[Field::u][p], v = particles[Field::v][p], solids = particles[Field::volume][p];
         const double confined = particles[Field::confined] ? particles[Field::confined][p] : 0;
-        const double m = particles[Field::grain_density][p] * solids + laws.basal.fluid_density * confined;
+        const double m = particle_mass(particles, laws, p);
         if (grid.bounds().contains(x, y)) {
             mass += m;
             px += m * u;
@@ -92,7 +105,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
     state.order.sort(particles, keep, pool);
     state.mean = mass > 0 ? Point{px / mass, py / mass} : Point{};
     state.drift = state.moved = 0;
-    load_work(state, pool);
+    load_work(state, laws, pool);
 }
 
 void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
@@ -100,17 +113,9 @@ void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws
     SolidNodes& nodes = state.nodes;
     nodes.clear(grid, pool);
     nodes.find_tiles(state.particles, state.order, grid, pool);
-    const double dx = grid.cell_size();
-    // Every second strip of rows at a time: the strip between is wider than the nodes that two of them could share.
-    const auto strip = static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
-    const std::int64_t strips = (state.order.rows() + strip - 1) / strip;
-    for (std::int64_t parity = 0; parity < 2; ++parity) {
-        pool.for_each(static_cast<std::size_t>((strips - parity + 1) / 2), [&](std::size_t k) {
-            const std::int64_t first = (2 * static_cast<std::int64_t>(k) + parity) * strip;
-            const std::int64_t last = std::min(first + strip, state.order.rows()) - 1;
-            stages.solids_to_nodes(state.order.whole_rows(first, last), laws, state.particles, grid, nodes);
-        });
-    }
+    state.order.for_each_strip(4 * grid.cell_size(), pool, [&](ParticleRun run) {
+        stages.solids_to_nodes(run, laws, state.particles, grid, nodes);
+    });
 }
 
 }  // namespace frana::structured

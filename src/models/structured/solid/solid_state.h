@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "models/structured/solid/damage_spread.h"
 #include "models/structured/solid/move_particles.h"
 #include "models/structured/solid/pair_kernels.h"
 #include "models/structured/solid/solid_laws.h"
@@ -19,8 +20,11 @@ struct LeftDomain {
 
 /// Solids with their confined fluid.
 struct SolidState {
-    SolidState(ParticleSet set, const SolidLaws& laws, SolidNodes on_grid)
-        : particles(std::move(set)), order(laws.kernel.reach()), nodes(std::move(on_grid)) {}
+    SolidState(ParticleSet set, const SolidLaws& laws, const Bounds& bounds, SolidNodes on_grid)
+        : particles(std::move(set)),
+          order(laws.kernel.reach()),
+          nodes(std::move(on_grid)),
+          spread(bounds, laws.damage_length) {}
 
     ParticleSet particles;
     CellOrder order;
@@ -33,6 +37,7 @@ struct SolidState {
     bool elastic = true;  ///< whether any particle has stress other than earth pressure; at the last step's end
     double sound = 0;     ///< of shallow water with the greatest depth of a column, sqrt(g h) [m/s]; likewise
     LeftDomain left;
+    DamageSpread spread;  ///< holds nothing between substeps
 };
 
 /// Checks, after reading a state, that order and work are those of the particles, and that their places are finite.
@@ -46,7 +51,8 @@ void serialise(Archive& archive, LeftDomain& left) {
 
 template <class Archive>
 void serialise(Archive& archive, SolidState& state) {
-    auto& [particles, order, work, nodes, mean, drift, moved, last, elastic, sound, left] = state;
+    [[maybe_unused]] auto& [particles, order, work, nodes, mean, drift, moved, last, elastic, sound, left, spread] =
+        state;
     archive(particles, order, work, nodes, mean.x, mean.y, drift, moved, last, elastic, sound, left);
     if constexpr (Archive::k_reads) archive.require(fits(state));
 }

@@ -49,6 +49,13 @@ class Substeps {
         });
     }
 
+    void spread_damage() {
+        weaker_.clear();
+        const double* const strain = state_.work[PairWork::strain];
+        if (std::none_of(strain, strain + state_.particles.size(), [](double s) { return s > 0; })) return;
+        weaker_ = state_.spread(state_.order, laws_.fragmentation, state_.particles, state_.work, pool_);
+    }
+
     void accelerations() {
         const SolidReport pairs = over_rows(state_.order, pool_, [&](std::int64_t row) {
             SolidReport report;
@@ -75,6 +82,7 @@ class Substeps {
             }
             return report;
         });
+        rest_.wake(weaker_);
         if (laws_.skips_rest) rest_.end_substep(state_.work);
         state_.last.approach = approach_;
         state_.drift += dt * std::sqrt(state_.last.apart2);
@@ -106,7 +114,8 @@ class Substeps {
     const Obstacles& obstacles_;
     ThreadPool& pool_;
     Rest rest_;
-    double approach_ = 0;  // of the last accelerations
+    std::vector<std::uint8_t> weaker_;  // by cell of the order: whether cohesion was lost in this substep
+    double approach_ = 0;               // of the last accelerations
     // Width of a lone particle on the nodes: with cubic splines 1 / sum N^2 is at most 4.8 cells.
     double widest_ = 5 * grid_.cell_size() * grid_.cell_size();
 };
@@ -141,6 +150,7 @@ int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& 
         const double part = left / std::ceil(left / stable * (1 - 1e-12));
         now.sort_where_drifted(part);
         now.strain_and_stress(part);  // grad u; dA/dt = A tr(grad u); stress, its return to the yield surface, damage
+        now.spread_damage();          // damage and cohesion: average over R of what yielding strained
         now.accelerations();          // m a = sum over neighbours of stress and artificial viscosity
         now.move(part);               // u += dt (a + push), less bed friction; x += dt u
         maxima.merge(state.last);
