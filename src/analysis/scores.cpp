@@ -274,6 +274,12 @@ double LineSet::distance(Point point) const {
     return empty() ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(nearest_.square_of_distance(point));
 }
 
+double LineSet::length() const {
+    double sum = 0;
+    for (const Segment& s : segments_) sum += std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
+    return sum;
+}
+
 std::vector<Point> LineSet::samples(double spacing) const {
     std::vector<Point> points;
     for (const Segment& s : segments_) {

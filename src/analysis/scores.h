@@ -129,6 +129,8 @@ class LineSet {
     explicit LineSet(const std::vector<Polyline>& lines);
 
     [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
+    /// Returns the length of all lines [m].
+    [[nodiscard]] double length() const;
     /// Returns the distance from a point to the nearest point of the lines [m]; NaN if there are no lines.
     [[nodiscard]] double distance(Point point) const;
     /// Returns points along the lines, at equal distances of at most `spacing` within each straight segment, each in

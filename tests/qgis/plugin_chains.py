@@ -83,7 +83,7 @@ def test_outputs_of_many_runs():
     event = run("newscene", {**scene("event", **OBSERVED), "OUTPUT": os.path.join(folder, "event", "event.ini")})
     check_outputs("calibrate", run("calibrate", {
         "SCENES": [event["OUTPUT"]], "VARY": ["material.friction-angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
-        "SAMPLES": 4, "REFINE": 4, "OUTPUT": os.path.join(folder, "calibrated")}))
+        "SAMPLES": 8, "OUTPUT": os.path.join(folder, "calibrated")}))
 
 
 def test_probability():

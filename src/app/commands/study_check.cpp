@@ -353,15 +353,10 @@ struct CalibrationForecast {
 CalibrationForecast forecast(const study::CalibrationInput& input, int threads) {
     CalibrationForecast all;
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const auto size = static_cast<double>(input.design.size());
-        const StudyForecast coarse = forecast_study(input.coarse[e], threads, true);
-        refuse_study_beyond_memory(input.coarse[e], coarse, threads);
-        all.add(coarse, size, size);
-        all.write(forecast_event_writing(input.own[e].base, coarse.member));
-        if (input.spec().refine == 0) continue;
         const StudyForecast own = forecast_study(input.own[e], threads, true);
         refuse_study_beyond_memory(input.own[e], own, threads);
-        all.add(own, static_cast<double>(input.spec().refine), size);
+        all.add(own, static_cast<double>(input.spec().study.samples), static_cast<double>(input.design.size()));
+        all.write(forecast_event_writing(input.own[e].base, own.member));
     }
     return all;
 }
@@ -379,8 +374,7 @@ void print_event(const study::CalibrationInput& input, std::size_t e) {
             measures += (measures.empty() ? "" : ", ") + std::string(study::row_of(one.measure).name) + " " +
                         shortest_text(one.weight);
     print_fact("", "compared by " + measures);
-    print_fact("", "cells of " + shortest_text(input.coarse[e].base.scene.grid.cell_size) + " m, then " +
-                       shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
+    print_fact("", "cells of " + shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
 }
 
 void print_calibration(const study::CalibrationInput& input, const CalibrationForecast& expected, int threads,
@@ -394,12 +388,12 @@ void print_calibration(const study::CalibrationInput& input, const CalibrationFo
     for (const study::Correlation& one : calibration.study.correlate)
         print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
     std::printf("\nMembers\n");
-    print_fact("members", std::to_string(input.design.size()) + " on coarse cells, then " +
-                              std::to_string(calibration.refine) + ", each for " + std::to_string(input.events()) +
-                              (input.events() == 1 ? " event" : " events") + "; sampling " +
-                              study::name_of(calibration.study.sampling) + ", seed " +
+    print_fact("members", std::to_string(input.design.size()) + " first, then until the intervals settle, at most " +
+                              std::to_string(calibration.study.samples) + ", each for " +
+                              std::to_string(input.events()) + (input.events() == 1 ? " event" : " events") +
+                              "; sampling " + study::name_of(calibration.study.sampling) + ", seed " +
                               std::to_string(calibration.study.seed));
-    print_fact("estimated time", std::string(expected.trial ? "about " : "at least ") +
+    print_fact("estimated time", std::string(expected.trial ? "at most about " : "at least ") +
                                      duration_text(expected.seconds / threads + expected.writing.seconds) + ", " +
                                      std::to_string(threads) + " at a time, of which " +
                                      duration_text(expected.writing.seconds) + " of writing and drawing");
@@ -434,8 +428,8 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
     json["events"] = Json::array();
     for (const study::EventSpec& event : calibration.events)
         json["events"].push_back({{"name", event.name}, {"scene", event.members.study.scene}});
-    json["members"] = input.design.size();
-    json["members_on_own_cells"] = calibration.refine;
+    json["members"] = calibration.study.samples;
+    json["first_members"] = input.design.size();
     json["run"] = {{"threads", threads},
                    {"estimated_seconds", expected.seconds / threads + expected.writing.seconds},
                    {"estimate_is_lower_bound", !expected.trial},

@@ -388,6 +388,16 @@ void add_rest(std::vector<Parameter>& list) {
     add_survey(list);
     list.push_back(number("observed.threshold", FRANA_MEMBER(observed.threshold), "m", Range{1e-6, 100},
                           "Depth above which ground counts as covered in the comparison.", "output.trace-threshold"));
+    list.push_back(number("observed.perimeter-error", FRANA_MEMBER(observed.perimeter_error), "m", Range{1e-3, 1e5},
+                          "Calibrations: standard deviation of the survey's outline, across it.",
+                          "the best agreement sets the scale"));
+    list.push_back(number("observed.deposit-error", FRANA_MEMBER(observed.deposit_error), "m", Range{1e-3, 1e3},
+                          "Calibrations: standard deviation of the surveyed thickness of the deposit.",
+                          "the best agreement sets the scale"));
+    list.push_back(number("observed.error-length", FRANA_MEMBER(observed.error_length), "m", Range{1e-3, 1e6},
+                          "Calibrations: length over which the errors of outline and deposit are alike, the integral "
+                          "of their correlation from minus to plus infinity.",
+                          "10 perimeter-error, or 10 cells"));
 }
 
 void add_scene(std::vector<Parameter>& list) {

@@ -79,7 +79,7 @@ void Overwrite::make_studies(bool all) const {
           "output.exposure = perimeter.geojson\n");
     write("surveyed.ini", read_text(path("scene.ini")) + "[scar]\nperimeter = scar.geojson\n");
     write("again.ini", read_text(path("surveyed.ini")));
-    const std::string few = "\nsamples = 6\nrefine = 6\n[objective]\njaccard = 1\n" + two_keys;
+    const std::string few = "\nsamples = 8\n[objective]\njaccard = 1\n" + two_keys;
     write("fitted.ini", "[study]\nscene = surveyed.ini" + few);
     write("fitted_to_two.ini",
           "[study]\nscene = surveyed.ini, again.ini" + few + "[vary again]\nrelease.volume = uniform(3000, 5000)\n");

@@ -43,10 +43,7 @@ class CalibrateAlgorithm(StudyAlgorithm):
             self.addParameter(column)
         self.addParameter(QgsProcessingParameterMultipleLayers("SCENES", "Scene files of further events",
                                                                QgsProcessing.TypeFile, None, True))
-        self.addParameter(number_parameter("SAMPLES", "First runs, on coarse cells", (2, 1_000_000), True, 200))
-        self.addParameter(number_parameter("REFINE", "Runs on the scenes' own cells", (0, 1_000_000), True, 100))
-        self.add_advanced(number_parameter("COARSE", "Coarse cells, in units of the scene's (2)", (1, 16), True),
-                          "1: the first runs are on the scenes' own cells.")
+        self.addParameter(number_parameter("SAMPLES", "Runs of each event at most", (2, 1_000_000), True, 200))
         self.add_seed()
         self.add_file()
         self.add_threads()
@@ -88,8 +85,8 @@ class CalibrateAlgorithm(StudyAlgorithm):
         missing = [f"{title}: none is given. {remedy}, or a study file" for title, there, remedy in needed if not there]
         if missing:
             raise QgsProcessingException("\n".join(missing))
-        entries = [("samples", str(values.whole("SAMPLES"))), ("refine", str(values.whole("REFINE")))]
-        entries += [(name.lower(), str(values.whole(name))) for name in ("COARSE", "SEED") if values.has(name)]
+        entries = [("samples", str(values.whole("SAMPLES")))]
+        entries += [("seed", str(values.whole("SEED")))] if values.has("SEED") else []
         if files:
             entries.insert(0, ("scene", ", ".join(os.path.abspath(file) for file in files)))
         lines = section("study", entries)

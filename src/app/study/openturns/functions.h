@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,18 @@ struct RefinedPlaces {
     std::vector<double> density;  ///< by member, relative to the prior, which is 1 everywhere in the cube
 };
 
+/// What is said of a distance at a place where it was not computed.
+struct Prediction {
+    double mean = 0, variance = 0;
+};
+/// A Gaussian process of the square of a distance y, which is smooth where y has its least values: with a constant
+/// mean, a Matern correlation (5/2) with a length for each coordinate, and an independent error of y, as pixels make it
+/// (Rasmussen and Williams 2006; ordinary kriging).
+struct Emulator {
+    double q2 = 0;  ///< 1 - mean square of the errors of y left out, one by one, over its variance; NaN: none
+    std::function<std::vector<Prediction>(const Places& places)> at;
+};
+
 /// All that frana takes from OpenTURNS, as functions of the module `openturns`. The files of this folder are its only
 /// users: they are linked to the module alone, and of frana they use only types that headers define completely.
 struct OpenturnsFunctions {
@@ -68,6 +81,9 @@ struct OpenturnsFunctions {
                                            std::size_t groups);
     /// The polynomials of some outputs (by output and member), all by the same decompositions.
     std::vector<Chaos> (*chaos)(const DesignPoints& points, const std::vector<std::vector<double>>& outputs);
+    /// The process whose lengths, variance and error make distances at places most likely; of fewer than 4, or of equal
+    /// ones, their mean and variance everywhere.
+    Emulator (*emulator)(const Places& places, const std::vector<double>& distances);
 };
 
 /// Loads the module when it is first called. Throws Error(environment) if that is not possible.

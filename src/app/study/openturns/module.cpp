@@ -3,17 +3,24 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <openturns/ComposedDistribution.hxx>
+#include <openturns/ConstantBasisFactory.hxx>
+#include <openturns/CovarianceMatrix.hxx>
 #include <openturns/Exception.hxx>
+#include <openturns/IdentityMatrix.hxx>
+#include <openturns/KrigingAlgorithm.hxx>
 #include <openturns/LHSExperiment.hxx>
 #include <openturns/LegendreFactory.hxx>
+#include <openturns/Log.hxx>
 #include <openturns/LogNormal.hxx>
 #include <openturns/LogNormalMuSigma.hxx>
 #include <openturns/LogUniform.hxx>
 #include <openturns/LowDiscrepancyExperiment.hxx>
 #include <openturns/MartinezSensitivityAlgorithm.hxx>
+#include <openturns/MaternModel.hxx>
 #include <openturns/Matrix.hxx>
 #include <openturns/Mixture.hxx>
 #include <openturns/Normal.hxx>
@@ -380,6 +387,85 @@ RefinedPlaces refined(const Places& design, const std::vector<double>& weights, 
     return result;
 }
 
+/// The distance, from the mean and variance of its square.
+Prediction root_of(double mean, double variance) {
+    const double square = std::max({mean, std::sqrt(variance) / 2, 1e-12});
+    return {std::sqrt(square), variance / (4 * square)};
+}
+
+/// 1 - squares of the errors of each distance predicted from all others (Dubrule 1983, Mathematical Geology 15, 687)
+/// over their variance.
+double q2_of(OT::CovarianceMatrix covariance, const std::vector<double>& squares) {
+    const std::size_t n = squares.size();
+    const OT::Matrix inverse = covariance.solveLinearSystem(OT::IdentityMatrix(n));
+    const OT::Point ones = inverse * OT::Point(n, 1.0);
+    const double sum = std::accumulate(ones.begin(), ones.end(), 0.0),
+                 trend = std::inner_product(squares.begin(), squares.end(), ones.begin(), 0.0) / sum;
+    OT::Point rest(n);
+    double mean = 0, errors = 0, all = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        rest[i] = squares[i] - trend;
+        mean += std::sqrt(squares[i]) / static_cast<double>(n);
+    }
+    const OT::Point weights = inverse * rest;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double distance = std::sqrt(squares[i]),
+                     predicted = squares[i] - weights[i] / (inverse(i, i) - ones[i] * ones[i] / sum);
+        errors += std::pow(std::sqrt(std::max(0.0, predicted)) - distance, 2);
+        all += std::pow(distance - mean, 2);
+    }
+    return 1 - errors / all;
+}
+
+/// OpenturnsFunctions::emulator.
+Emulator emulator(const Places& places, const std::vector<double>& distances) {
+    OT::TBB::SetThreadsNumber(1);
+    OT::Log::Show(OT::Log::NONE);
+    const std::size_t count = distances.size();
+    std::vector<double> squares;
+    double mean = 0, variance = 0;
+    for (const double one : distances) mean += squares.emplace_back(one * one) / static_cast<double>(count);
+    for (const double one : squares) variance += (one - mean) * (one - mean) / static_cast<double>(count);
+    if (count < 4 || places.front().empty() || !(variance > 0)) {
+        const Prediction same = root_of(mean, variance);
+        return {std::nan(""), [same](const Places& at) { return std::vector<Prediction>(at.size(), same); }};
+    }
+    const double unit = std::sqrt(variance);
+    const std::size_t keys = places.front().size();
+    const OT::Sample inputs = sample_of(places);
+    OT::Sample outputs(count, 1);
+    for (std::size_t i = 0; i < count; ++i) outputs(i, 0) = squares[i] /= unit;
+    OT::KrigingResult best;
+    OT::Point error(count), best_error;
+    double most_likely = -std::numeric_limits<double>::infinity();
+    for (const double of_distance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {  // variance; that of y^2 is 4 y^2 times it
+        for (std::size_t i = 0; i < count; ++i) error[i] = 4 * of_distance * std::max(squares[i], 1e-6);
+        OT::MaternModel model(OT::Point(keys, 0.5), OT::Point(1, 1.0), 2.5);
+        model.setNuggetFactor(1e-8);
+        OT::KrigingAlgorithm algorithm(inputs, outputs, model, OT::ConstantBasisFactory(keys).build());
+        algorithm.setNoise(error);
+        algorithm.setOptimizationBounds(OT::Interval(OT::Point(keys, 0.05), OT::Point(keys, 10)));
+        algorithm.run();
+        const OT::KrigingResult result = algorithm.getResult();
+        const double likelihood =
+            algorithm.getReducedLogLikelihoodFunction()(result.getCovarianceModel().getScale())[0];
+        if (!(likelihood > most_likely)) continue;
+        most_likely = likelihood;
+        best = result;
+        best_error = error;
+    }
+    OT::CovarianceMatrix covariance = best.getCovarianceModel().discretize(inputs);
+    for (std::size_t i = 0; i < count; ++i) covariance(i, i) += best_error[i];
+    return {q2_of(covariance, squares), [best, unit](const Places& at) {
+                const OT::Sample where = sample_of(at), means = best.getConditionalMean(where),
+                                 variances = best.getConditionalMarginalVariance(where);
+                std::vector<Prediction> all;
+                for (std::size_t i = 0; i < at.size(); ++i)
+                    all.push_back(root_of(unit * means(i, 0), unit * unit * std::max(0.0, variances(i, 0))));
+                return all;
+            }};
+}
+
 }  // namespace
 }  // namespace frana::app::study
 
@@ -388,4 +474,5 @@ FRANA_MODULE(frana::app::study::OpenturnsFunctions, {.quantiles = frana::app::st
                                                      .correlate = frana::app::study::correlate,
                                                      .refined = frana::app::study::refined,
                                                      .indices = frana::app::study::indices,
-                                                     .chaos = frana::app::study::chaos})
+                                                     .chaos = frana::app::study::chaos,
+                                                     .emulator = frana::app::study::emulator})

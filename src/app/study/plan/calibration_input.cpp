@@ -22,6 +22,10 @@
 namespace frana::app::study {
 namespace {
 
+/// First members: enough for the correlation lengths of a Gaussian process. Loeppky, Sacks and Welch (2009,
+/// Technometrics 51, 366) advise 10 a key where no others follow; here they do.
+constexpr std::int64_t k_least_design = 8, k_design_per_key = 5;
+
 struct GaugeEvidence {
     Evidence evidence;
     std::vector<GaugeValue> EventSpec::*values;
@@ -29,6 +33,15 @@ struct GaugeEvidence {
 constexpr GaugeEvidence k_at_gauges[] = {{Evidence::arrival, &EventSpec::arrival},
                                          {Evidence::speed, &EventSpec::speed},
                                          {Evidence::depth, &EventSpec::depth}};
+constexpr Evidence k_single_values[] = {Evidence::runout, Evidence::arrival, Evidence::speed, Evidence::depth};
+
+/// The single values that were observed; of the run-out only one that the study gives.
+std::vector<GaugeValue> observed_at(const EventSpec& event, Evidence evidence) {
+    if (evidence == Evidence::runout) return event.runout ? std::vector{*event.runout} : std::vector<GaugeValue>{};
+    const auto kind = std::find_if(std::begin(k_at_gauges), std::end(k_at_gauges),
+                                   [&](const GaugeEvidence& one) { return one.evidence == evidence; });
+    return event.*(kind->values);
+}
 
 /// The cells of a grid that contain a window and a box.
 GridSpec grid_round(const GridSpec& grid, const CellWindow& window, const std::optional<Bounds>& box) {
@@ -101,9 +114,12 @@ bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidenc
         case Evidence::depth:
             break;
     }
-    const auto kind = std::find_if(std::begin(k_at_gauges), std::end(k_at_gauges),
-                                   [&](const GaugeEvidence& one) { return one.evidence == evidence; });
-    return !(event.*(kind->values)).empty();
+    return !observed_at(event, evidence).empty();
+}
+
+bool has_stated_error(const EventSpec& event, Evidence evidence) {
+    const std::vector<GaugeValue> observed = observed_at(event, evidence);
+    return std::any_of(observed.begin(), observed.end(), [](const GaugeValue& one) { return one.error > 0; });
 }
 
 void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems) {
@@ -128,12 +144,22 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
         scar_area_ = masked_area(scar_);
         runout_ = runout_of(survey.scar, base.scene);
     }
-    if (event.runout) runout_ = *event.runout;
+    if (event.runout) runout_ = event.runout->value;
     if (survey.elevation_change) {
         elevation_change_ = moved_to(grid_, *survey.elevation_change);
         deposit_ = trace_mask(elevation_change_, threshold_);
     } else if (!survey.deposit.empty()) {
         deposit_ = gis::coverage(survey.deposit, grid_);
+    }
+    const ObservedSpec& stated = base.spec.observed;
+    error_length_ = stated.error_length.value_or(10 * stated.perimeter_error.value_or(grid_.cell_size));
+    if (stated.perimeter_error && measures_by(Evidence::scar)) {
+        outline_pieces_ = std::max(1.0, outline_->length() / error_length_);
+        outline_variance_ = std::pow(*stated.perimeter_error, 2) + std::pow(grid_.cell_size, 2) / 12;
+    }
+    if (stated.deposit_error && measures_by(Evidence::elevation_change)) {
+        deposit_pieces_ = std::max(1.0, masked_area(deposit_) / std::pow(error_length_, 2));
+        deposit_variance_ = std::pow(*stated.deposit_error, 2);
     }
     for (const Weight& one : measures_) {
         const Evidence needs = row_of(one.measure).needs;
@@ -161,31 +187,78 @@ double EventSurvey::deposit_depth_misfit(const Raster& final_depth) const {
     return sum > 0 ? scores.mean_absolute_error_m * scores.area_m2 / sum : 0;
 }
 
-double EventSurvey::gauge_misfit(const std::vector<GaugeValue>& observed, const char* figure,
-                                 const MemberRecord& record) const {
-    double sum = 0;
-    for (const GaugeValue& one : observed) {
-        const std::string key = "gauge " + one.gauge + ": " + figure;
+std::vector<double> EventSurvey::values_of(Evidence evidence, const MemberRecord& record) const {
+    const auto figure = [&](const std::string& key) {
         const auto found =
             std::find_if(record.figures.begin(), record.figures.end(), [&](const Figure& f) { return f.key == key; });
-        sum += found == record.figures.end() ? 1 : relative_difference(found->value, one.value);
-    }
-    return sum / static_cast<double>(observed.size());
-}
-
-double EventSurvey::arrival_misfit(const MemberRecord& record) const {
-    const Raster arrival = record.raster(Quantity::arrival, grid_);
-    double sum = 0;
-    for (const GaugeValue& one : event_.arrival) {
+        return found == record.figures.end() ? k_no_data : found->value;
+    };
+    if (evidence == Evidence::runout) return {figure(k_run_out_key)};
+    std::vector<double> values;
+    const Raster arrival =
+        evidence == Evidence::arrival ? record.raster(Quantity::arrival, grid_) : Raster(GridSpec{}, k_no_data);
+    for (const GaugeValue& one : observed_at(event_, evidence)) {
+        if (evidence != Evidence::arrival) {
+            values.push_back(
+                figure("gauge " + one.gauge + (evidence == Evidence::speed ? ": max_speed_ms" : ": max_depth_m")));
+            continue;
+        }
         const auto gauge =
             std::find_if(gauges_.begin(), gauges_.end(), [&](const Gauge& g) { return g.name == one.gauge; });
         const auto row = static_cast<std::int64_t>(std::floor((grid_.north - gauge->place.y) / grid_.cell_size)),
                    column = static_cast<std::int64_t>(std::floor((gauge->place.x - grid_.west) / grid_.cell_size));
         const bool inside = row >= 0 && column >= 0 && row < grid_.rows && column < grid_.columns;
-        const double time = inside ? arrival.at(row, column) : k_no_data;
-        sum += std::isfinite(time) ? relative_difference(time, one.value) : 1;
+        values.push_back(inside ? arrival.at(row, column) : k_no_data);
     }
-    return sum / static_cast<double>(event_.arrival.size());
+    return values;
+}
+
+double EventSurvey::outline_mean_square(const Raster& depth) const {
+    const LineSet trace(gis::polygonise(trace_mask(depth, threshold_)));
+    if (trace.empty()) return std::pow(std::max(runout_, std::sqrt(scar_area_)), 2);
+    const auto mean_square = [&](const LineSet& from, const LineSet& to) {
+        double sum = 0;
+        const std::vector<Point> points = from.samples(grid_.cell_size);
+        for (const Point& point : points) sum += std::pow(to.distance(point), 2);
+        return sum / static_cast<double>(points.size());
+    };
+    return (mean_square(trace, *outline_) + mean_square(*outline_, trace)) / 2;
+}
+
+double EventSurvey::deposit_mean_square(const Raster& final_depth) const {
+    return std::pow(compare_deposit(final_depth, elevation_change_, threshold_).rmse_m, 2);
+}
+
+double EventSurvey::chi_square(const MemberRecord& record) const {
+    double sum = 0;
+    if (outline_pieces_ > 0)
+        sum += outline_pieces_ * outline_mean_square(record.raster(Quantity::depth, grid_)) / outline_variance_;
+    if (deposit_pieces_ > 0)
+        sum += deposit_pieces_ * deposit_mean_square(record.raster(Quantity::final_depth, grid_)) / deposit_variance_;
+    for (const Evidence evidence : k_single_values) {
+        if (!measures_by(evidence)) continue;
+        const std::vector<double> values = values_of(evidence, record);
+        const std::vector<GaugeValue> observed = observed_at(event_, evidence);
+        for (std::size_t i = 0; i < observed.size(); ++i)
+            if (observed[i].error > 0)  // what the flow did not reach is as far off as all of it
+                sum += std::pow(
+                    (std::isfinite(values[i]) ? values[i] - observed[i].value : observed[i].value) / observed[i].error,
+                    2);
+    }
+    return sum;
+}
+
+bool EventSurvey::measures_by(Evidence evidence) const {
+    return std::any_of(measures_.begin(), measures_.end(),
+                       [&](const Weight& one) { return row_of(one.measure).needs == evidence; });
+}
+
+double EventSurvey::pieces() const {
+    double sum = outline_pieces_ + deposit_pieces_;
+    for (const Evidence evidence : k_single_values)
+        for (const GaugeValue& one : observed_at(event_, evidence))
+            sum += measures_by(evidence) && one.error > 0 ? 1 : 0;
+    return sum;
 }
 
 double EventSurvey::misfit(Measure measure, const MemberRecord& record) const {
@@ -195,11 +268,8 @@ double EventSurvey::misfit(Measure measure, const MemberRecord& record) const {
         case Measure::area:
             return relative_difference(masked_area(trace_mask(record.raster(Quantity::depth, grid_), threshold_)),
                                        scar_area_);
-        case Measure::runout: {
-            const auto found = std::find_if(record.figures.begin(), record.figures.end(),
-                                            [](const Figure& f) { return f.key == k_run_out_key; });
-            return relative_difference(found->value, runout_);
-        }
+        case Measure::runout:
+            return relative_difference(values_of(Evidence::runout, record).front(), runout_);
         case Measure::outline:
             return outline_misfit(record.raster(Quantity::depth, grid_));
         case Measure::deposit:
@@ -207,13 +277,17 @@ double EventSurvey::misfit(Measure measure, const MemberRecord& record) const {
         case Measure::deposit_depth:
             return deposit_depth_misfit(record.raster(Quantity::final_depth, grid_));
         case Measure::arrival:
-            return arrival_misfit(record);
         case Measure::speed:
-            return gauge_misfit(event_.speed, "max_speed_ms", record);
         case Measure::depth:
             break;
     }
-    return gauge_misfit(event_.depth, "max_depth_m", record);
+    const Evidence evidence = row_of(measure).needs;
+    const std::vector<double> values = values_of(evidence, record);
+    const std::vector<GaugeValue> observed = observed_at(event_, evidence);
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        sum += std::isfinite(values[i]) ? relative_difference(values[i], observed[i].value) : 1;
+    return sum / static_cast<double>(values.size());
 }
 
 MemberAgreement EventSurvey::compare(const MemberRecord& record) const {
@@ -226,20 +300,11 @@ MemberAgreement EventSurvey::compare(const MemberRecord& record) const {
         weights += one.weight;
     }
     result.misfit /= weights;
+    result.chi_square = chi_square(record);
     return result;
 }
 
 namespace {
-
-constexpr const char* k_cell_size = "terrain.cell-size=";
-
-/// All keys of a calibration as one study, for its design.
-StudySpec all_keys(const CalibrationSpec& calibration) {
-    StudySpec all = calibration.study;
-    for (const EventSpec& event : calibration.events)
-        all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
-    return all;
-}
 
 void add_once(const Problems& from, Problems& to) {
     for (const Problem& problem : from.list()) {
@@ -257,12 +322,6 @@ std::optional<StudyInput> prepared_event(StudyTexts texts, const std::optional<P
     auto event = attempt(of_event, [&] { return std::optional(prepare_study(std::move(texts), place, log)); });
     add_once(of_event, problems);
     return event;
-}
-
-StudyReading on_cells_of(StudyReading reading, double cell_size) {
-    std::erase_if(reading.study.set, [](const std::string& one) { return one.starts_with(k_cell_size); });
-    reading.study.set.push_back(k_cell_size + shortest_text(cell_size));
-    return reading;
 }
 
 bool weighs(const CalibrationSpec& calibration, Evidence evidence) {
@@ -315,6 +374,13 @@ void compare_by_survey(const CalibrationSpec& calibration, StudyInput& input) {
 
 }  // namespace
 
+StudySpec all_keys(const CalibrationSpec& calibration) {
+    StudySpec all = calibration.study;
+    for (const EventSpec& event : calibration.events)
+        all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
+    return all;
+}
+
 SampleTable members_at(const CalibrationSpec& calibration, std::size_t event, const Places& places,
                        Problems& problems) {
     const EventSpec& spec = calibration.events[event];
@@ -336,7 +402,11 @@ CalibrationTexts read_calibration_texts(const std::string& path, const Session& 
     texts.problems = texts.reading.problems;
     if (calibration.events.empty()) texts.problems.throw_if_any();
     const bool drawable = texts.problems.empty() && calibration.key_count() > 0;  // else values tell nothing
-    if (drawable) texts.design = draw_places(all_keys(calibration));
+    if (drawable) {
+        StudySpec first = all_keys(calibration);
+        first.samples = std::min(first.samples, std::max(k_least_design, k_design_per_key * std::ssize(first.vary)));
+        texts.design = draw_places(first);
+    }
     for (std::size_t e = 0; e < calibration.events.size(); ++e) {
         const EventSpec& event = calibration.events[e];
         SampleTable table;
@@ -356,7 +426,7 @@ CalibrationTexts read_calibration_texts(const std::string& path, const Session& 
 }
 
 CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional<Problem>& place, RunLog& log) {
-    CalibrationInput input{std::move(texts.reading), std::move(texts.design), {}, {}, {}};
+    CalibrationInput input{std::move(texts.reading), std::move(texts.design), {}, {}};
     const CalibrationSpec& calibration = input.spec();
     Problems problems = std::move(texts.problems);
     const bool alone = problems.empty();  // then a place that cannot be written is an error of the environment
@@ -368,26 +438,14 @@ CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional
     problems.throw_if_any();
     check_evidence(input, problems);
     problems.throw_if_any();
-    RunLog silent(true);
-    for (StudyInput& own : input.own) {
-        const double cell_size = calibration.coarse * own.base.scene.grid.cell_size;
-        auto coarse = prepared_event(read_study_scenes(on_cells_of(own.reading, cell_size), own.table), std::nullopt,
-                                     silent, problems);
-        if (coarse) input.coarse.push_back(std::move(*coarse));
-    }
-    problems.throw_if_any();
-    for (std::size_t e = 0; e < input.events(); ++e)
-        for (const StudyInput* const study : {&input.own[e], &input.coarse[e]})
-            check_survey(calibration, e, study->base, problems);
+    for (std::size_t e = 0; e < input.events(); ++e) check_survey(calibration, e, input.own[e].base, problems);
     problems.throw_if_any();
     input.identity = calibration_text(with_files(calibration, [](const std::string&, const std::string& path) {
         return std::filesystem::path(path).filename().string();
     }));
     for (std::size_t e = 0; e < input.events(); ++e) {
         compare_by_survey(calibration, input.own[e]);
-        compare_by_survey(calibration, input.coarse[e]);
-        input.identity +=
-            "event " + calibration.events[e].name + ":\n" + input.coarse[e].identity + input.own[e].identity;
+        input.identity += "event " + calibration.events[e].name + ":\n" + input.own[e].identity;
     }
     return input;
 }

@@ -19,6 +19,8 @@ const MeasureRow& row_of(Measure measure);
 
 /// Whether a prepared scene and its event have what a measure needs.
 bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidence);
+/// Whether a run-out or values at gauges that the study gives have a stated error.
+bool has_stated_error(const EventSpec& event, Evidence evidence);
 /// Adds a problem for each gauge with an observed value that the scene does not have.
 void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems);
 
@@ -26,9 +28,21 @@ void check_gauges(const Prepared& base, const EventSpec& event, const std::strin
 struct MemberAgreement {
     double misfit = 0;          ///< weighted mean of the parts: 0 agrees, 1 at most
     std::vector<double> parts;  ///< misfits of the measures of EventSurvey::measures()
+    double chi_square = 0;      ///< of the stated errors, see EventSurvey
 };
 
 /// What was surveyed of one event, on the cells of its members.
+///
+/// With stated errors the likelihood of a member is exp(-chi^2 / 2), with a sum over what has one and is compared:
+///
+///     outline            N m / (s^2 + c^2 / 12),  N = its length / error-length
+///     deposit's depth    N m / s^2,               N = its area / error-length^2
+///     run-out, gauges    (value - observed)^2 / s^2,  N = 1
+///
+/// m mean square of the distances between both outlines (mean of both directions), or of the differences of depth over
+/// the cells of either deposit; s stated standard deviation, c cell. N is the number of independent pieces: a
+/// stationary error whose correlation has the integral l has, over a length L, a mean with the variance s^2 l / L
+/// (Bayley and Hammersley 1946, Supplement to the Journal of the Royal Statistical Society 8, 184).
 class EventSurvey {
   public:
     /// @param base of members with the same cells
@@ -42,14 +56,21 @@ class EventSurvey {
     [[nodiscard]] MemberAgreement compare(const MemberRecord& record) const;
 
     [[nodiscard]] double observed_runout() const noexcept { return runout_; }
+    /// N of all stated errors together; 0: none is stated.
+    [[nodiscard]] double pieces() const;
+    /// Outline: length over which errors are alike [m], and its N; 0 without a stated error.
+    [[nodiscard]] double error_length() const noexcept { return error_length_; }
+    [[nodiscard]] double outline_pieces() const noexcept { return outline_pieces_; }
 
   private:
     [[nodiscard]] double misfit(Measure measure, const MemberRecord& record) const;
     [[nodiscard]] double outline_misfit(const Raster& depth) const;
     [[nodiscard]] double deposit_depth_misfit(const Raster& final_depth) const;
-    [[nodiscard]] double gauge_misfit(const std::vector<GaugeValue>& observed, const char* figure,
-                                      const MemberRecord& record) const;
-    [[nodiscard]] double arrival_misfit(const MemberRecord& record) const;
+    [[nodiscard]] std::vector<double> values_of(Evidence evidence, const MemberRecord& record) const;
+    [[nodiscard]] double chi_square(const MemberRecord& record) const;
+    [[nodiscard]] double outline_mean_square(const Raster& depth) const;
+    [[nodiscard]] double deposit_mean_square(const Raster& final_depth) const;
+    [[nodiscard]] bool measures_by(Evidence evidence) const;
 
     const EventSpec& event_;
     std::vector<Weight> measures_;
@@ -59,6 +80,7 @@ class EventSurvey {
     Raster elevation_change_;  ///< [m]
     std::optional<LineSet> outline_;
     double scar_area_ = 0, runout_ = 0;
+    double error_length_ = 0, outline_pieces_ = 0, outline_variance_ = 0, deposit_pieces_ = 0, deposit_variance_ = 0;
     std::vector<Gauge> gauges_;
 };
 
@@ -68,7 +90,7 @@ double relative_difference(double a, double b);
 /// A calibration whose files have been read as text.
 struct CalibrationTexts {
     CalibrationReading reading;
-    Places design;                   ///< of the first members, in all keys
+    Places design;                   ///< of the first members, in all keys: a part of study.samples
     std::vector<StudyTexts> events;  ///< with the first members; their problems contain those of the scenes
     SceneReading first_scene;        ///< of the first event: the result's place is beside its
     Problems problems;               ///< of everything read so far
@@ -83,8 +105,7 @@ CalibrationTexts read_calibration_texts(const std::string& path, const Session& 
 struct CalibrationInput {
     CalibrationReading reading;
     Places design;
-    std::vector<StudyInput> coarse;  ///< by event: the first members, on coarse cells
-    std::vector<StudyInput> own;     ///< by event: the same members on the scene's own cells
+    std::vector<StudyInput> own;  ///< by event: the members so far, at first those of the design
     /// One fact per line, as of a StudyInput.
     std::string identity;
 
@@ -92,9 +113,12 @@ struct CalibrationInput {
     [[nodiscard]] std::size_t events() const noexcept { return own.size(); }
 };
 
-/// Prepares the scenes of all events on both sizes of cells, and checks that each has what is compared with it. Throws
+/// Prepares the scenes of all events, and checks that each has what is compared with it. Throws
 /// Error(input) with every problem found, and with that of the result's place as prepare().
 CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional<Problem>& place, RunLog& log);
+
+/// All keys of a calibration as one study: the shared ones, then those of each event.
+StudySpec all_keys(const CalibrationSpec& calibration);
 
 /// Returns the members of one event at places in all keys; problems of their values are those of the members.
 SampleTable members_at(const CalibrationSpec& calibration, std::size_t event, const Places& places, Problems& problems);

@@ -54,14 +54,9 @@ namespace fs = std::filesystem;
 const std::vector<ParameterOf<CalibrationSpec>>& calibration_keys() {
     using namespace declare;
     static const std::vector<ParameterOf<CalibrationSpec>> k_keys{
-        integer<CalibrationSpec>("study.refine", FRANA_MEMBER(refine), 0, 100'000,
-                                 "Members on the scenes' own cells, drawn where the coarse ones explain the surveys; "
-                                 "0 with coarse = 1: the first members themselves are the posterior."),
-        number<CalibrationSpec>("study.coarse", FRANA_MEMBER(coarse), "", Range{1, 16},
-                                "Cell size of the first members, in units of the scene's."),
         number<CalibrationSpec>("objective.exponent", FRANA_MEMBER(exponent), "", Range{0.1, 1000},
-                                "N of the likelihood (misfit)^-N of an event: the number of independent pieces of "
-                                "information in its survey.")};
+                                "N of the likelihood (misfit)^-N of an event whose survey has no stated error: the "
+                                "number of independent pieces of information in it.")};
     return k_keys;
 }
 
@@ -188,7 +183,10 @@ void CalibrationReader::add_weight(const std::string& name, const IniEntry& entr
 void CalibrationReader::add_observation(const std::string& event, const std::string& key, const IniEntry& entry) {
     EventSpec* const spec = event_of(event);
     if (spec == nullptr) return refuse_event(event, entry);
-    const auto value = number_from_text(entry.value);
+    const std::size_t sign = entry.value.find("+-");
+    const auto value = number_from_text(trimmed(entry.value.substr(0, sign))),
+               error = sign == std::string::npos ? std::optional(0.0)
+                                                 : number_from_text(trimmed(entry.value.substr(sign + 2)));
     const std::size_t space = key.find(' ');
     const std::string word = key.substr(0, space), gauge = space == std::string::npos ? "" : trimmed(key.substr(space));
     const auto kind = std::find_if(std::begin(k_gauge_kinds), std::end(k_gauge_kinds),
@@ -199,10 +197,12 @@ void CalibrationReader::add_observation(const std::string& event, const std::str
                "An event has scene, runout, and at gauges of its scene arrival GAUGE, speed GAUGE, depth GAUGE");
     else if (!value || !(*value > 0 && *value < 1e9))
         refuse("is not a number greater than 0", entry, at_gauge ? std::string("in ") + kind->unit : "in m", "");
+    else if (!error || !(*error < 1e9) || (sign != std::string::npos && !(*error > 0)))
+        refuse("has an error that is not a number greater than 0", entry, "", "Write for example 35 +- 5");
     else if (at_gauge)
-        (spec->*(kind->values)).push_back({gauge, *value});
+        (spec->*(kind->values)).push_back({gauge, *value, *error});
     else
-        spec->runout = *value;
+        spec->runout = GaugeValue{"", *value, *error};
 }
 
 void CalibrationReader::add_entry(const IniEntry& entry) {
@@ -213,9 +213,10 @@ void CalibrationReader::add_entry(const IniEntry& entry) {
     const auto space = head.find(' ');
     const std::string section = head.substr(0, space),
                       event = space == std::string::npos ? "" : trimmed(head.substr(space));
-    static const std::set<std::string> k_of_ensembles{"study.until", "study.keep", "study.levels"};
+    static const std::set<std::string> k_without_effect{"study.until", "study.keep", "study.levels", "study.refine",
+                                                        "study.coarse"};
     if (rest.empty()) return refuse("unknown key", entry, "", k_sections);
-    if (event.empty() && k_of_ensembles.count(entry.name) > 0)
+    if (event.empty() && k_without_effect.count(entry.name) > 0)
         return refuse("has no effect in a calibration", entry, "", "Remove it");
     if (entry.name == "study.scene") return add_scenes(entry);
     if (read(calibration_keys(), entry, reading_.calibration)) return;
@@ -307,9 +308,6 @@ void CalibrationReader::check() {
         add_problem({"is not for calibrations", where("study.sampling"), method.name,
                      joined(sampling_words([](const SamplingMethod& row) { return row.kind == Kind::sample; }), ", "),
                      "Choose one of these"});
-    if (calibration.refine == 0 && calibration.coarse != 1)
-        add_problem({"leaves no member on the scenes' own cells", where("study.refine"), "0", "",
-                     "Write coarse = 1, or refine = 100"});
 }
 
 void CalibrationReader::read_all(const std::vector<IniEntry>& entries) {
@@ -322,10 +320,13 @@ void CalibrationReader::read_all(const std::vector<IniEntry>& entries) {
 
 std::string events_text(const EventSpec& event) {
     std::string text = "\n[event " + event.name + "]\nscene = " + event.members.study.scene + "\n";
-    if (event.runout) text += "runout = " + shortest_text(*event.runout) + "\n";
+    const auto value = [](const GaugeValue& one) {
+        return shortest_text(one.value) + (one.error > 0 ? " +- " + shortest_text(one.error) : "") + "\n";
+    };
+    if (event.runout) text += "runout = " + value(*event.runout);
     for (const GaugeKind& kind : k_gauge_kinds)
         for (const GaugeValue& one : event.*(kind.values))
-            text += std::string(kind.word) + " " + one.gauge + " = " + shortest_text(one.value) + "\n";
+            text += std::string(kind.word) + " " + one.gauge + " = " + value(one);
     return text + settings_text("set " + event.name, event.set) + variations_text("vary " + event.name, event.vary);
 }
 
@@ -362,8 +363,7 @@ std::string calibration_text(const CalibrationSpec& calibration) {
     const StudySpec& study = calibration.study;
     std::string text = "# A calibration as used; `frana calibrate` on this file repeats it.\n\n[study]\nsamples = " +
                        std::to_string(study.samples) + "\nsampling = " + name_of(study.sampling) +
-                       "\nseed = " + std::to_string(study.seed) + "\n" +
-                       keys_text(calibration_keys(), calibration, "study") + "\n[objective]\n" +
+                       "\nseed = " + std::to_string(study.seed) + "\n\n[objective]\n" +
                        keys_text(calibration_keys(), calibration, "objective");
     for (const MeasureRow& row : k_measures) {
         const auto found = std::find_if(calibration.objective.begin(), calibration.objective.end(),

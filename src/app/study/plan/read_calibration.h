@@ -49,16 +49,16 @@ struct Weight {
     double weight = 0;  ///< greater than 0
 };
 
-/// A value observed at a gauge of the event's scene.
+/// An observed value, at a gauge of the event's scene or the run-out.
 struct GaugeValue {
     std::string gauge;
-    double value = 0;
+    double value = 0, error = 0;  ///< error: standard deviation; 0: not stated
 };
 
 /// An event that was surveyed.
 struct EventSpec {
     std::string name;                               ///< letters, digits, '-' and '_': part of names of files
-    std::optional<double> runout;                   ///< observed [m]; none: that of the surveyed outline
+    std::optional<GaugeValue> runout;               ///< observed [m]; none: that of the surveyed outline
     std::vector<GaugeValue> arrival, speed, depth;  ///< [s], [m/s], [m]
     std::vector<std::string> set;                   ///< keys of this event alone
     std::vector<Variation> vary;                    ///< likewise
@@ -67,10 +67,8 @@ struct EventSpec {
 
 /// A calibration as specified in its file; no scene is read yet.
 struct CalibrationSpec {
-    StudySpec study;            ///< file, samples, sampling, seed, and what all events share
-    std::int64_t refine = 100;  ///< members on the scenes' own cells
-    double coarse = 2;          ///< cells of the first members, in units of the scene's
-    double exponent = 5;        ///< N of the likelihood
+    StudySpec study;      ///< file, samples: members at most, sampling, seed, and what all events share
+    double exponent = 5;  ///< N of the likelihood of an event whose survey has no stated error
     std::vector<Weight> objective;
     std::vector<EventSpec> events;
 

@@ -11,6 +11,7 @@
 #include "app/study/pool/member_runs.h"
 #include "app/study/statistics/calibration_posterior.h"
 #include "app/study/statistics/cell_statistics.h"
+#include "app/text/number_text.h"
 #include "core/raster.h"
 
 namespace frana::app::study {
@@ -18,9 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::int64_t k_prior_places = 2048;
+constexpr std::size_t k_least_batch = 4, k_batches = 5;  // members of a batch: at least, and a part of those so far
+
 /// Where the records of an event's members are, in the folder in which the result is being built.
-std::string record_place(const RunSetting& setting, const char* cells, const std::string& event) {
-    const fs::path place = fs::path(setting.folder) / k_record_folder / (std::string(cells) + "_" + event);
+std::string record_place(const RunSetting& setting, const std::string& event) {
+    const fs::path place = fs::path(setting.folder) / k_record_folder / ("own_" + event);
     std::error_code error;
     fs::create_directories(place / k_record_folder, error);
     if (error)
@@ -38,22 +42,26 @@ void require_a_member(const EventRuns& runs, const EventSpec& event) {
                         "`frana run` on the scene shows more; correct the scene or the ranges in [vary]"});
 }
 
-/// Runs a stage's members for every event. Returns false if a signal stopped it.
-/// @param studies by event; the first of them is number `first` of studies_of()
-bool run_stage(const CalibrationInput& input, const std::vector<StudyInput>& studies, std::size_t first,
-               const char* cells, const RunSetting& setting, RunLog& log, Stage& stage, std::size_t& computed) {
-    for (std::size_t e = 0; e < studies.size(); ++e) {
-        const EventSpec& event = input.spec().events[e];
-        const std::string place = record_place(setting, cells, event.name);
-        MemberRunner runner(studies[e], place, setting.threads, setting.quiet, setting.ranks, first + e);
-        const bool whole = runner.run_until(studies[e].table.size());
-        computed += runner.computed();
+/// Runs the members that are not in `runs` yet for every event. Returns false if a signal stopped it.
+bool run_members(CalibrationInput& input, const RunSetting& setting, RunLog& log, CalibrationRuns& runs) {
+    const CalibrationSpec& calibration = input.spec();
+    runs.tables.clear();
+    runs.events.resize(input.events());
+    Problems of_values;  // a value outside its key's range: the member fails with the reason
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        StudyInput& study = input.own[e];
+        study.table = members_at(calibration, e, runs.places, of_values);
+        runs.tables.push_back(study.table);
+        EventRuns& of_event = runs.events[e];
+        of_event.records = record_place(setting, calibration.events[e].name);
+        MemberRunner runner(study, of_event.records, setting.threads, setting.quiet, setting.ranks, e);
+        const bool whole = runner.run_until(study.table.size());
+        runs.computed += runner.computed();
         if (!whole) return false;
-        stage.tables.push_back(studies[e].table);
-        stage.events.push_back(compare_members(input, e, studies[e], place));
-        require_a_member(stage.events.back(), event);
-        log.note(event.name + ": " + std::to_string(studies[e].table.size()) + " members on " + cells +
-                 " cells, computed " + std::to_string(runner.computed()));
+        compare_members(input, e, study, of_event.members.size(), of_event);
+        require_a_member(of_event, calibration.events[e]);
+        log.note(calibration.events[e].name + ": " + std::to_string(study.table.size()) + " members, computed " +
+                 std::to_string(runner.computed()));
     }
     return true;
 }
@@ -61,13 +69,11 @@ bool run_stage(const CalibrationInput& input, const std::vector<StudyInput>& stu
 }  // namespace
 
 RankStudies studies_of(CalibrationInput input) {
-    RankStudies all{std::move(input.coarse), std::move(input.identity)};
-    for (StudyInput& own : input.own) all.studies.push_back(std::move(own));
-    return all;
+    return {std::move(input.own), std::move(input.identity)};
 }
 
-Misfits Stage::misfits() const {
-    Misfits all(size());
+std::vector<std::vector<double>> CalibrationRuns::misfits() const {
+    std::vector<std::vector<double>> all(size());
     for (std::size_t i = 0; i < size(); ++i)
         for (const EventRuns& event : events) {
             const MemberOutcome& one = event.members[i];
@@ -76,7 +82,7 @@ Misfits Stage::misfits() const {
     return all;
 }
 
-std::vector<RunOfStudy> Stage::runs() const {
+std::vector<RunOfStudy> CalibrationRuns::runs() const {
     std::vector<RunOfStudy> all;
     for (const EventRuns& event : events)
         for (std::size_t i = 0; i < event.members.size(); ++i)
@@ -84,23 +90,20 @@ std::vector<RunOfStudy> Stage::runs() const {
     return all;
 }
 
-std::size_t Stage::failed() const {
+std::size_t CalibrationRuns::failed() const {
     std::size_t count = 0;
     for (const EventRuns& event : events)
         for (const MemberOutcome& one : event.members) count += one.failure.empty() ? 0 : 1;
     return count;
 }
 
-EventRuns compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members,
-                          const std::string& records) {
+void compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members, std::size_t first,
+                     EventRuns& runs) {
     const Prepared& base = members.base;
-    EventRuns runs;
-    runs.cell_size = base.scene.grid.cell_size;
-    runs.records = records;
     FinishedMembers finished;
-    for (std::size_t i = 0; i < members.table.size(); ++i) {
-        const std::string file = record_file(records, i);
-        const auto record = own_record(members, records, i);
+    for (std::size_t i = first; i < members.table.size(); ++i) {
+        const std::string file = record_file(runs.records, i);
+        const auto record = own_record(members, runs.records, i);
         if (!record)
             throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
                                                         "--resume computes that member again"});
@@ -109,50 +112,62 @@ EventRuns compare_members(const CalibrationInput& input, std::size_t event, cons
     }
     const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
                              reached_window(finished, base.scene.grid));
+    runs.cell_size = base.scene.grid.cell_size;
     runs.measures = survey.measures();
     runs.observed_runout = survey.observed_runout();
-    for (std::size_t i = 0; i < runs.members.size(); ++i)
+    runs.pieces = survey.pieces();
+    runs.error_length = survey.error_length();
+    runs.outline_pieces = survey.outline_pieces();
+    for (std::size_t i = first; i < runs.members.size(); ++i)
         if (runs.members[i].failure.empty())
-            runs.members[i].agreement = survey.compare(*own_record(members, records, i));
-    return runs;
+            runs.members[i].agreement = survey.compare(*own_record(members, runs.records, i));
 }
 
-std::vector<double> weights_to_refine(const Misfits& misfits, double exponent) {
-    const std::size_t events = misfits.front().size();
-    std::vector<double> weights = posterior_weights(misfits, std::vector<double>(misfits.size(), 1.0), exponent / 2);
-    double parts = 1;
-    for (std::size_t e = 0; events > 1 && e < events; ++e) {
-        const std::vector<double> others =
-            posterior_weights(misfits, std::vector<double>(misfits.size(), 1.0), exponent / 2, e);
-        for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += others[i];
-        ++parts;
+CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs) {
+    std::vector<CubeKey> keys;
+    for (const Variation& one : calibration.study.vary) keys.push_back({one.distribution, std::nullopt});
+    std::vector<EventEvidence> evidence;
+    for (std::size_t e = 0; e < runs.events.size(); ++e) {
+        for (const Variation& one : calibration.events[e].vary) keys.push_back({one.distribution, e});
+        const bool is_stated = runs.events[e].pieces > 0;
+        EventEvidence& of_event = evidence.emplace_back(
+            EventEvidence{{}, is_stated ? runs.events[e].pieces : calibration.exponent, is_stated});
+        for (const MemberOutcome& one : runs.events[e].members)
+            of_event.distances.push_back(!one.failure.empty() ? k_no_data
+                                         : is_stated          ? std::sqrt(one.agreement.chi_square)
+                                                              : one.agreement.misfit);
     }
-    for (double& weight : weights) weight /= parts;
-    return weights;
+    StudySpec prior = all_keys(calibration);
+    prior.samples = k_prior_places;
+    prior.sampling = Sampling::sobol;
+    return {std::move(keys), runs.places, std::move(evidence), draw_places(prior), calibration.study.seed + 1};
 }
 
 std::optional<CalibrationRuns> run_calibration(CalibrationInput& input, const RunSetting& setting, RunLog& log) {
     const CalibrationSpec& calibration = input.spec();
+    const auto most = static_cast<std::size_t>(calibration.study.samples);
     CalibrationRuns runs;
-    runs.design.places = input.design;
-    runs.design.density.assign(input.design.size(), 1);
-    if (!run_stage(input, input.coarse, 0, "coarse", setting, log, runs.design, runs.computed)) return std::nullopt;
-    if (calibration.refine == 0) return runs;
-    const std::vector<double> weights = weights_to_refine(runs.design.misfits(), calibration.exponent);
-    if (effective_count(weights) == 0)
-        throw Error(ErrorKind::numerical, Problem{"no member finished for all events at once", input.reading.label, "",
-                                                  "", "Narrow the ranges in [vary], or raise study.samples"});
-    RefinedPlaces refined =
-        refined_places(input.design, weights, static_cast<std::size_t>(calibration.refine), calibration.study.seed + 1);
-    runs.refined.emplace();
-    runs.refined->places = std::move(refined.places);
-    runs.refined->density = std::move(refined.density);
-    Problems of_values;  // a value outside its key's range: the member fails with the reason
-    for (std::size_t e = 0; e < input.events(); ++e)
-        input.own[e].table = members_at(calibration, e, runs.refined->places, of_values);
-    if (!run_stage(input, input.own, input.events(), "own", setting, log, *runs.refined, runs.computed))
-        return std::nullopt;
-    return runs;
+    runs.places = input.design;
+    runs.design = input.design.size();
+    PosteriorSample before;
+    for (;;) {
+        if (!run_members(input, setting, log, runs)) return std::nullopt;
+        const CalibrationModel model = model_of(calibration, runs);
+        PosteriorSample now = model.sample();
+        if (!now.possible())
+            throw Error(ErrorKind::numerical, Problem{"no member finished for all events at once", input.reading.label,
+                                                      "", "", "Narrow the ranges in [vary], or raise study.samples"});
+        if (!before.places.empty()) {
+            runs.moves[0] = runs.moves[1];
+            runs.moves[1] = greatest_move(before, now);
+            log.note("the quantiles moved by " + number_text(100 * runs.moves[1], 2) + " % of the distributions");
+        }
+        if (runs.has_settled() || runs.size() >= most) return runs;
+        for (std::vector<double>& place :
+             model.next(std::min(most - runs.size(), std::max(k_least_batch, runs.size() / k_batches))))
+            runs.places.push_back(std::move(place));
+        before = std::move(now);
+    }
 }
 
 }  // namespace frana::app::study

@@ -22,38 +22,34 @@ struct MemberOutcome {
     MemberEnd end;
 };
 
-/// Runs of one event on one size of cells, and how far they are from its survey.
+/// Runs of one event, and how far they are from its survey.
 struct EventRuns {
     std::vector<Weight> measures;  ///< of MemberAgreement::parts
     std::vector<MemberOutcome> members;
     double cell_size = 0, observed_runout = 0;  ///< [m]
-    std::string records;                        ///< the folder that contains their folder of records
+    double pieces = 0;                          ///< EventSurvey::pieces()
+    double error_length = 0, outline_pieces = 0;
+    std::string records;  ///< the folder that contains their folder of records
 };
 
 /// Members at places in all keys, run for every event.
-struct Stage {
-    Places places;                    ///< independent ones
-    std::vector<double> density;      ///< from which they were drawn, relative to the prior
+struct CalibrationRuns {
+    Places places;                    ///< independent ones; the first are the design
     std::vector<SampleTable> tables;  ///< by event
     std::vector<EventRuns> events;
+    std::size_t design = 0;
+    std::size_t computed = 0;  ///< runs in this session
+    /// greatest_move() of the last two batches; NaN: there was one only.
+    double moves[2] = {k_no_data, k_no_data};
 
     [[nodiscard]] std::size_t size() const noexcept { return places.size(); }
-    /// NaN where a member failed.
-    [[nodiscard]] Misfits misfits() const;
+    [[nodiscard]] bool has_settled() const noexcept { return moves[0] < k_settled && moves[1] < k_settled; }
+    /// By member and event; NaN where a member failed.
+    [[nodiscard]] std::vector<std::vector<double>> misfits() const;
     /// All runs of all events.
     [[nodiscard]] std::vector<RunOfStudy> runs() const;
     /// Number of runs that failed.
     [[nodiscard]] std::size_t failed() const;
-};
-
-/// Everything that was run.
-struct CalibrationRuns {
-    Stage design;                  ///< on coarse cells
-    std::optional<Stage> refined;  ///< on the scenes' own; none: the design's cells are these
-    std::size_t computed = 0;      ///< runs in this session
-
-    /// The members that are the posterior.
-    [[nodiscard]] const Stage& last() const noexcept { return refined ? *refined : design; }
 };
 
 /// What runs the members of a calibration.
@@ -64,21 +60,21 @@ struct RunSetting {
     RankPool* ranks = nullptr;  ///< the other processes under mpirun; null: none
 };
 
-/// What another rank reads of a calibration: the events on coarse cells, then on the scenes' own.
+/// What another rank reads of a calibration: its events.
 RankStudies studies_of(CalibrationInput input);
 
-/// Compares the records of an event's members with its survey. Throws Error(environment) for one that cannot be read.
-/// @param records folder that contains the folder of records
-EventRuns compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members,
-                          const std::string& records);
+/// Compares the records of an event's members from `first` on with its survey, and adds them to its runs. Throws
+/// Error(environment) for one that cannot be read.
+void compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members, std::size_t first,
+                     EventRuns& runs);
 
-/// Runs the members that have no record: first the design on coarse cells, then those drawn where it explains the
-/// surveys. Same bits for any number of threads, and after a resume. Returns none if a signal stopped it. Throws
+/// Returns what the members say of all places.
+CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs);
+
+/// Runs the members that have no record: first the design, then batch by batch those that CalibrationModel::next()
+/// chooses, until the posterior has settled or study.samples are run. Batches have max(4, members / 5) members, so that
+/// bits are the same for any number of threads, and after a resume. Returns none if a signal stopped it. Throws
 /// Error(numerical) if no member of an event finished, with the reason, and Error(environment).
 std::optional<CalibrationRuns> run_calibration(CalibrationInput& input, const RunSetting& setting, RunLog& log);
-
-/// Returns the weights from which members on own cells are drawn: the mean of the posteriors with all events and
-/// without each, of the square root of the likelihood, for coarse cells are less certain.
-std::vector<double> weights_to_refine(const Misfits& misfits, double exponent);
 
 }  // namespace frana::app::study

@@ -5,31 +5,24 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numeric>
 
 #include "app/pictures/charts.h"
 #include "app/text/number_text.h"
 #include "params/keys/scene_parameters.h"
-#include "render/map/relief.h"
 
 namespace frana::app::study {
 namespace {
 
-constexpr std::size_t k_most_panels = 9, k_most_levels = 6;
-constexpr std::int64_t k_parts = 40;  // of a distribution, for contours
-constexpr double k_reach = 0.08;      // of a member's score, in places
+constexpr std::size_t k_most_panels = 9;
+constexpr std::int64_t k_parts = 40;  // of a distribution
 constexpr double k_most_weight = 0.9;
 constexpr const auto& k_colours = render::k_chart_colours;
-constexpr Rgb k_ink{20, 20, 20}, k_grey{150, 150, 150};
-// From pale to dark: greater scores are darker.
-constexpr Rgb k_levels[] = {{198, 219, 239}, {158, 202, 225}, {107, 174, 214},
-                            {66, 146, 198},  {33, 113, 181},  {8, 69, 148}};
+constexpr Rgb k_ink{20, 20, 20}, k_grey{150, 150, 150}, k_cloud{158, 202, 225};
 
 /// What the charts of a calibration show.
 struct CalibrationData {
     const CalibrationInput& input;
-    const CalibrationRuns& runs;
     const CalibrationResult& result;
 };
 
@@ -80,36 +73,6 @@ render::ChartSeries dots(const std::string& label, Rgb colour, const std::vector
     return series;
 }
 
-/// A round interval that gives at most so many contours.
-double contour_interval(double low, double high) {
-    for (double decade = 1e-4;; decade *= 10)
-        for (const double step : {1.0, 2.0, 5.0})
-            if ((high - low) / (step * decade) <= static_cast<double>(k_most_levels)) return step * decade;
-}
-
-void add_contours(const Raster& scores, const KeyAxis& x, const KeyAxis& y, const Words& words,
-                  render::ChartPanel& panel) {
-    double low = 1, high = 0;
-    scores.values.for_each_stored([&](std::size_t, double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    });
-    if (!(high > low)) return;
-    std::map<double, render::ChartSeries> by_level;
-    for (const render::Contour& line : render::contour_lines(scores, contour_interval(low, high))) {
-        render::ChartSeries& series = by_level.try_emplace(line.level).first->second;
-        for (const Point& point : line.points) series.points.push_back({x.at(point.x), y.at(point.y)});
-        series.points.push_back({k_no_data, k_no_data});
-    }
-    std::size_t index = std::size(k_levels) - std::min(std::size(k_levels), by_level.size());
-    for (auto& [level, series] : by_level) {
-        series.label = words("score {1}", {words.number(number_text(level, 3))});
-        series.colour = k_levels[std::min(index++, std::size(k_levels) - 1)];
-        series.width_px = 2.6;
-        panel.series.push_back(std::move(series));
-    }
-}
-
 /// Members that together have most of the weight.
 std::vector<bool> weightiest(const std::vector<double>& weights) {
     std::vector<std::size_t> order(weights.size());
@@ -125,27 +88,8 @@ std::vector<bool> weightiest(const std::vector<double>& weights) {
     return chosen;
 }
 
-std::vector<double> places_of(const Stage& stage, const CalibrationInput& input, const KeySample& key) {
-    std::vector<double> places;
-    const auto& events = input.spec().events;
-    std::size_t event = 0;
-    while (!key.event.empty() && events[event].name != key.event) ++event;
-    const SampleTable& table = stage.tables[event];
-    const auto column =
-        static_cast<std::size_t>(std::find(table.keys.begin(), table.keys.end(), key.key) - table.keys.begin());
-    for (const auto& place : table.places) places.push_back(place[column]);
-    return places;
-}
-
-std::vector<double> scores_of(const Stage& stage) {
-    std::vector<double> scores;
-    for (const auto& misfits : stage.misfits()) scores.push_back(score_of(misfits));
-    return scores;
-}
-
-render::ChartPanel response_panel(const CalibrationInput& input, const CalibrationRuns& runs,
-                                  const CalibrationResult& result, std::size_t first, std::size_t second,
-                                  const Words& words) {
+render::ChartPanel response_panel(const CalibrationInput& input, const CalibrationResult& result, std::size_t first,
+                                  std::size_t second, const Words& words) {
     const KeySample &a = result.keys[first], &b = result.keys[second];
     const KeyAxis x(a), y(b);
     render::ChartPanel panel{"", axis_label(input.spec(), a), axis_label(input.spec(), b), {}};
@@ -154,13 +98,14 @@ render::ChartPanel response_panel(const CalibrationInput& input, const Calibrati
     panel.on_x = {x.at(0), x.at(1)};
     panel.on_y = {y.at(0), y.at(1)};
     const std::vector<bool> heavy = weightiest(result.weights);
-    std::vector<Point> some, others;
+    std::vector<Point> draws, some, others;
+    for (std::size_t i = 0; i < result.weights_after.size(); ++i)  // as dense as the posterior
+        if (result.weights_after[i] >= 1 / static_cast<double>(result.weights_after.size()))
+            draws.push_back({result.after[first].numbers[i], result.after[second].numbers[i]});
     for (std::size_t i = 0; i < result.weights.size(); ++i)
         (heavy[i] ? some : others).push_back({a.numbers[i], b.numbers[i]});
+    panel.series.push_back(dots(words("posterior"), k_cloud, draws, render::Marker::circle, 0.4));
     panel.series.push_back(dots(words("other members"), k_grey, others, render::Marker::circle, 0.6));
-    add_contours(smoothed_scores(places_of(runs.design, input, a), places_of(runs.design, input, b),
-                                 scores_of(runs.design), k_parts),
-                 x, y, words, panel);
     panel.series.push_back(dots(words("90 % of the weight"), k_colours[1], some, render::Marker::circle, 1));
     panel.series.push_back(
         dots(words("best"), k_ink, {{a.numbers[result.best], b.numbers[result.best]}}, render::Marker::diamond, 2));
@@ -181,12 +126,11 @@ std::optional<render::Chart> response(const CalibrationData& data, const std::st
     std::stable_sort(pairs.begin(), pairs.end(),
                      [&](const auto& one, const auto& other) { return width(one) < width(other); });
     if (pairs.size() > k_most_panels) pairs.resize(k_most_panels);
-    render::Chart chart = chart_sheet(
-        source, title,
-        source.style.words("contours: mean score of the first members; points: the members of the posterior"),
-        "design.csv, posterior.csv", pairs.size());
+    render::Chart chart =
+        chart_sheet(source, title, source.style.words("pale: draws from the posterior; points: the members"),
+                    "posterior.csv", pairs.size());
     for (const auto& [a, b] : pairs)
-        chart.panels.push_back(response_panel(data.input, data.runs, result, a, b, source.style.words));
+        chart.panels.push_back(response_panel(data.input, result, a, b, source.style.words));
     return chart;
 }
 
@@ -208,7 +152,7 @@ std::vector<Point> staircase(const std::vector<double>& values, const std::vecto
 std::optional<render::Chart> posterior(const CalibrationData& data, const std::string& title, const MapSource& source) {
     const CalibrationResult& result = data.result;
     std::vector<const KeySample*> keys;
-    for (const KeySample& key : result.keys)
+    for (const KeySample& key : result.after)
         if (!key.prior.is_nominal() && keys.size() < k_most_panels) keys.push_back(&key);
     if (keys.empty()) return std::nullopt;
     const Words& words = source.style.words;
@@ -227,7 +171,7 @@ std::optional<render::Chart> posterior(const CalibrationData& data, const std::s
         for (std::size_t i = 0; i < axis.values().size(); ++i)
             prior.points.push_back({axis.values()[i], static_cast<double>(i) / static_cast<double>(k_parts)});
         panel.series.push_back(std::move(prior));
-        panel.series.push_back({words("after"), k_colours[0], staircase(key->numbers, result.weights), 2.6});
+        panel.series.push_back({words("after"), k_colours[0], staircase(key->numbers, result.weights_after), 2.6});
         chart.panels.push_back(std::move(panel));
     }
     return chart;
@@ -270,44 +214,20 @@ std::optional<render::Chart> forecast(const CalibrationData& data, const std::st
 constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
     {{"forecast", worded("fitted, and predicted from the other events")}, forecast},
     {{"posterior", worded("values before and after the calibration")}, posterior},
-    {{"response", worded("score over pairs of values")}, response},
+    {{"response", worded("posterior over pairs of values")}, response},
 };
 
 }  // namespace
 
-Raster smoothed_scores(const std::vector<double>& first, const std::vector<double>& second,
-                       const std::vector<double>& scores, std::int64_t n) {
-    GridSpec grid;
-    grid.north = 1;
-    grid.cell_size = 1 / static_cast<double>(n);
-    grid.columns = grid.rows = n;
-    Raster smooth(grid, k_no_data);
-    for (std::int64_t row = 0; row < n; ++row) {
-        for (std::int64_t column = 0; column < n; ++column) {
-            const Point centre = grid.cell_centre(row, column);
-            double sum = 0, weights = 0;
-            for (std::size_t i = 0; i < scores.size(); ++i) {
-                if (std::isnan(scores[i])) continue;
-                const double x = first[i] - centre.x, y = second[i] - centre.y;
-                const double weight = std::exp(-(x * x + y * y) / (2 * k_reach * k_reach));
-                sum += weight * scores[i];
-                weights += weight;
-            }
-            if (weights > 0) smooth.at(row, column) = sum / weights;
-        }
-    }
-    return smooth;
-}
-
-bool draw_calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
-                             const CalibrationResult& result, const ResultDirectory& directory, RunLog& log) {
+bool draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
+                             const ResultDirectory& directory, RunLog& log) {
     const SceneSpec& scene = input.own.front().base.spec;
     if (scene.output.maps.front() == "off" || !scene.output.charts) return true;
     MapSource source;
     source.title = calibration_title(input);
     source.style = calibration_style(scene);
     directory.make_folder("charts");
-    return draw_chart_rows(k_calibration_charts, CalibrationData{input, runs, result}, source, directory.folder(),
+    return draw_chart_rows(k_calibration_charts, CalibrationData{input, result}, source, directory.folder(),
                            scene.output.report, log);
 }
 

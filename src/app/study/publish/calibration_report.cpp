@@ -69,9 +69,8 @@ struct EventGround {
 
 EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                       std::size_t e) {
-    const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
-    EventGround ground{study, runs.last().events[e], input.spec().events[e], observed_threshold(study.base.spec), {},
-                       {}};
+    const StudyInput& study = input.own[e];
+    EventGround ground{study, runs.events[e], input.spec().events[e], observed_threshold(study.base.spec), {}, {}};
     for (std::size_t i = 0; i < result.weights.size(); ++i) {
         if (!(result.weights[i] > 0)) continue;
         ground.all.runs.records.push_back(record_file(ground.runs.records, i));
@@ -214,7 +213,7 @@ Table misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, 
     const ReportNumbers number(words);
     Table table({words("event"), words("measure"), words("weight"), words("misfit of the best"), words("formula")});
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventRuns& event = runs.last().events[e];
+        const EventRuns& event = runs.events[e];
         for (std::size_t m = 0; m < event.measures.size(); ++m) {
             const MeasureRow& measure = row_of(event.measures[m].measure);
             table.row({input.spec().events[e].name, measure.name, number(event.measures[m].weight),
@@ -224,11 +223,11 @@ Table misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, 
     return table;
 }
 
-Table failures_table(const CalibrationInput& input, const Stage& stage, const Words& words) {
+Table failures_table(const CalibrationInput& input, const CalibrationRuns& runs, const Words& words) {
     Table table({words("member"), words("event"), words("reason")});
     for (std::size_t e = 0; e < input.events(); ++e)
-        for (std::size_t i = 0; i < stage.size(); ++i)
-            if (const std::string& why = stage.events[e].members[i].failure; !why.empty())
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            if (const std::string& why = runs.events[e].members[i].failure; !why.empty())
                 table.row({std::to_string(i), input.spec().events[e].name, why});
     return table;
 }
@@ -259,15 +258,16 @@ Document scores_told(const CalibrationInput& input, const CalibrationResult& res
 Document runs_told(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
     std::string cells;
-    for (const EventRuns& event : runs.last().events) cells += (cells.empty() ? "" : ", ") + number(event.cell_size);
+    for (const EventRuns& event : runs.events) cells += (cells.empty() ? "" : ", ") + number(event.cell_size);
     std::string text = words(
-        "{1} first members, then {2} where these explain the surveys, on cells of {3} m; effective number {4}. "
-        "Likelihood of an event: misfit to the power of -{5}.",
-        {std::to_string(runs.design.size()), std::to_string(runs.refined ? runs.refined->size() : 0), cells,
-         number(result.effective, 3), number(result.exponent, 2)});
-    if (const std::size_t failed = runs.last().failed(); failed > 0)
+        "{1} members on cells of {2} m, of which the first {3} are spread over the distributions; "
+        "effective number {4}.",
+        {std::to_string(runs.size()), cells, std::to_string(runs.design), number(result.effective, 3)});
+    if (const std::size_t failed = runs.failed(); failed > 0)
         text += " " + words("{1} runs failed and have no weight.", {std::to_string(failed)});
-    return Document().paragraph(words("How sure."), text);
+    List list;
+    for (const Sentence& sentence : result.assumed) list.items.push_back(sentence.in(words));
+    return Document().paragraph(words("How sure."), text).add(list);
 }
 
 Document not_done(const Words& words) {
@@ -322,8 +322,7 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
         .charts(calibration_chart_titles(), folder, words);
     add_inputs(input, words, page);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
-    if (runs.last().failed() > 0)
-        page.heading("failures", words("Failed members")).add(failures_table(input, runs.last(), words));
+    if (runs.failed() > 0) page.heading("failures", words("Failed members")).add(failures_table(input, runs, words));
     write_page(folder,
                {words("{1}: calibration", {calibration_title(input)}),
                 words("Computed with {1}, study {2}, {3}",

@@ -31,18 +31,12 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
                               const ResultDirectory& directory);
 
 /// Draws the charts of a calibration, if the scene asks for any: `forecast`, the scores of each event, fitted and
-/// predicted from the others; `posterior`, the distribution of each key before and after; `response`, the score over
-/// pairs of keys. Returns false if one could not be drawn, with a warning.
-bool draw_calibration_charts(const CalibrationInput& input, const CalibrationRuns& runs,
-                             const CalibrationResult& result, const ResultDirectory& directory, RunLog& log);
+/// predicted from the others; `posterior`, the distribution of each key before and after; `response`, the posterior
+/// over pairs of keys. Returns false if one could not be drawn, with a warning.
+bool draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
+                             const ResultDirectory& directory, RunLog& log);
 
 /// Returns those that a calibration may have, in the order of the page.
 std::vector<ChartTitle> calibration_chart_titles();
-
-/// Returns the mean score round the centres of n x n equal parts of the distributions of two keys, from the members of
-/// a stage: weighted by exp(-r^2 / (2 b^2)) over the distance r in places, b = 0.08. Row 0 has the greatest places of
-/// the second key. NaN if no member finished.
-Raster smoothed_scores(const std::vector<double>& first, const std::vector<double>& second,
-                       const std::vector<double>& scores, std::int64_t n);
 
 }  // namespace frana::app::study

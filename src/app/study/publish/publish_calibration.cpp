@@ -12,6 +12,7 @@
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/calibration_report.h"
 #include "app/study/statistics/cell_statistics.h"
+#include "app/study/statistics/sensitivity.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
@@ -27,44 +28,17 @@ namespace frana::app::study {
 namespace {
 
 /// The scores at one event, 0 for members that failed there.
-std::vector<double> scores_at(const Misfits& misfits, std::size_t event) {
+std::vector<double> scores_at(const std::vector<std::vector<double>>& misfits, std::size_t event) {
     std::vector<double> scores;
     for (const auto& one : misfits) scores.push_back(std::isnan(one[event]) ? 0 : 1 - one[event]);
     return scores;
 }
 
-Explained explained(const Misfits& misfits, const Stage& stage, double exponent, std::size_t event,
-                    std::optional<std::size_t> without, const std::vector<KeySample>& keys) {
-    Explained result;
-    const double supported = supported_exponent(misfits, stage.density, exponent, without);
-    std::vector<double> weights = posterior_weights(misfits, stage.density, supported, without);
-    if (without) {  // members that failed at the event itself predict nothing of it
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            if (std::isnan(misfits[i][event])) weights[i] = 0;
-        const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-        if (sum > 0)
-            for (double& weight : weights) weight /= sum;
-    }
-    const auto best = best_member(misfits, without);
-    result.effective = effective_count(weights);
-    if (!best || result.effective == 0) return result;
-    const std::vector<double> scores = scores_at(misfits, event);
-    result.possible = true;
-    result.best = *best;
-    result.best_score = scores[*best];
-    result.mean = std::inner_product(scores.begin(), scores.end(), weights.begin(), 0.0);
-    result.low = weighted_quantile(scores, weights, 0.05);
-    result.high = weighted_quantile(scores, weights, 0.95);
-    result.posteriors = key_posteriors(keys, weights);
-    return result;
-}
-
-std::vector<KeySample> key_samples(const CalibrationInput& input, const Stage& stage) {
-    const CalibrationSpec& calibration = input.spec();
+std::vector<KeySample> key_samples(const CalibrationSpec& calibration, const std::vector<SampleTable>& tables) {
     std::vector<KeySample> keys;
     const auto add = [&](const Variation& one, const std::string& event, std::size_t table, std::size_t column) {
         KeySample& key = keys.emplace_back(KeySample{one.key, event, one.distribution, {}, {}, {}});
-        const SampleTable& values = stage.tables[table];
+        const SampleTable& values = tables[table];
         for (std::size_t i = 0; i < values.size(); ++i) {
             key.places.push_back(values.places[i][column]);
             key.numbers.push_back(values.numbers[i][column]);
@@ -77,6 +51,115 @@ std::vector<KeySample> key_samples(const CalibrationInput& input, const Stage& s
         for (std::size_t k = 0; k < calibration.events[e].vary.size(); ++k)
             add(calibration.events[e].vary[k], calibration.events[e].name, e, shared + k);
     return keys;
+}
+
+/// The keys' values in a posterior's sample.
+std::vector<KeySample> key_samples(const CalibrationSpec& calibration, const Places& places) {
+    std::vector<SampleTable> tables;
+    Problems of_values;  // told of the members
+    for (std::size_t e = 0; e < calibration.events.size(); ++e)
+        tables.push_back(members_at(calibration, e, places, of_values));
+    return key_samples(calibration, tables);
+}
+
+/// @param sample as the model draws it without that event
+Explained explained(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
+                    const PosteriorSample& sample, std::size_t event, std::optional<std::size_t> without) {
+    Explained result;
+    const auto misfits = runs.misfits();
+    std::vector<double> weights = model.member_weights(sample, without);
+    if (without) {  // members that failed at the event itself predict nothing of it
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            if (std::isnan(misfits[i][event])) weights[i] = 0;
+        const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+        if (sum > 0)
+            for (double& weight : weights) weight /= sum;
+    }
+    const auto best = model.best(without);
+    result.effective = effective_count(weights);
+    if (!best || result.effective == 0) return result;
+    const std::vector<double> scores = scores_at(misfits, event);
+    result.possible = true;
+    result.best = *best;
+    result.best_score = scores[*best];
+    result.mean = std::inner_product(scores.begin(), scores.end(), weights.begin(), 0.0);
+    result.low = weighted_quantile(scores, weights, 0.05);
+    result.high = weighted_quantile(scores, weights, 0.95);
+    result.posteriors = key_posteriors(key_samples(input.spec(), sample.places), sample.weights);
+    return result;
+}
+
+Sentence short_number(double value, int digits = 3) {
+    return numeral(number_text(value, digits));
+}
+
+/// What the likelihood of an event rests on.
+Sentence assumption(const CalibrationInput& input, const CalibrationRuns& runs, std::size_t event) {
+    const EventRuns& of_event = runs.events[event];
+    const std::string& name = input.spec().events[event].name;
+    const ObservedSpec& stated = input.own[event].base.spec.observed;
+    if (of_event.pieces == 0)
+        return worded(
+            "{1}: no error of the survey is stated (observed.perimeter-error), so the best agreement sets the scale, "
+            "with {2} independent pieces of information (objective.exponent).",
+            {name, short_number(input.spec().exponent)});
+    if (of_event.outline_pieces == 0)
+        return worded("{1}: the stated errors are those of {2} independent pieces of information.",
+                      {name, short_number(of_event.pieces)});
+    return worded(
+        "{1}: the outline has an error of {2} m, alike over {3} m, which makes {4} independent pieces of information; "
+        "with what else has a stated error {5}.",
+        {name, short_number(*stated.perimeter_error), short_number(of_event.error_length),
+         short_number(of_event.outline_pieces), short_number(of_event.pieces)});
+}
+
+/// The measures of an event that do not count, because others have a stated error.
+std::string uncounted(const CalibrationInput& input, const CalibrationRuns& runs, std::size_t event) {
+    const ObservedSpec& stated = input.own[event].base.spec.observed;
+    std::string names;
+    for (const Weight& one : runs.events[event].measures) {
+        const Evidence needs = row_of(one.measure).needs;
+        const bool counts = needs == Evidence::scar               ? stated.perimeter_error.has_value()
+                            : needs == Evidence::deposit          ? false
+                            : needs == Evidence::elevation_change ? stated.deposit_error.has_value()
+                                                                  : has_stated_error(input.spec().events[event], needs);
+        if (!counts) names += (names.empty() ? "" : ", ") + std::string(row_of(one.measure).name);
+    }
+    return names;
+}
+
+/// Fills in what was assumed, how the search ended, and what is doubtful.
+void judge(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
+           CalibrationResult& result) {
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const std::string& name = input.spec().events[e].name;
+        result.assumed.push_back(assumption(input, runs, e));
+        if (const std::string names = uncounted(input, runs, e); runs.events[e].pieces > 0 && !names.empty())
+            result.assumed.push_back(worded("{1}: {2} has no stated error and does not count.", {name, names}));
+        if (const double factor = model.widening(e); factor > 1)
+            result.doubts.push_back(worded(
+                "{1}: the best run is {2} times as far from the survey as its stated error allows. The model errs "
+                "too, and the error is taken {2} times as great.",
+                {name, short_number(factor, 2)}));
+        if (!(result.q2[e] >= k_least_q2))
+            result.doubts.push_back(worded(
+                "{1}: the emulator of the misfit predicts runs that it does not know with a Q2 of {2} only, less "
+                "than {3}. Do not rely on the intervals; raise study.samples or narrow [vary].",
+                {name, short_number(result.q2[e], 2), short_number(k_least_q2)}));
+        else
+            result.assumed.push_back(
+                worded("{1}: Q2 of the emulator of the misfit {2}.", {name, short_number(result.q2[e], 3)}));
+    }
+    if (runs.has_settled())
+        result.assumed.push_back(worded(
+            "After {1} members the intervals had settled: the last two batches moved them by {2} and {3} % of the "
+            "distributions.",
+            {std::to_string(runs.size()), short_number(100 * runs.moves[0], 2), short_number(100 * runs.moves[1], 2)}));
+    else
+        result.doubts.push_back(
+            worded("The intervals had not settled when study.samples ({1}) were run: twice in a row they must move by "
+                   "less than {2} % of the distributions. Raise study.samples.",
+                   {std::to_string(runs.size()), short_number(100 * k_settled)}));
 }
 
 }  // namespace
@@ -92,39 +175,35 @@ std::string column_of(const CalibrationSpec& calibration, const KeySample& key) 
 }
 
 CalibrationResult calibration_result(const CalibrationInput& input, const CalibrationRuns& runs) {
-    const Stage& stage = runs.last();
-    const double exponent = input.spec().exponent;
-    const Misfits misfits = stage.misfits();
+    const CalibrationModel model = model_of(input.spec(), runs);
+    const PosteriorSample sample = model.sample();
     CalibrationResult result;
-    const auto best = best_member(misfits);
+    const auto best = model.best();
     if (!best)
         throw Error(ErrorKind::numerical, Problem{"no member finished for all events at once", input.reading.label, "",
-                                                  "", "Narrow the ranges in [vary], or raise study.refine"});
+                                                  "", "Narrow the ranges in [vary], or raise study.samples"});
     result.best = *best;
-    result.exponent = supported_exponent(misfits, stage.density, exponent);
-    result.weights = posterior_weights(misfits, stage.density, result.exponent);
+    result.q2 = model.q2();
+    result.weights = model.member_weights(sample);
     result.effective = effective_count(result.weights);
-    result.keys = key_samples(input, stage);
-    result.posteriors = key_posteriors(result.keys, result.weights);
-    result.indistinct = indistinct_pairs(result.keys, result.weights);
+    result.keys = key_samples(input.spec(), runs.tables);
+    result.after = key_samples(input.spec(), sample.places);
+    result.weights_after = sample.weights;
+    result.posteriors = key_posteriors(result.after, sample.weights);
+    result.indistinct = indistinct_pairs(result.after, sample.weights);
     result.sentences = sentences(result.posteriors, result.indistinct);
-    if (result.exponent < exponent)
-        result.sentences.push_back(worded(
-            "Few of the members explain the surveys: the exponent of the likelihood is lowered from {1} to {2} so that "
-            "{3} of them count. The intervals are wider than the surveys allow; raise study.refine.",
-            {numeral(number_text(exponent)), numeral(number_text(result.exponent, 2)),
-             numeral(number_text(result.effective, 2))}));
+    judge(input, runs, model, result);
     for (std::size_t e = 0; e < input.events(); ++e) {
         EventResult& event = result.events.emplace_back();
-        event.fitted = explained(misfits, stage, exponent, e, std::nullopt, result.keys);
-        if (input.events() > 1) event.predicted = explained(misfits, stage, exponent, e, e, result.keys);
+        event.fitted = explained(input, runs, model, sample, e, std::nullopt);
+        if (input.events() > 1) event.predicted = explained(input, runs, model, model.sample(e), e, e);
     }
     return result;
 }
 
 namespace {
 
-/// A stage as a table: everything but the weights follows from the members.
+/// The members as a table.
 struct Columns {
     std::vector<std::string> names;
     std::vector<std::vector<std::string>> rows;  ///< by member
@@ -134,38 +213,38 @@ std::string cell(double value) {
     return std::isnan(value) ? "" : shortest_text(value);
 }
 
-void add_keys(const CalibrationSpec& calibration, const Stage& stage, Columns& to) {
+void add_keys(const CalibrationSpec& calibration, const CalibrationRuns& runs, Columns& to) {
     const std::size_t shared = calibration.study.vary.size();
     for (std::size_t k = 0; k < shared; ++k) to.names.push_back(calibration.study.vary[k].key);
     for (const EventSpec& event : calibration.events)
         for (const Variation& one : event.vary)
             to.names.push_back(column_of(calibration, {one.key, event.name, one.distribution, {}, {}, {}}));
-    for (std::size_t i = 0; i < stage.size(); ++i) {
-        for (std::size_t k = 0; k < shared; ++k) to.rows[i].push_back(stage.tables.front().values[i][k]);
-        for (const SampleTable& table : stage.tables)
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (std::size_t k = 0; k < shared; ++k) to.rows[i].push_back(runs.tables.front().values[i][k]);
+        for (const SampleTable& table : runs.tables)
             for (std::size_t k = shared; k < table.keys.size(); ++k) to.rows[i].push_back(table.values[i][k]);
     }
 }
 
-void add_misfits(const CalibrationSpec& calibration, const Stage& stage, Columns& to) {
-    for (std::size_t e = 0; e < stage.events.size(); ++e) {
+void add_misfits(const CalibrationSpec& calibration, const CalibrationRuns& runs, Columns& to) {
+    for (std::size_t e = 0; e < runs.events.size(); ++e) {
         const std::string& event = calibration.events[e].name;
         to.names.push_back("score " + event);
-        for (const Weight& one : stage.events[e].measures)
+        for (const Weight& one : runs.events[e].measures)
             to.names.push_back(std::string("misfit ") + row_of(one.measure).name + " " + event);
     }
     to.names.emplace_back("engine_seconds");
     to.names.insert(to.names.end(), std::begin(k_end_columns), std::end(k_end_columns));
     to.names.emplace_back("reason");
-    for (std::size_t i = 0; i < stage.size(); ++i) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
         std::string reason;
         double seconds = 0;
         MemberEnd worst;  // of the events
-        for (std::size_t e = 0; e < stage.events.size(); ++e) {
-            const MemberOutcome& one = stage.events[e].members[i];
+        for (std::size_t e = 0; e < runs.events.size(); ++e) {
+            const MemberOutcome& one = runs.events[e].members[i];
             const bool finished = one.failure.empty();
             to.rows[i].push_back(finished ? shortest_text(1 - one.agreement.misfit) : "");
-            for (std::size_t m = 0; m < stage.events[e].measures.size(); ++m)
+            for (std::size_t m = 0; m < runs.events[e].measures.size(); ++m)
                 to.rows[i].push_back(finished ? shortest_text(one.agreement.parts[m]) : "");
             if (!finished) reason += (reason.empty() ? "" : "; ") + calibration.events[e].name + ": " + one.failure;
             seconds += one.engine_seconds;
@@ -181,21 +260,17 @@ void add_misfits(const CalibrationSpec& calibration, const Stage& stage, Columns
     }
 }
 
-Columns columns_of(const CalibrationInput& input, const Stage& stage, const std::vector<double>* weights) {
+Columns columns_of(const CalibrationInput& input, const CalibrationRuns& runs, const std::vector<double>& weights) {
     Columns columns;
-    columns.names = {"member", "status"};
-    if (weights != nullptr) columns.names.emplace_back("weight");
-    columns.names.emplace_back("score");
-    const Misfits misfits = stage.misfits();
-    for (std::size_t i = 0; i < stage.size(); ++i) {
+    columns.names = {"member", "status", "weight", "score"};
+    const auto misfits = runs.misfits();
+    for (std::size_t i = 0; i < runs.size(); ++i) {
         const double score = score_of(misfits[i]);
-        auto& row = columns.rows.emplace_back();
-        row = {std::to_string(i), std::isnan(score) ? "failed" : "finished"};
-        if (weights != nullptr) row.push_back(shortest_text((*weights)[i]));
-        row.push_back(cell(score));
+        columns.rows.push_back(
+            {std::to_string(i), std::isnan(score) ? "failed" : "finished", shortest_text(weights[i]), cell(score)});
     }
-    add_keys(input.spec(), stage, columns);
-    add_misfits(input.spec(), stage, columns);
+    add_keys(input.spec(), runs, columns);
+    add_misfits(input.spec(), runs, columns);
     return columns;
 }
 
@@ -238,18 +313,18 @@ Json json_of(const CalibrationResult& result, const Explained& one) {
     return json;
 }
 
-/// Returns posterior.csv: a row for each member of the last stage with its weight, score, values and misfits. A column
+/// Returns posterior.csv: a row for each member with its weight, score, values and misfits. A column
 /// of a shared key has the key's name, so that `frana ensemble` takes the file with sampling = table:FILE.
 std::string posterior_csv(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
-    return csv_of(columns_of(input, runs.last(), &result.weights));
+    return csv_of(columns_of(input, runs, result.weights));
 }
 
 /// The same for one event that has keys of its own: all its keys by their names.
 std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event) {
-    const SampleTable& table = runs.last().tables[event];
+    const SampleTable& table = runs.tables[event];
     Columns columns{{"member", "weight", "score"}, {}};
     columns.names.insert(columns.names.end(), table.keys.begin(), table.keys.end());
-    const Misfits misfits = runs.last().misfits();
+    const auto misfits = runs.misfits();
     for (std::size_t i = 0; i < table.size(); ++i) {
         auto& row = columns.rows.emplace_back();
         row = {std::to_string(i), shortest_text(result.weights[i]),
@@ -259,22 +334,15 @@ std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationRe
     return csv_of(columns);
 }
 
-/// Returns design.csv: the same columns, without weights, of the members on coarse cells.
-std::string design_csv(const CalibrationInput& input, const CalibrationRuns& runs) {
-    return csv_of(columns_of(input, runs.design, nullptr));
-}
-
 /// Returns calibration.json: best values, intervals, scores by event, fitted and predicted. No wall time is in it.
 std::string calibration_json(const CalibrationInput& input, const CalibrationRuns& runs,
                              const CalibrationResult& result) {
     const CalibrationSpec& calibration = input.spec();
-    const Stage& stage = runs.last();
-    const Misfits misfits = stage.misfits();
+    const auto misfits = runs.misfits();
     Json json{{"format", k_result_format},
-              {"members", stage.size()},
+              {"members", runs.size()},
               {"effective_members", result.effective},
-              {"exponent", calibration.exponent},
-              {"exponent_used", result.exponent},
+              {"has_settled", runs.has_settled()},
               {"best_member", result.best},
               {"best_score", score_of(misfits[result.best])}};
     Json& objective = json["objective"] = Json::object();
@@ -289,10 +357,13 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
                          {"correlation", pair.correlation}});
     Json& events = json["events"] = Json::array();
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventRuns& runs_of_event = stage.events[e];
+        const EventRuns& runs_of_event = runs.events[e];
         Json event{{"name", calibration.events[e].name},
                    {"scene", calibration.events[e].members.study.scene},
                    {"cell_size", runs_of_event.cell_size},
+                   {"stated_errors", runs_of_event.pieces > 0},
+                   {"pieces", runs_of_event.pieces > 0 ? runs_of_event.pieces : calibration.exponent},
+                   {"q2", result.q2[e]},
                    {"fitted", json_of(result, result.events[e].fitted)}};
         if (runs_of_event.observed_runout > 0) event["observed_runout_m"] = runs_of_event.observed_runout;
         const MemberAgreement& best = runs_of_event.members[result.best].agreement;
@@ -301,7 +372,10 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
         if (input.events() > 1) event["leave_one_out"] = json_of(result, result.events[e].predicted);
         events.push_back(std::move(event));
     }
+    for (const double move : runs.moves) json["moves"].push_back(move);
     json["says"] = texts_of(result.sentences);
+    json["assumed"] = texts_of(result.assumed);
+    json["doubts"] = texts_of(result.doubts);
     return json_text(json);
 }
 
@@ -309,8 +383,6 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
 std::string calibration_summary_json(const CalibrationInput& input, const CalibrationRuns& runs,
                                      const CalibrationFacts& facts) {
     const StudySpec& study = input.spec().study;
-    const std::size_t members = runs.design.size() + (runs.refined ? runs.refined->size() : 0),
-                      failed = runs.design.failed() + (runs.refined ? runs.refined->failed() : 0);
     Json json{
         {"program", k_program},
         {"version", k_version},
@@ -320,10 +392,10 @@ std::string calibration_summary_json(const CalibrationInput& input, const Calibr
         {"study", study.file},
         {"sampling", name_of(study.sampling)},
         {"seed", study.seed},
-        {"samples", runs.design.size()},
-        {"refine", runs.refined ? runs.refined->size() : 0},
-        {"runs", members * input.events()},
-        {"failed_runs", failed},
+        {"samples", study.samples},
+        {"members", runs.size()},
+        {"runs", runs.size() * input.events()},
+        {"failed_runs", runs.failed()},
         {"run_troubles", json_of(facts.troubles)},
         {"wall_seconds", facts.wall_seconds},
         {"threads", facts.threads},
@@ -347,7 +419,7 @@ std::vector<NamedFile> inputs_of(const CalibrationInput& input) {
 void write_best_scenes(const CalibrationInput& input, const CalibrationResult& result,
                        const ResultDirectory& directory) {
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const StudyInput& study = input.spec().refine == 0 ? input.coarse[e] : input.own[e];
+        const StudyInput& study = input.own[e];
         const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
         write_text_file(directory.path(name), echoed_scene(study.member(result.best).scene, directory.target()));
     }
@@ -365,25 +437,19 @@ void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog
                         : ", not predicted: no member finished for the others";
         log.info(text);
     }
-    for (const Sentence& sentence : result.sentences) log.info(sentence.text());
+    for (const auto* const told : {&result.sentences, &result.assumed})
+        for (const Sentence& sentence : *told) log.info(sentence.text());
 }
 
 /// All runs, each with the table that has its row.
 std::vector<RunOfStudy> runs_of(const CalibrationRuns& runs) {
-    std::vector<RunOfStudy> all;
-    const auto add = [&](const Stage& stage, const char* table) {
-        for (RunOfStudy& run : stage.runs()) {
-            run.table = table;
-            all.push_back(std::move(run));
-        }
-    };
-    add(runs.design, k_design_table);
-    if (runs.refined) add(*runs.refined, k_posterior_table);
+    std::vector<RunOfStudy> all = runs.runs();
+    for (RunOfStudy& run : all) run.table = k_posterior_table;
     return all;
 }
 
 bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
-    const std::size_t failed = runs.last().failed(), all = runs.last().size() * events;
+    const std::size_t failed = runs.failed(), all = runs.size() * events;
     if (failed == 0) return false;
     log.warn(worded("{1} of {2} runs failed: their members have no weight. posterior.csv has the reason of each",
                     {std::to_string(failed), std::to_string(all)}));
@@ -405,31 +471,24 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
     if (troubles.any()) log.warn_first(headline(troubles));
-    if (troubles.open > 0) {
-        const bool in_posterior = troubles_of(runs.last().runs(), false).open > 0;
-        if (in_posterior)
-            log.warn(worded(
-                "The scores of runs that were cut, held or left the ground are those of unfinished flows, and so is "
-                "the posterior: raise time.end, or use a larger DTM"));
-        else
-            log.warn(worded(
-                "The scores of runs that were cut, held or left the ground are those of unfinished flows; all of them "
-                "are rows of design.csv, none of posterior.csv"));
-    }
+    if (troubles.open > 0)
+        log.warn(
+            worded("The scores of runs that were cut, held or left the ground are those of unfinished flows, and so "
+                   "is the posterior: raise time.end, or use a larger DTM"));
+    for (const Sentence& doubt : result.doubts) log.warn(doubt);
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
     for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);
     if (const auto warning = few_members(result.effective)) log.warn(*warning);
     write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));
-    write_text_file(directory.path(k_design_table), design_csv(input, runs));
     for (std::size_t e = 0; input.events() > 1 && e < input.events(); ++e)
         if (const EventSpec& event = input.spec().events[e]; !event.vary.empty())
             write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
     const bool mapped = publish_calibration_maps(input, runs, result, troubles, directory, log);
-    outcome.pictures_failed = !draw_calibration_charts(input, runs, result, directory, log) || !mapped;
+    outcome.pictures_failed = !draw_calibration_charts(input, result, directory, log) || !mapped;
     tell(input, result, log);
     const CalibrationFacts facts{troubles, since_start.seconds(), threads, log.warnings(), today()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);

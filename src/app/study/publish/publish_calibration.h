@@ -29,15 +29,19 @@ struct EventResult {
 
 /// What follows from all runs.
 struct CalibrationResult {
-    std::vector<double> weights;  ///< by member of the last stage
-    std::size_t best = 0;         ///< member with the greatest likelihood
-    double effective = 0;         ///< effective number of members
-    double exponent = 0;          ///< of the likelihood, as the members support it
-    std::vector<KeySample> keys;
+    std::vector<double> weights;   ///< by member
+    std::size_t best = 0;          ///< member with the greatest likelihood
+    double effective = 0;          ///< effective number of members
+    std::vector<double> q2;        ///< of the emulator of each event's misfit
+    std::vector<KeySample> keys;   ///< with their values in the members
+    std::vector<KeySample> after;  ///< with their values in the posterior's sample
+    std::vector<double> weights_after;
     std::vector<KeyPosterior> posteriors;  ///< by key
     std::vector<IndistinctPair> indistinct;
     std::vector<EventResult> events;
     std::vector<Sentence> sentences;  ///< what the surveys say
+    std::vector<Sentence> assumed;    ///< the likelihood of each event, and how the search ended
+    std::vector<Sentence> doubts;     ///< why the intervals may be wrong
 };
 
 /// Throws Error(numerical) if no member finished for all events.

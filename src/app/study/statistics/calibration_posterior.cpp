@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "app/study/openturns/functions.h"
@@ -14,19 +15,14 @@ namespace frana::app::study {
 namespace {
 
 constexpr double k_least_weight = 1e-4;  // of the greatest
-constexpr double k_few_members = 20;     // effective number below which intervals are doubtful
+constexpr double k_few_members = 8;      // effective number below which maps and forecasts are doubtful
 constexpr double k_low = 0.05, k_high = 0.95;
 
-/// Sum over the used events of -ln max(D, least misfit); minus infinity if the member failed at one.
-double log_agreement(const std::vector<double>& misfits, std::optional<std::size_t> without) {
-    double sum = 0;
-    for (std::size_t e = 0; e < misfits.size(); ++e) {
-        if (e == without) continue;
-        if (std::isnan(misfits[e])) return -std::numeric_limits<double>::infinity();
-        sum -= std::log(std::max(misfits[e], k_least_misfit));
-    }
-    return sum;
-}
+constexpr std::size_t k_sample = 3000;     // places of a posterior
+constexpr std::size_t k_kernels = 100;     // of a proposal
+constexpr double k_least_effective = 200;  // of a tempered sample
+constexpr std::size_t k_candidates = 200;  // draws among which next members are chosen
+constexpr int k_most_rounds = 12;
 
 double mean_of(const std::vector<double>& values, const std::vector<double>& weights) {
     return std::inner_product(values.begin(), values.end(), weights.begin(), 0.0);
@@ -82,11 +78,12 @@ double effective_count(const std::vector<double>& weights) {
     return squares > 0 ? sum * sum / squares : 0;
 }
 
-std::vector<double> posterior_weights(const Misfits& misfits, const std::vector<double>& density, double exponent,
-                                      std::optional<std::size_t> without) {
+std::vector<double> weights_of(const std::vector<double>& log_likelihood, const std::vector<double>& density,
+                               double power) {
     std::vector<double> weights;
-    for (std::size_t i = 0; i < misfits.size(); ++i)
-        weights.push_back(exponent * log_agreement(misfits[i], without) - std::log(density[i]));
+    for (std::size_t i = 0; i < density.size(); ++i)
+        weights.push_back(std::isinf(log_likelihood[i]) ? log_likelihood[i]
+                                                        : power * log_likelihood[i] - std::log(density[i]));
     const double greatest = *std::max_element(weights.begin(), weights.end());
     if (std::isinf(greatest)) return std::vector<double>(weights.size(), 0.0);
     double sum = 0;
@@ -99,18 +96,17 @@ std::vector<double> posterior_weights(const Misfits& misfits, const std::vector<
     return weights;
 }
 
-double supported_exponent(const Misfits& misfits, const std::vector<double>& density, double exponent,
-                          std::optional<std::size_t> without) {
-    const auto finished = std::count_if(misfits.begin(), misfits.end(), [&](const std::vector<double>& one) {
-        return std::isfinite(log_agreement(one, without));
-    });
-    const double wanted = std::min(k_least_effective, 0.25 * static_cast<double>(finished));
+namespace {
+
+/// The greatest power up to 1 with which enough places have weight: tempering, as in sequential Monte Carlo (Del Moral,
+/// Doucet and Jasra 2006).
+double supported_power(const std::vector<double>& log_likelihood, const std::vector<double>& density) {
     const auto suffices = [&](double tried) {
-        return effective_count(posterior_weights(misfits, density, tried, without)) >= wanted;
+        return effective_count(weights_of(log_likelihood, density, tried)) >= k_least_effective;
     };
-    if (finished == 0 || suffices(exponent)) return exponent;
-    double low = 0, high = exponent;
-    constexpr int k_halvings = 30;
+    if (suffices(1)) return 1;
+    double low = 0, high = 1;
+    constexpr int k_halvings = 40;
     for (int i = 0; i < k_halvings; ++i) {
         const double middle = 0.5 * (low + high);
         (suffices(middle) ? low : high) = middle;
@@ -118,16 +114,249 @@ double supported_exponent(const Misfits& misfits, const std::vector<double>& den
     return low;
 }
 
-std::optional<std::size_t> best_member(const Misfits& misfits, std::optional<std::size_t> without) {
+/// Evenly spaced draws (systematic resampling): how often each place is drawn.
+std::vector<std::size_t> drawn(const std::vector<double>& weights, std::size_t count) {
+    std::vector<std::size_t> draws;
+    double below = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        below += weights[i];
+        while (draws.size() < count && (static_cast<double>(draws.size()) + 0.5) / static_cast<double>(count) < below)
+            draws.push_back(i);
+    }
+    return draws;
+}
+
+std::vector<double> column(const Places& places, std::size_t k) {
+    std::vector<double> all;
+    for (const auto& place : places) all.push_back(place[k]);
+    return all;
+}
+
+std::vector<double> deviations(const PosteriorSample& sample) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k < sample.places.front().size(); ++k) {
+        const std::vector<double> values = column(sample.places, k);
+        const double mean = mean_of(values, sample.weights);
+        double variance = 0;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            variance += sample.weights[i] * (values[i] - mean) * (values[i] - mean);
+        all.push_back(std::max(1e-3, std::sqrt(variance)));
+    }
+    return all;
+}
+
+/// Square of the distance of two places, measured in widths.
+double square_between(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& widths) {
+    double square = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) square += (a[k] - b[k]) * (a[k] - b[k]) / (widths[k] * widths[k]);
+    return square;
+}
+
+std::size_t nearest(const Places& places, const std::vector<double>& to, const std::vector<double>& widths,
+                    const std::vector<char>& counts) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double square = counts[i] == 0 ? least : square_between(places[i], to, widths);
+        if (square < least) {
+            least = square;
+            best = i;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+double greatest_move(const PosteriorSample& before, const PosteriorSample& after) {
+    double greatest = 0;
+    for (std::size_t k = 0; k < after.places.front().size(); ++k)
+        for (const double q : {k_low, 0.5, k_high})
+            greatest = std::max(greatest, std::abs(weighted_quantile(column(after.places, k), after.weights, q) -
+                                                   weighted_quantile(column(before.places, k), before.weights, q)));
+    return greatest;
+}
+
+CalibrationModel::CalibrationModel(std::vector<CubeKey> keys, Places places, std::vector<EventEvidence> events,
+                                   Places prior, std::int64_t seed)
+    : keys_(std::move(keys)),
+      places_(std::move(places)),
+      prior_(std::move(prior)),
+      events_(std::move(events)),
+      seed_(seed) {
+    for (std::size_t e = 0; e < events_.size(); ++e) {
+        Places at;
+        std::vector<double> values;
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            if (std::isnan(events_[e].distances[i])) continue;
+            at.push_back(coordinates(places_[i], e));
+            values.push_back(events_[e].distances[i]);
+        }
+        emulators_.push_back(values.empty() ? Emulator{std::nan(""), {}} : openturns().emulator(at, values));
+    }
+}
+
+std::vector<double> CalibrationModel::q2() const {
+    std::vector<double> all;
+    for (const Emulator& one : emulators_) all.push_back(one.q2);
+    return all;
+}
+
+/// A choice has a coordinate of 0 and 1 for each of its values; an error field is none: it is an error of the values.
+std::vector<double> CalibrationModel::coordinates(const std::vector<double>& place, std::size_t event) const {
+    std::vector<double> all;
+    for (std::size_t k = 0; k < keys_.size(); ++k) {
+        const Distribution& prior = keys_[k].prior;
+        if ((keys_[k].event && keys_[k].event != event) || prior.law == Law::gaussian_field) continue;
+        if (prior.law != Law::choice) all.push_back(place[k]);
+        double below = 0;
+        for (const double weight : prior.weights) {
+            all.push_back(place[k] >= below && place[k] < below + weight ? 1 : 0);
+            below += weight;
+        }
+    }
+    return all;
+}
+
+bool CalibrationModel::finished(std::size_t member, std::optional<std::size_t> without) const {
+    for (std::size_t e = 0; e < events_.size(); ++e)
+        if (e != without && std::isnan(events_[e].distances[member])) return false;
+    return true;
+}
+
+CalibrationModel::LogLikelihood CalibrationModel::log_likelihood(std::size_t event, const Prediction& distance,
+                                                                 double widened) const {
+    const double n = events_[event].pieces;
+    if (!events_[event].is_stated) {
+        const double square =
+                         std::max(distance.mean * distance.mean + distance.variance, k_least_misfit * k_least_misfit),
+                     log = -n / 2 * std::log(square);
+        return {log, log, n * n * distance.variance / square};
+    }
+    const double square = distance.mean * distance.mean / (widened * widened),
+                 variance = distance.variance / (widened * widened);
+    return {-(std::log1p(variance) + square / (1 + variance)) / 2, -(square + variance) / 2,
+            square * variance + variance * variance / 2};
+}
+
+double CalibrationModel::of_member(std::size_t member, std::optional<std::size_t> without, bool is_widened) const {
+    if (!finished(member, without)) return -std::numeric_limits<double>::infinity();
+    double sum = 0;
+    for (std::size_t e = 0; e < events_.size(); ++e)
+        if (e != without)
+            sum += log_likelihood(e, {events_[e].distances[member], 0}, is_widened ? widening(e, without) : 1).mean;
+    return sum;
+}
+
+std::optional<std::size_t> CalibrationModel::best(std::optional<std::size_t> without) const {
     std::optional<std::size_t> best;
     double greatest = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < misfits.size(); ++i) {
-        const double agreement = log_agreement(misfits[i], without);
-        if (!(agreement > greatest)) continue;
-        greatest = agreement;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const double one = of_member(i, without, false);
+        if (!(one > greatest)) continue;
+        greatest = one;
         best = i;
     }
     return best;
+}
+
+double CalibrationModel::widening(std::size_t event, std::optional<std::size_t> without) const {
+    const auto nearest = best(without);
+    if (!nearest || !events_[event].is_stated) return 1;
+    const double n = events_[event].pieces, square = std::pow(events_[event].distances[*nearest], 2);
+    return square > n + 2 * std::sqrt(2 * n) ? std::sqrt(square / n) : 1;
+}
+
+std::vector<CalibrationModel::LogLikelihood> CalibrationModel::log_likelihoods(
+    const Places& at, std::optional<std::size_t> without) const {
+    std::vector<LogLikelihood> all(at.size());
+    std::vector<char> everyone(places_.size(), 1);
+    for (std::size_t e = 0; e < events_.size(); ++e) {
+        if (e == without || !emulators_[e].at) continue;
+        const double widened = widening(e, without);
+        Places to;
+        for (const auto& place : at) to.push_back(coordinates(place, e));
+        const std::vector<Prediction> distances = emulators_[e].at(to);
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const LogLikelihood one = log_likelihood(e, distances[i], widened);
+            all[i].of_mean += one.of_mean;
+            all[i].mean += one.mean;
+            all[i].variance += one.variance;
+        }
+    }
+    const std::vector<double> alike(keys_.size(), 1);
+    for (std::size_t i = 0; i < at.size(); ++i)
+        if (!finished(nearest(places_, at[i], alike, everyone), without))
+            all[i].of_mean = all[i].mean = -std::numeric_limits<double>::infinity();
+    return all;
+}
+
+PosteriorSample CalibrationModel::sample(std::optional<std::size_t> without) const {
+    RefinedPlaces now{prior_, std::vector<double>(prior_.size(), 1)};
+    for (int round = 0;; ++round) {
+        std::vector<double> logs;
+        for (const LogLikelihood& one : log_likelihoods(now.places, without)) logs.push_back(one.of_mean);
+        const double power = supported_power(logs, now.density);
+        const bool is_last = (power == 1 && round >= 2) || round == k_most_rounds;
+        const std::vector<double> weights = weights_of(logs, now.density, is_last ? 1 : power);
+        if (is_last || effective_count(weights) == 0) return {std::move(now.places), weights};
+        std::vector<double> thinned(weights.size());
+        for (const std::size_t i : drawn(weights, k_kernels)) thinned[i] += 1.0 / static_cast<double>(k_kernels);
+        now = refined_places(now.places, thinned, k_sample, seed_ + round);
+    }
+}
+
+std::vector<double> CalibrationModel::member_weights(const PosteriorSample& sample,
+                                                     std::optional<std::size_t> without) const {
+    std::vector<double> weights(places_.size());
+    if (!sample.possible()) return weights;
+    std::vector<char> counts;
+    for (std::size_t i = 0; i < places_.size(); ++i) counts.push_back(finished(i, without) ? 1 : 0);
+    const std::vector<double> widths = deviations(sample);
+    for (std::size_t i = 0; i < sample.places.size(); ++i)
+        if (sample.weights[i] > 0) weights[nearest(places_, sample.places[i], widths, counts)] += sample.weights[i];
+    return weights;
+}
+
+Places CalibrationModel::next(std::size_t count) const {
+    std::vector<PosteriorSample> posteriors{sample()};
+    for (std::size_t e = 0; events_.size() > 1 && e < events_.size(); ++e) posteriors.push_back(sample(e));
+    const std::vector<double> widths = deviations(posteriors.front());
+    Places chosen;
+    const auto choose = [&](const Places& among, const std::vector<double>& gains) {
+        std::size_t best = 0;
+        double greatest = -1;
+        for (std::size_t i = 0; i < among.size(); ++i) {
+            double gain = gains[i];
+            for (const auto& one : chosen) gain *= 1 - std::exp(-square_between(one, among[i], widths));
+            if (!(gain > greatest)) continue;
+            greatest = gain;
+            best = i;
+        }
+        chosen.push_back(among[best]);
+    };
+    const Places& all = posteriors.front().places;
+    const double so_far = of_member(*best(), std::nullopt, true);
+    std::vector<double> improvements;
+    for (const LogLikelihood& one : log_likelihoods(all, std::nullopt)) {
+        const double deviation = std::sqrt(one.variance), z = (one.mean - so_far) / std::max(deviation, 1e-12);
+        improvements.push_back(deviation * (z * 0.5 * std::erfc(-z / std::numbers::sqrt2) +
+                                            std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi)));
+    }
+    for (double& one : improvements)
+        if (!std::isfinite(one)) one = 0;
+    choose(all, improvements);
+    for (std::size_t slot = 1; slot < count; ++slot) {
+        const std::size_t which = slot % posteriors.size();
+        const PosteriorSample& from = posteriors[which].possible() ? posteriors[which] : posteriors.front();
+        Places among;
+        for (const std::size_t i : drawn(from.weights, k_candidates)) among.push_back(from.places[i]);
+        std::vector<double> variances;
+        for (const LogLikelihood& one : log_likelihoods(among, which == 0 ? std::nullopt : std::optional(which - 1)))
+            variances.push_back(one.variance);
+        choose(among, variances);
+    }
+    return chosen;
 }
 
 std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, const std::vector<double>& weights) {
@@ -186,7 +415,8 @@ std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std
 std::optional<Sentence> few_members(double effective) {
     if (effective >= k_few_members) return std::nullopt;
     return worded(
-        "The posterior rests on few members (effective number {1}): its intervals are rough. Raise study.refine.",
+        "The maps and posterior.csv rest on few members (effective number {1}): what is made of them is rough. Raise "
+        "study.samples.",
         {short_number(effective)});
 }
 

@@ -25,37 +25,94 @@ namespace frana::app::study {
 RefinedPlaces refined_places(const Places& design, const std::vector<double>& weights, std::size_t count,
                              std::int64_t seed);
 
-/// The misfit that counts as perfect: cells and surveys are not more exact.
-inline constexpr double k_least_misfit = 0.01;
-
 /// Number of members with equal weights that would tell as much: (sum w)^2 / sum w^2; 0 without weight.
 double effective_count(const std::vector<double>& weights);
+/// Returns the weights exp(p ln L) / q with a sum of 1. Those below 1e-4 of the greatest are 0; all are 0 if every ln L
+/// is minus infinity.
+std::vector<double> weights_of(const std::vector<double>& log_likelihood, const std::vector<double>& density,
+                               double power = 1);
 
-/// Misfits by member and event; NaN: the member failed there.
-using Misfits = std::vector<std::vector<double>>;
+/// The misfit that counts as perfect where no error is stated: cells and surveys are not more exact.
+inline constexpr double k_least_misfit = 0.01;
 
-/// Returns the weights of members given the surveys, with a sum of 1:
+/// How far members are from the survey of one event.
+struct EventEvidence {
+    std::vector<double> distances;  ///< by member: sqrt(chi^2) of the stated errors, else the misfit; NaN: it failed
+    double pieces = 0;              ///< N
+    bool is_stated = false;
+};
+
+/// A key in the unit cube of all keys.
+struct CubeKey {
+    Distribution prior;
+    std::optional<std::size_t> event;  ///< whose own it is
+};
+
+/// Places with weights: a posterior. Their sum is 1, or all are 0: no member finished.
+struct PosteriorSample {
+    Places places;
+    std::vector<double> weights;
+
+    [[nodiscard]] bool possible() const { return effective_count(weights) > 0; }
+};
+/// Returns the greatest change of a key's 5, 50, 95 % quantile between two, in places of its distribution.
+double greatest_move(const PosteriorSample& before, const PosteriorSample& after);
+
+/// Runs go on until the quantiles move by less between two batches, twice in a row: a part of the prior's width.
+inline constexpr double k_settled = 0.02;
+
+/// What the members so far say of all places: a Gaussian process of each event's distance y to its survey, in the keys
+/// that the event has. With its mean m and variance v at a place, and N pieces, the expected likelihood of the event is
 ///
-///     w_i ~ prod_e max(D_ie, 0.01)^-N / q_i
+///     stated errors       E exp(-y^2 / 2) = (1 + v)^(-1/2) exp(-m^2 / (2 (1 + v)))
+///     otherwise           (m^2 + v)^(-N / 2), the scale of the errors being unknown (Jeffreys' prior)
 ///
-/// D_ie misfit of member i at event e, q_i density from which it was drawn. (sum |d|)^-N is the likelihood of N
-/// independent Laplace-distributed errors d of unknown scale with Jeffreys' prior for the scale, and the form of Beven
-/// and Binley (1992). Those below 1e-4 of the greatest are 0, as are those of failed members; all 0 if none is left.
-/// @param without an event whose survey is not used
-std::vector<double> posterior_weights(const Misfits& misfits, const std::vector<double>& density, double exponent,
-                                      std::optional<std::size_t> without = std::nullopt);
+/// so that what was not run is less sure (Jarvenpaa et al. 2021, Bayesian Analysis 16, 147). Where the nearest member
+/// failed it is 0. If not even the best member is within its stated errors, chi^2 > N + 2 sqrt(2 N), these are widened
+/// to its chi^2 / N = 1: the model errs too (Birge 1932, Physical Review 40, 207).
+class CalibrationModel {
+  public:
+    /// @param places of the members
+    /// @param prior places spread over the cube
+    CalibrationModel(std::vector<CubeKey> keys, Places places, std::vector<EventEvidence> events, Places prior,
+                     std::int64_t seed);
 
-/// Effective number of members that a posterior needs at least: with fewer its intervals would be as narrow as the
-/// members are few.
-inline constexpr double k_least_effective = 8;
-/// Returns the exponent, or the greatest below it with which the effective number of members is k_least_effective, or a
-/// quarter of those that finished where they are fewer than 32: tempering, as in sequential Monte Carlo (Del Moral,
-/// Doucet and Jasra 2006).
-double supported_exponent(const Misfits& misfits, const std::vector<double>& density, double exponent,
-                          std::optional<std::size_t> without = std::nullopt);
+    /// By event; NaN: too few members.
+    [[nodiscard]] std::vector<double> q2() const;
+    /// Factor of an event's stated errors.
+    [[nodiscard]] double widening(std::size_t event, std::optional<std::size_t> without = std::nullopt) const;
+    /// The member that explains the surveys best; none if all failed.
+    /// @param without an event whose survey is not used
+    [[nodiscard]] std::optional<std::size_t> best(std::optional<std::size_t> without = std::nullopt) const;
+    /// Draws from the posterior: importance sampling in rounds, from the prior's places to a mixture about the
+    /// weightiest (Cappe et al. 2004, population Monte Carlo), tempered until enough have weight.
+    [[nodiscard]] PosteriorSample sample(std::optional<std::size_t> without = std::nullopt) const;
+    /// Shares the weights out to the members: each gets those of the places to which it is the nearest, measured in the
+    /// posterior's standard deviations.
+    [[nodiscard]] std::vector<double> member_weights(const PosteriorSample& sample,
+                                                     std::optional<std::size_t> without = std::nullopt) const;
+    /// Returns places for the next members: that with the greatest expected improvement of the likelihood (Jones,
+    /// Schonlau and Welch 1998), then draws from the posteriors of all events and without each, of many those where the
+    /// likelihood is least sure, at some distance of each other.
+    [[nodiscard]] Places next(std::size_t count) const;
 
-/// Returns the member that explains the surveys best, whatever its weight in the design; none if all failed.
-std::optional<std::size_t> best_member(const Misfits& misfits, std::optional<std::size_t> without = std::nullopt);
+  private:
+    struct LogLikelihood {
+        double of_mean = 0, mean = 0, variance = 0;  ///< ln of the expected likelihood; of ln L
+    };
+    [[nodiscard]] std::vector<double> coordinates(const std::vector<double>& place, std::size_t event) const;
+    [[nodiscard]] LogLikelihood log_likelihood(std::size_t event, const Prediction& distance, double widened) const;
+    [[nodiscard]] std::vector<LogLikelihood> log_likelihoods(const Places& at,
+                                                             std::optional<std::size_t> without) const;
+    [[nodiscard]] double of_member(std::size_t member, std::optional<std::size_t> without, bool is_widened) const;
+    [[nodiscard]] bool finished(std::size_t member, std::optional<std::size_t> without) const;
+
+    std::vector<CubeKey> keys_;
+    Places places_, prior_;
+    std::vector<EventEvidence> events_;
+    std::vector<Emulator> emulators_;
+    std::int64_t seed_;
+};
 
 /// What the surveys say of one key.
 struct KeyPosterior {
@@ -91,7 +148,7 @@ std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys,
 
 /// Returns plain sentences on what the surveys tell and do not tell.
 std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs);
-/// Returns a warning if the effective number of members is too small for intervals.
+/// Returns a warning if the effective number of members is too small for maps and forecasts.
 std::optional<Sentence> few_members(double effective);
 
 }  // namespace frana::app::study

@@ -130,8 +130,8 @@ TEST_F(WithoutDrawing, ACalibrationIsRefused) {
                       rest = "[objective]\njaccard = 1\n" + k_two_keys;
     write("slope.ini", read_text(path("scene.ini")) + "[observed]\n" + scene);
     const auto write_calibration = [&](const std::string& maps) {
-        write("study.ini", "[study]\nscene = slope.ini\nsamples = 8\nrefine = 4\n[set]\ntime.end = 5\noutput.maps = " +
-                               maps + "\n" + rest);
+        write("study.ini",
+              "[study]\nscene = slope.ini\nsamples = 8\n[set]\ntime.end = 5\noutput.maps = " + maps + "\n" + rest);
     };
     write_calibration("on");
     expect_named_first({"calibrate", "study.ini", "--out", "out"}, "vtk.so");

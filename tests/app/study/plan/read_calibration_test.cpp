@@ -35,8 +35,6 @@ class ReadCalibration : public ::testing::Test {
 
 const std::string k_two_events = R"([study]
 samples = 64
-refine = 32
-coarse = 3
 seed = 5
 [objective]
 jaccard = 2
@@ -44,8 +42,8 @@ runout = 1
 exponent = 8
 [event south]
 scene = a.ini
-runout = 786
-arrival bridge = 35
+runout = 786 +- 20
+arrival bridge = 35 +- 2.5
 speed bridge = 12
 depth church = 0.5
 [event north]
@@ -66,8 +64,6 @@ material.friction-angle material.turbulence = -0.3
 
 void expect_two_events(const CalibrationSpec& spec) {
     EXPECT_EQ(spec.study.samples, 64);
-    EXPECT_EQ(spec.refine, 32);
-    EXPECT_EQ(spec.coarse, 3);
     EXPECT_EQ(spec.exponent, 8);
     ASSERT_EQ(spec.objective.size(), 2U);
     EXPECT_EQ(spec.objective[0].measure, Measure::jaccard);
@@ -75,10 +71,14 @@ void expect_two_events(const CalibrationSpec& spec) {
     ASSERT_EQ(spec.events.size(), 2U);
     const EventSpec &south = spec.events[0], &north = spec.events[1];
     EXPECT_EQ(south.name, "south");
-    EXPECT_EQ(south.runout, 786);
+    ASSERT_TRUE(south.runout);
+    EXPECT_EQ(south.runout->value, 786);
+    EXPECT_EQ(south.runout->error, 20);
     ASSERT_EQ(south.arrival.size(), 1U);
     EXPECT_EQ(south.arrival[0].gauge, "bridge");
     EXPECT_EQ(south.arrival[0].value, 35);
+    EXPECT_EQ(south.arrival[0].error, 2.5);
+    EXPECT_EQ(south.speed[0].error, 0);
     EXPECT_EQ(south.speed[0].value, 12);
     EXPECT_EQ(south.depth[0].gauge, "church");
     ASSERT_EQ(south.vary.size(), 1U);
@@ -126,8 +126,8 @@ TEST_F(ReadCalibration, EveryProblemIsFoundOnce) {
     const CalibrationReading reading = read(R"([study]
 scene = a.ini, b.ini
 samples = 1
-refine = some
-coarse = 40
+refine = 100
+coarse = 2
 until = 0.02
 sampling = grid
 [objective]
@@ -138,6 +138,7 @@ exponent = 0
 runout = -3
 lenght = 5
 speed = 4
+arrival bridge = 5 +- 0
 [event x/y]
 scene = c.ini
 [event nowhere]
@@ -154,10 +155,10 @@ material.turbulence = uniform(100, 200)
 key = 1
 )");
     const std::vector<Problem>& all = reading.problems.list();
-    EXPECT_EQ(all.size(), 21U);
+    EXPECT_EQ(all.size(), 22U);
     EXPECT_TRUE(has_problem(all, "study.samples", "1", "2 to 1000000"));
-    EXPECT_TRUE(has_problem(all, "study.refine", "some", "0 to 100000"));
-    EXPECT_TRUE(has_problem(all, "study.coarse", "40", "1 to 16"));
+    EXPECT_TRUE(has_problem(all, "study.refine", "100"));
+    EXPECT_TRUE(has_problem(all, "study.coarse", "2"));
     EXPECT_TRUE(has_problem(all, "study.until", "0.02"));
     EXPECT_TRUE(has_problem(all, "study.sampling", "grid", "sobol, latin-hypercube, random"));
     EXPECT_TRUE(has_problem(all, "objective.jacard", "1"));
@@ -167,6 +168,7 @@ key = 1
     EXPECT_TRUE(has_problem(all, "event a.runout", "-3"));
     EXPECT_TRUE(has_problem(all, "event a.lenght", "5"));
     EXPECT_TRUE(has_problem(all, "event a.speed", "4"));
+    EXPECT_TRUE(has_problem(all, "event a.arrival bridge", "5 +- 0"));
     EXPECT_TRUE(has_problem(all, "event x/y.scene", "c.ini", "letters, digits, - and _, 60 at most"));
     EXPECT_TRUE(has_problem(all, "event nowhere.runout", "4"));
     EXPECT_TRUE(has_problem(all, "vary.terrain.cell-size", "uniform(1, 2)"));
@@ -188,10 +190,9 @@ TEST_F(ReadCalibration, WhatIsMissingIsNamed) {
     EXPECT_TRUE(has_problem(empty, "study.scene"));
     EXPECT_TRUE(has_problem(empty, ": objective"));
     const std::vector<Problem> zero = problems(
-        "[study]\nscene = a.ini\nrefine = 0\n[objective]\njaccard = 0\n[vary]\nmaterial.friction-angle = uniform(1, "
+        "[study]\nscene = a.ini\n[objective]\njaccard = 0\n[vary]\nmaterial.friction-angle = uniform(1, "
         "2)\n");
     EXPECT_TRUE(has_problem(zero, ": objective"));
-    EXPECT_TRUE(has_problem(zero, "study.refine", "0"));
     EXPECT_TRUE(has_problem(problems("[study]\nscene = a.ini\n[objective]\njaccard = 1\n"), ": vary"));
 }
 
