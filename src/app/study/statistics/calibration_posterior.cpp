@@ -233,8 +233,8 @@ CalibrationModel::LogLikelihood CalibrationModel::log_likelihood(std::size_t eve
                      log = -n / 2 * std::log(square);
         return {log, log, n * n * distance.variance / square};
     }
-    const double square = distance.mean * distance.mean / (widened * widened),
-                 variance = distance.variance / (widened * widened);
+    const double scale = widened * widened * widened, square = distance.mean * distance.mean / scale,
+                 variance = distance.variance / scale;
     return {-(std::log1p(variance) + square / (1 + variance)) / 2, -(square + variance) / 2,
             square * variance + variance * variance / 2};
 }
