@@ -262,7 +262,7 @@ def test_events():
     parameters = {**scene("events", release_perimeter=layers["release"], observed_perimeter=layers["survey"], EVENT="event",
                           output_report=True),
                   "VARY": ["Material: Friction angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
-                  "SAMPLES": 4, "REFINE": 4}
+                  "SAMPLES": 8}
     assert "Measures: none is given" in refusal("calibrate", {**parameters, "OBJECTIVE": None})
     found = run("calibrate", parameters)
     check_outputs("calibrate", found, {"BEST_SCENE"})  # each event has its own
