@@ -69,8 +69,9 @@ inline constexpr double k_settled = 0.02;
 ///
 /// so that what was not run is less sure (Jarvenpaa et al. 2021, Bayesian Analysis 16, 147). Where the nearest member
 /// failed it is 0. If not even the best member
-/// is within its stated errors, chi^2 > N + 2 sqrt(2 N), these are multiplied by f = sqrt(chi^2 / N): the model errs too
-/// (Birge 1932, Physical Review 40, 207). Greater errors are alike over longer distances, so that N is divided by f.
+/// is within its stated errors, chi^2 > N + 2 sqrt(2 N), these are multiplied by f = sqrt(chi^2 / N): the model errs
+/// too (Birge 1932, Physical Review 40, 207). Greater errors are alike over longer distances, so that N is divided by
+/// f.
 class CalibrationModel {
   public:
     /// @param places of the members
