@@ -12,10 +12,11 @@ namespace frana {
 ///
 ///     Z(x) = sd sum_i n_i g(x - x_i) / sqrt(sum_i g(x - x_i)^2),   g(d) = exp(-d^2 / (2 s^2)),   s = range / sqrt(12)
 ///
-/// a moving average (Journel & Huijbregts 1978) of independent normal deviates n_i on a lattice: each n_i follows from
-/// the seed and the place alone, so that the field of a part of the map is a part of the map's field, bit by bit. Its
-/// correlation over a distance d is exp(-3 d^2 / range^2): 0.05 at the range, as geostatistics defines the practical
-/// range of this model. Below about two cells of range, cells are independent of each other.
+/// a moving average (Journel & Huijbregts 1978) of independent normal deviates n_i on a lattice of s / 2: each n_i
+/// follows from the seed and the place alone, so that the field of a part of the map is a part of the map's field, bit
+/// by bit, and that on other cells the same field at their centres. Its correlation over a distance d is exp(-3 d^2 /
+/// range^2): 0.05 at the range, as geostatistics defines the practical range of this model. A range below 0.7 cells is
+/// one of 0.7 cells: cells are independent of each other.
 struct GaussianField {
     double standard_deviation = 0;  ///< [m]
     double range = 1;               ///< [m]

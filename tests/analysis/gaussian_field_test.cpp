@@ -67,6 +67,18 @@ TEST(GaussianField, OfAPartIsThatPartOfTheField) {
     }
 }
 
+// Cells of 30 m and of 10 m have every ninth centre in common.
+TEST(GaussianField, OfOneSeedIsTheSameOnEveryCellSize) {
+    const GridSpec coarse = grid_of(20, 15, 30), fine = grid_of(60, 45, 10);
+    for (const double range : {30.0, 200.0, 5000.0}) {
+        const std::vector<double> of_coarse = field(coarse, {0, 0, 15, 20}, range, 3),
+                                  of_fine = field(fine, {0, 0, 45, 60}, range, 3);
+        for (std::size_t row = 0; row < 15; ++row)
+            for (std::size_t column = 0; column < 20; ++column)  // sums of 324 products in another order: rounding
+                ASSERT_NEAR(of_coarse[row * 20 + column], of_fine[(3 * row + 1) * 60 + 3 * column + 1], 1e-9) << range;
+    }
+}
+
 TEST(GaussianField, AddsToValuesAndKeepsGaps) {
     const GridSpec grid = grid_of(3, 1, 5);
     std::vector<double> values{100, std::nan(""), 100};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "app/commands/command_line.h"
 #include "app/commands/forecast.h"
@@ -163,18 +164,17 @@ int publish_result(const std::string& identity, const study::StudyOutcome& outco
     return static_cast<int>(outcome.pictures_failed ? ExitCode::environment : ExitCode::done);
 }
 
-/// With study.until, errors are looked at after so many members, whatever the number of threads.
-constexpr std::size_t k_members_between_checks = 64;
+/// With study.until, errors are looked at after so many members, whatever the number of threads; later after a quarter
+/// more, so that all looks together cost a few times the last one, and processors seldom wait for a round's end.
+std::size_t next_check(std::size_t members) {
+    constexpr std::size_t k_first = 64;
+    return members + std::max(k_first, members / 4 / study::k_replicates * study::k_replicates);
+}
 
 bool is_exact_enough(const study::StudyInput& input, const std::string& folder, std::size_t members) {
     const study::StudyResult result = study::read_study_result(input, folder, members);
     if (result.finished_at.size() < 2) return false;
-    double largest = 0;
-    for (const study::MappedEvents& events : study::mapped_events(input.base.spec))
-        largest = std::max(largest, study::error_of_first(result.finished, result.finished.size(), events.quantity,
-                                                          result.grid, events.thresholds)
-                                        .largest());
-    return largest <= *input.reading.study.until;
+    return study::largest_error(input, result) <= *input.reading.study.until;
 }
 
 /// What ran of a study.
@@ -201,19 +201,39 @@ MembersRun run_members(const study::StudyInput& input, const study::RunSetting& 
         run_until(input, setting, all, ran);
         return ran;
     }
-    for (std::size_t end = std::min(all, k_members_between_checks);;
-         end = std::min(all, end + k_members_between_checks)) {
+    for (std::size_t end = std::min(all, next_check(0));; end = std::min(all, next_check(end))) {
         if (!run_until(input, setting, end, ran) || end == all || is_exact_enough(input, setting.folder, end))
             return ran;
     }
 }
 
-MembersRun run_level_members(study::StudyInput& input, const study::RunSetting& setting) {
+/// Tells what levels gain, as the runs so far say.
+void tell_gain(const study::StudyInput& input, const std::string& folder, std::size_t members, RunLog& log) {
+    constexpr double k_of_sobol = 0.5;  // usual error of `sobol` over that of independent members: ensembles.md
+    const study::StudyResult result = study::read_study_result(input, folder, members);
+    const double error = study::error_of_levels(study::level_summaries(input, result));
+    if (!(error > k_of_sobol)) {
+        log.note("levels: standard error " + number_text(error, 2) +
+                 " of that of independent members on the scene's own cells at the same cost, as the pilot tells");
+        return;
+    }
+    log.warn(
+        worded("Levels gain nothing: at the same cost their standard error is {1} of that of independent members on "
+               "the scene's own cells, as the pilot tells, and sampling = sobol without study.levels usually has "
+               "{2} of it",
+               {numeral(number_text(error, 2)), numeral(number_text(k_of_sobol, 2))}));
+}
+
+MembersRun run_level_members(study::StudyInput& input, const study::RunSetting& setting, RunLog& log) {
     MembersRun ran;
+    bool told = false;
     const bool has_limit = input.reading.study.until.has_value();
     study::run_levels(
         input, setting.folder, [&](std::size_t end) { return run_until(input, setting, end, ran); },
-        [&](std::size_t members) { return has_limit && is_exact_enough(input, setting.folder, members); });
+        [&](std::size_t members) {
+            if (!std::exchange(told, true)) tell_gain(input, setting.folder, members, log);
+            return has_limit && is_exact_enough(input, setting.folder, members);
+        });
     ran.members = input.table.size();
     return ran;
 }
@@ -244,8 +264,8 @@ struct ManyRuns {
     static void load_drawing(const Input& input) { study::load_study_drawing(input); }
     static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
 
-    static MembersRun run(Input& input, const study::RunSetting& setting, RunLog&) {
-        return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting);
+    static MembersRun run(Input& input, const study::RunSetting& setting, RunLog& log) {
+        return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting, log);
     }
     static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
                                        ResultDirectory& directory, RunLog& log) {

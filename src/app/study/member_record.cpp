@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "analysis/ground_statistics.h"
@@ -109,6 +110,18 @@ CellWindow MemberRecord::place_in(const GridSpec& grid) const {
                             "Set terrain.crs and terrain.cell-size in the scene"});
     return {static_cast<std::int64_t>(std::llround(row)), static_cast<std::int64_t>(std::llround(column)),
             rows * across, columns * across};
+}
+
+CellWindow MemberRecord::reached(const GridSpec& grid) const {
+    constexpr std::int64_t k_far = std::numeric_limits<std::int64_t>::max();
+    std::int64_t top = k_far, bottom = -k_far, left = k_far, right = -k_far;
+    for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t) {
+        top = std::min(top, row);
+        bottom = std::max(bottom, row);
+        left = std::min(left, column);
+        right = std::max(right, column);
+    });
+    return bottom < top ? CellWindow{} : CellWindow{top, left, bottom - top + 1, right - left + 1};
 }
 
 Raster MemberRecord::raster(Quantity quantity, const GridSpec& grid) const {

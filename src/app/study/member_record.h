@@ -100,6 +100,9 @@ struct MemberRecord {
     /// Returns its grid's place in another grid, with the same cells or several in each of its own. Throws Error(input)
     /// if the lines of its grid are not all lines of the other.
     [[nodiscard]] CellWindow place_in(const GridSpec& grid) const;
+    /// Returns the window of the cells that the flow reached, in rows and columns of such a grid; empty if there are
+    /// none.
+    [[nodiscard]] CellWindow reached(const GridSpec& grid) const;
     /// Calls visit(row, column, index) for the cells that the flow reached, by rows and columns of such a grid, which
     /// may be outside it; in smaller cells once for each.  `index` is the cell's place in depth, velocity and arrival.
     template <class Visit>

@@ -53,6 +53,7 @@ enum class Sampling {
     random,
     grid,
     saltelli,
+    morris,
     table,
     polygons  ///< no sampling: each polygon of the release perimeter is a member of its own
 };
@@ -65,8 +66,9 @@ struct SamplingMethod {
     Sampling sampling;
     const char* name;  ///< of samples and designs in study.sampling
     Kind kind;
-    bool goes_on = false;     ///< more members may follow the last one, as study.levels and --extend need
-    bool replicated = false;  ///< drawn in k_replicates parts that are randomised independently of each other
+    bool goes_on = false;           ///< more members may follow the last one, as study.levels and --extend need
+    bool replicated = false;        ///< drawn in k_replicates parts that are randomised independently of each other
+    std::size_t more_in_group = 0;  ///< its members form groups of so many more than there are keys; 0: no groups
 };
 /// Members of an even design depend on each other, so that their number does not tell how sure their mean is. Parts of
 /// it that are randomised independently do: from the scatter of their means follows the standard error (Owen 1997,
@@ -77,7 +79,8 @@ inline constexpr SamplingMethod k_samplings[] = {
     {Sampling::latin_hypercube, "latin-hypercube", SamplingMethod::Kind::sample, false, true},
     {Sampling::random, "random", SamplingMethod::Kind::sample, true},
     {Sampling::grid, "grid", SamplingMethod::Kind::design},
-    {Sampling::saltelli, "saltelli", SamplingMethod::Kind::design, false, true},
+    {Sampling::saltelli, "saltelli", SamplingMethod::Kind::design, false, true, 2},
+    {Sampling::morris, "morris", SamplingMethod::Kind::design, false, true, 1},
     {Sampling::table, "table", SamplingMethod::Kind::given},
     {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
 
@@ -130,6 +133,11 @@ struct StudySpec {
     std::optional<RegionSpec> region;  ///< only with polygons
 
     [[nodiscard]] bool per_polygon() const noexcept { return sampling == Sampling::polygons; }
+    /// Members of a group of its sampling; 0: no groups.
+    [[nodiscard]] std::size_t group_size() const noexcept {
+        const std::size_t more = method_of(sampling).more_in_group;
+        return more == 0 ? 0 : vary.size() + more;
+    }
     /// Whether more members may follow the last one, with the same ones before them.
     [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on && !levels; }
 };

@@ -3,10 +3,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 #include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
@@ -160,15 +162,19 @@ struct Method {
     const char* name;
     study::Sampling sampling;
     std::optional<std::size_t> levels;
+    const char* with_polynomials = nullptr;  ///< the same runs with polynomials of the keys beside them
 };
-constexpr Method k_methods[] = {{"random", study::Sampling::random, {}},
+constexpr Method k_methods[] = {{"random", study::Sampling::random, {}, "random, polynomials"},
                                 {"latin-hypercube", study::Sampling::latin_hypercube, {}},
-                                {"sobol", study::Sampling::sobol, {}},
+                                {"sobol", study::Sampling::sobol, {}, "sobol, polynomials"},
                                 {"random, levels = 2", study::Sampling::random, 2},
                                 {"random, levels = 3", study::Sampling::random, 3},
                                 {"sobol, levels = 3", study::Sampling::sobol, 3}};
 /// Plain Monte Carlo, with which the others are compared.
 constexpr const Method& k_plain = k_methods[0];
+constexpr const Method& k_sobol = k_methods[2];
+/// The mark: with polynomials of the keys, the error of so many times as many members of `sobol`.
+constexpr std::int64_t k_times = 4;
 
 /// How much is computed.
 struct Extent {
@@ -242,7 +248,8 @@ class Reference {
     Reference(const study::StudyInput& input, const Sample& sample) : events_(study::mapped_events(input.base.spec)) {
         for (const study::MappedEvents& events : events_) {
             std::vector<Raster> maps(events.thresholds.size(), Raster(sample.result.grid));
-            const study::MeanEstimate estimate(sample.result.finished);
+            const study::MeanEstimate estimate(sample.result.finished, events.quantity, sample.result.grid,
+                                               events.thresholds);
             study::for_each_reached_cell(sample.result.finished, events.quantity, sample.result.grid,
                                          [&](std::size_t cell, std::span<const float> values) {
                                              for (std::size_t t = 0; t < maps.size(); ++t) {
@@ -263,17 +270,29 @@ class Reference {
         double error = 0;  ///< of the difference from the reference
         double said = 0;   ///< of the standard error that the study itself states
     };
-    [[nodiscard]] Squares of(const study::StudyResult& result) const {
+    /// @param emulation polynomials of the keys beside the runs; null: none
+    [[nodiscard]] Squares of(const study::StudyResult& result, const study::Emulation* emulation) const {
         Squares sum{squares_, 0};  // as if nothing were reached
-        const study::MeanEstimate estimate(result.finished);
         for (std::size_t e = 0; e < events_.size(); ++e) {
+            const study::MeanEstimate estimate(result.finished, events_[e].quantity, result.grid,
+                                               events_[e].thresholds);
+            std::vector<std::map<std::size_t, study::Estimate>> better(maps_[e].size());
+            for (std::size_t t = 0; t < better.size() && emulation != nullptr; ++t) {
+                const study::OutlineMaps outlines = study::outline_maps(
+                    result.finished, *emulation, events_[e].quantity, events_[e].thresholds[t], result.grid, false);
+                for (const auto& one : outlines.cells)
+                    if (outlines.pays()) better[t].emplace(one.cell, one.emulated);
+            }
             study::for_each_reached_cell(result.finished, events_[e].quantity, result.grid,
                                          [&](std::size_t cell, std::span<const float> values) {
                                              for (std::size_t t = 0; t < maps_[e].size(); ++t) {
                                                  const double exact = maps_[e][t].values[cell];
                                                  if (exact == 0) continue;
+                                                 const auto found = better[t].find(cell);
                                                  const study::Estimate p =
-                                                     estimate.probability(values, events_[e].thresholds[t]);
+                                                     found != better[t].end()
+                                                         ? found->second
+                                                         : estimate.probability(values, events_[e].thresholds[t]);
                                                  sum.error += (p.value - exact) * (p.value - exact) - exact * exact;
                                                  sum.said += p.error * p.error;
                                              }
@@ -294,6 +313,7 @@ class Reference {
 struct Row {
     const Method* method;
     std::int64_t samples = 0;
+    std::string name;
     double runs = 0, particle_steps = 0, seconds = 0;
     double error = 0;                             ///< root of the mean square
     double said = 0;                              ///< standard error as the study states it, likewise
@@ -306,27 +326,34 @@ struct Row {
     }
 };
 
-Row measure(study::StudyInput& input, const Method& method, std::int64_t samples, const Extent& extent,
-            std::int64_t first_seed, int threads, const Reference& reference, const Scratch& scratch) {
-    Row row{&method, samples};
+/// Returns a row of the method, and one of the same runs with polynomials if it has such a name.
+std::vector<Row> measure(study::StudyInput& input, const Method& method, std::int64_t samples, const Extent& extent,
+                         std::int64_t first_seed, int threads, const Reference& reference, const Scratch& scratch) {
+    std::vector<Row> rows{{&method, samples, method.name}};
+    if (method.with_polynomials != nullptr) rows.push_back({&method, samples, method.with_polynomials});
     for (int i = 0; i < extent.seeds; ++i) {
         const Sample sample = run_study(input, method, samples, first_seed + 1 + i, threads, scratch);
-        const Reference::Squares squares = reference.of(sample.result);
-        row.runs += static_cast<double>(sample.result.members.size()) / extent.seeds;
-        row.particle_steps += sample.particle_steps / extent.seeds;
-        row.seconds += sample.seconds / extent.seeds;
-        row.error += squares.error / extent.seeds;
-        row.said += squares.said / extent.seeds;
+        const study::Emulation emulation = study::emulation_of(input, sample.result);
+        for (Row& row : rows) {
+            const Reference::Squares squares = reference.of(sample.result, &row == &rows[0] ? nullptr : &emulation);
+            row.runs += static_cast<double>(sample.result.members.size()) / extent.seeds;
+            row.particle_steps += sample.particle_steps / extent.seeds;
+            row.seconds += sample.seconds / extent.seeds;
+            row.error += squares.error / extent.seeds;
+            row.said += squares.said / extent.seeds;
+        }
     }
-    row.error = std::sqrt(row.error);
-    row.said = std::sqrt(row.said);
-    return row;
+    for (Row& row : rows) {
+        row.error = std::sqrt(row.error);
+        row.said = std::sqrt(row.said);
+    }
+    return rows;
 }
 
 void compare_with_plain(std::vector<Row>& rows) {
     double by_cost = 0, by_time = 0, count = 0;
     for (const Row& row : rows) {
-        if (row.method != &k_plain) continue;
+        if (row.name != k_plain.name) continue;
         by_cost += row.error * row.error * row.particle_steps;
         by_time += row.error * row.error * row.seconds;
         count += 1;
@@ -336,12 +363,13 @@ void compare_with_plain(std::vector<Row>& rows) {
 
 std::string table_text(const std::vector<Row>& rows) {
     std::string text =
-        "sampling            samples   runs  particle-steps  engine s   error  standard error  against plain at equal\n"
-        "                                                                        as stated        cost     time\n";
+        "sampling             samples   runs  particle-steps  engine s   error  standard error  against plain at "
+        "equal\n"
+        "                                                                         as stated        cost     time\n";
     for (const Row& row : rows) {
         char line[200];
-        std::snprintf(line, sizeof line, "%-18s %8lld %6.0f  %14.4g %9.1f  %6.4f          %6.4f      %6.2f   %6.2f\n",
-                      row.method->name, static_cast<long long>(row.samples), row.runs, row.particle_steps, row.seconds,
+        std::snprintf(line, sizeof line, "%-19s %8lld %6.0f  %14.4g %9.1f  %6.4f          %6.4f      %6.2f   %6.2f\n",
+                      row.name.c_str(), static_cast<long long>(row.samples), row.runs, row.particle_steps, row.seconds,
                       row.error, row.said, row.at_equal_cost, row.at_equal_time);
         text += line;
     }
@@ -352,24 +380,36 @@ std::string table_text(const std::vector<Row>& rows) {
 std::string verdict(const std::vector<Row>& rows, std::int64_t samples) {
     std::string text;
     for (const Row& row : rows) {
-        if (row.samples != samples || row.method == &k_plain) continue;
+        if (row.samples != samples || row.name == k_plain.name) continue;
         char line[160];
-        std::snprintf(line, sizeof line, "%-18s %.2f of plain Monte Carlo's error at equal time: half is %s\n",
-                      row.method->name, row.at_equal_time, row.at_equal_time <= 0.5 ? "reached" : "not reached");
+        std::snprintf(line, sizeof line, "%-19s %.2f of plain Monte Carlo's error at equal time: half is %s\n",
+                      row.name.c_str(), row.at_equal_time, row.at_equal_time <= 0.5 ? "reached" : "not reached");
         text += line;
     }
-    return text;
+    const auto error_of = [&](const std::string& name, std::int64_t members) {
+        const auto found = std::find_if(rows.begin(), rows.end(),
+                                        [&](const Row& row) { return row.name == name && row.samples == members; });
+        return found == rows.end() ? 0 : found->error;
+    };
+    char line[200];
+    std::snprintf(line, sizeof line, "sobol, %lld members: error %.4f, with polynomials %.4f; of %lld members %.4f\n",
+                  static_cast<long long>(samples), error_of(k_sobol.name, samples),
+                  error_of(k_sobol.with_polynomials, samples), static_cast<long long>(k_times * samples),
+                  error_of(k_sobol.name, k_times * samples));
+    return text + line;
 }
 
 std::string csv_text(const std::vector<Row>& rows) {
     std::string text =
-        "sampling,levels,samples,runs,particle_steps,engine_seconds,rms_error,stated_error,ratio_at_equal_cost,"
+        "sampling,polynomials,levels,samples,runs,particle_steps,engine_seconds,rms_error,stated_error,ratio_at_equal_"
+        "cost,"
         "ratio_at_equal_time\n";
     for (const Row& row : rows)
-        text += study::name_of(row.method->sampling) + "," + std::to_string(row.method->levels.value_or(1)) + "," +
-                std::to_string(row.samples) + "," + shortest_text(row.runs) + "," + shortest_text(row.particle_steps) +
-                "," + shortest_text(row.seconds) + "," + shortest_text(row.error) + "," + shortest_text(row.said) +
-                "," + shortest_text(row.at_equal_cost) + "," + shortest_text(row.at_equal_time) + "\n";
+        text += study::name_of(row.method->sampling) + "," + (row.name == row.method->name ? "0," : "1,") +
+                std::to_string(row.method->levels.value_or(1)) + "," + std::to_string(row.samples) + "," +
+                shortest_text(row.runs) + "," + shortest_text(row.particle_steps) + "," + shortest_text(row.seconds) +
+                "," + shortest_text(row.error) + "," + shortest_text(row.said) + "," +
+                shortest_text(row.at_equal_cost) + "," + shortest_text(row.at_equal_time) + "\n";
     return text;
 }
 
@@ -383,7 +423,7 @@ render::Image picture(const std::vector<Row>& rows) {
         series.stroke = k_strokes[method.levels.value_or(1) - 1];
         series.marker = static_cast<render::Marker>(index % 4);
         for (const Row& row : rows)
-            if (row.method == &method) series.points.push_back({row.seconds, row.error});
+            if (row.name == method.name) series.points.push_back({row.seconds, row.error});
         panel.series.push_back(std::move(series));
     }
     return render::draw_chart({"Sampling of a study", "against a large reference", k_sampling_csv, 1, {panel}}, 1600,
@@ -424,9 +464,13 @@ int bench_ensemble(const std::string& file, const boost::program_options::variab
         for (const Method& method : k_methods) {
             for (const std::int64_t samples : extent.samples) {
                 say(std::string(method.name) + ", " + std::to_string(samples) + " samples ...");
-                rows.push_back(measure(input, method, samples, extent, seed, threads, reference, scratch));
+                for (Row& row : measure(input, method, samples, extent, seed, threads, reference, scratch))
+                    rows.push_back(std::move(row));
             }
         }
+        const std::int64_t most = extent.samples.back(), more = k_times * most;
+        say("sobol, " + std::to_string(more) + " samples ...");
+        rows.push_back(measure(input, k_sobol, more, extent, seed, threads, reference, scratch).front());
     } catch (const StoppedBySignal&) {
         return static_cast<int>(ExitCode::signal) + stop_signal();
     }

@@ -13,7 +13,7 @@ from ..loading import load_result
 from ..outputs import ENSEMBLE, declare
 from .study import StudyAlgorithm, by_key, section, vary_parameter
 
-_SAMPLINGS = ["sobol", "latin-hypercube", "random", "grid", "saltelli"]
+_SAMPLINGS = ["sobol", "latin-hypercube", "random", "grid", "saltelli", "morris"]
 
 
 class EnsembleAlgorithm(StudyAlgorithm):

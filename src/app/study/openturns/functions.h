@@ -22,6 +22,10 @@ struct KeySensitivity {
     std::optional<Interval> first_order, total;  ///< Sobol' indices: fractions of the variance
     /// Spearman's rank correlation; of a key without order the correlation ratio, which has no interval.
     std::optional<Interval> rank_correlation;
+    /// Of Morris' design: mean of the absolute changes of the figure when the key alone moves by half of its
+    /// distribution (mu*), and the standard deviation of the changes with their signs (sigma), in the figure's unit.
+    std::optional<Interval> effect;
+    double effect_scatter = 0;
     std::string method;  ///< of the fractions of variance: "Martinez", "polynomial chaos", or why there are none
 };
 
@@ -40,6 +44,8 @@ struct DesignPoints {
 struct Chaos {
     double q2 = 0;  ///< 1 - mean square of the errors at members left out, one by one, over the variance; NaN: none
     std::vector<double> first_order, total;  ///< by key: sums of its c_a^2, alone and with others, over the variance
+    std::vector<double> left_out;            ///< by member: what is predicted of it from the others
+    std::vector<double> elsewhere;           ///< what is predicted at other points
 };
 
 /// Members drawn near others that explain the surveys, with the density from which they were drawn.
@@ -80,7 +86,9 @@ struct OpenturnsFunctions {
     std::vector<KeySensitivity> (*indices)(const DesignPoints& points, const std::vector<double>& output,
                                            std::size_t groups);
     /// The polynomials of some outputs (by output and member), all by the same decompositions.
-    std::vector<Chaos> (*chaos)(const DesignPoints& points, const std::vector<std::vector<double>>& outputs);
+    /// @param elsewhere points for Chaos::elsewhere, with values that members have of keys without order; may be empty
+    std::vector<Chaos> (*chaos)(const DesignPoints& points, const std::vector<std::vector<double>>& outputs,
+                                const DesignPoints& elsewhere);
     /// The process whose lengths, variance and error make distances at places most likely; of fewer than 4, or of equal
     /// ones, their mean and variance everywhere.
     Emulator (*emulator)(const Places& places, const std::vector<double>& distances);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <list>
 #include <map>
 #include <numeric>
 #include <openturns/ComposedDistribution.hxx>
@@ -91,6 +92,19 @@ Places sobol_points(std::size_t count, std::size_t coordinates, std::int64_t see
     return places;
 }
 
+/// Morris' design (1991) as Campolongo, Saltelli & Cariboni (2011) place it: points, then each key alone moved, here by
+/// half of its distribution, so that every matrix is as even as the first one.
+Places morris_points(std::size_t groups, std::size_t keys, std::int64_t seed) {
+    const Places points = sobol_points(groups, keys, seed);
+    Places places = points;
+    for (std::size_t k = 0; k < keys; ++k)
+        for (std::vector<double> place : points) {
+            place[k] += place[k] < 0.5 ? 0.5 : -0.5;
+            places.push_back(std::move(place));
+        }
+    return places;
+}
+
 /// Saltelli's design (2010): matrices A and B, then A with one column of B each.
 Places saltelli_points(std::size_t groups, std::size_t keys, std::int64_t seed) {
     const Places pairs = sobol_points(groups, 2 * keys, seed);
@@ -110,7 +124,8 @@ Places independent_places(const StudySpec& study, bool is_replicated) {
     const std::size_t keys = study.vary.size(), count = static_cast<std::size_t>(study.samples),
                       parts = is_replicated ? k_replicates : 1;
     const bool is_sobol = study.sampling == Sampling::sobol;
-    if (study.sampling == Sampling::saltelli) return saltelli_points(count / (keys + 2), keys, study.seed);
+    if (const std::size_t size = study.group_size(); size > 0)
+        return (study.sampling == Sampling::morris ? morris_points : saltelli_points)(count / size, keys, study.seed);
     if (is_sobol && is_replicated) return sobol_points(count, keys, study.seed);
     const OT::ComposedDistribution cube{OT::Collection<OT::Distribution>(keys, OT::Uniform(0, 1))};
     OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(study.seed));
@@ -213,14 +228,14 @@ std::vector<KeySensitivity> indices(const DesignPoints& points, const std::vecto
 /// A function of one key.
 struct KeyFunction {
     std::size_t degree = 1;
-    std::vector<double> values;  ///< by member
+    std::vector<double> values, elsewhere;  ///< by member, by other point
 };
 /// A product of functions: the key and the number of each.
 using Term = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// Weighted Helmert contrasts of the values of a key without order: each value with all before it. Orthonormal over the
 /// members; none if each member has a value of its own, as fields of error have.
-std::vector<KeyFunction> contrasts(const std::vector<double>& column) {
+std::vector<KeyFunction> contrasts(const std::vector<double>& column, const std::vector<double>& elsewhere) {
     std::map<double, double> counts;
     for (const double value : column) counts[value] += 1;
     std::vector<KeyFunction> functions;
@@ -231,21 +246,23 @@ std::vector<KeyFunction> contrasts(const std::vector<double>& column) {
         const double high = std::sqrt(members * before / (one->second * (one->second + before))),
                      low = -high * one->second / before;
         KeyFunction& function = functions.emplace_back();
-        for (const double value : column)
-            function.values.push_back(value < one->first ? low : value == one->first ? high : 0);
+        const auto of = [&](double value) { return value < one->first ? low : value == one->first ? high : 0; };
+        std::transform(column.begin(), column.end(), std::back_inserter(function.values), of);
+        std::transform(elsewhere.begin(), elsewhere.end(), std::back_inserter(function.elsewhere), of);
     }
     return functions;
 }
 
 constexpr std::size_t k_most_degree = 3;
 
-std::vector<KeyFunction> polynomials(const std::vector<double>& places) {
+std::vector<KeyFunction> polynomials(const std::vector<double>& places, const std::vector<double>& elsewhere) {
     const std::size_t different = std::set<double>(places.begin(), places.end()).size();
     std::vector<KeyFunction> functions;
     for (std::size_t degree = 1; degree <= k_most_degree && degree < different; ++degree) {
         const OT::OrthogonalUniVariatePolynomial legendre = OT::LegendreFactory().build(degree);
-        KeyFunction& function = functions.emplace_back(KeyFunction{degree, {}});
+        KeyFunction& function = functions.emplace_back(KeyFunction{degree, {}, {}});
         for (const double place : places) function.values.push_back(legendre(2 * place - 1));
+        for (const double place : elsewhere) function.elsewhere.push_back(legendre(2 * place - 1));
     }
     return functions;
 }
@@ -263,11 +280,20 @@ void add_terms(const std::vector<std::vector<KeyFunction>>& keys, const Term& te
         }
 }
 
+class Regression;
+
+/// The polynomial of an output.
+struct Fitted {
+    Chaos chaos{std::nan(""), {}, {}, {}, {}};
+    std::vector<double> coefficients;
+    Regression* by = nullptr;
+};
+
 /// Least squares with a set of terms for any output.
 class Regression {
   public:
     Regression(const std::vector<std::vector<KeyFunction>>& keys, std::vector<Term> terms, std::size_t members)
-        : terms_(std::move(terms)), q_(members, terms_.size()), leverage_(members) {
+        : keys_(keys), terms_(std::move(terms)), q_(members, terms_.size()), leverage_(members) {
         OT::Matrix design(members, terms_.size());
         for (std::size_t i = 0; i < members; ++i)
             for (std::size_t j = 0; j < terms_.size(); ++j) {
@@ -285,7 +311,8 @@ class Regression {
             if (std::abs(r_(j, j)) < k_least * std::sqrt(static_cast<double>(leverage_.size()))) return false;
         return std::all_of(leverage_.begin(), leverage_.end(), [](double one) { return one < 1 - k_least; });
     }
-    [[nodiscard]] Chaos of(const std::vector<double>& output, std::size_t keys) const {
+    [[nodiscard]] Fitted of(const std::vector<double>& output, bool tells_left_out) {
+        const std::size_t keys = keys_.size();
         const std::size_t members = output.size(), terms = terms_.size();
         const double mean = std::accumulate(output.begin(), output.end(), 0.0) / static_cast<double>(members);
         std::vector<double> rest = output, coefficients(terms);
@@ -304,7 +331,7 @@ class Regression {
             unexplained += rest[i] * rest[i];
             left_out += std::pow(rest[i] / (1 - leverage_[i]), 2);
         }
-        Chaos chaos{1 - left_out / all, std::vector<double>(keys), std::vector<double>(keys)};
+        Chaos chaos{1 - left_out / all, std::vector<double>(keys), std::vector<double>(keys), {}, {}};
         double variance = unexplained / static_cast<double>(members - terms);
         for (std::size_t j = 0; j < terms; ++j) {
             const double square = terms_[j].empty() ? 0 : coefficients[j] * coefficients[j];
@@ -315,43 +342,74 @@ class Regression {
             }
         }
         // The decomposition's last digits depend on where its memory lies.
-        const auto steady = [](double value) { return std::round(value * 1e9) * 1e-9; };
+        const auto steady = [](double value, double unit = 1) { return std::round(value / unit * 1e9) * 1e-9 * unit; };
         chaos.q2 = steady(chaos.q2);
         for (auto* const of_keys : {&chaos.first_order, &chaos.total})
             for (double& one : *of_keys) one = steady(one / variance);
-        return chaos;
+        const double unit = all > 0 ? std::sqrt(all / static_cast<double>(members)) : 1;
+        for (double& one : coefficients) one = steady(one, unit);
+        for (std::size_t i = 0; i < members && tells_left_out; ++i)
+            chaos.left_out.push_back(output[i] - steady(rest[i] / (1 - leverage_[i]), unit));
+        return {std::move(chaos), std::move(coefficients), this};
+    }
+
+    /// What coefficients of the terms predict at other points, of which there are `count`.
+    [[nodiscard]] std::vector<double> elsewhere(const std::vector<double>& coefficients, std::size_t count) {
+        if (products_.empty())
+            for (const Term& term : terms_) {
+                std::vector<double>& product = products_.emplace_back(count, 1.0);
+                for (const auto& [key, function] : term)
+                    for (std::size_t i = 0; i < count; ++i) product[i] *= keys_[key][function].elsewhere[i];
+            }
+        std::vector<double> sums(count);
+        for (std::size_t j = 0; j < terms_.size(); ++j)
+            for (std::size_t i = 0; i < count; ++i) sums[i] += coefficients[j] * products_[j][i];
+        return sums;
     }
 
   private:
+    const std::vector<std::vector<KeyFunction>>& keys_;
     std::vector<Term> terms_;
+    std::vector<std::vector<double>> products_;  ///< of each term at the other points
     OT::Matrix q_, r_;
     std::vector<double> leverage_;  ///< by member: how much its own output decides what is said of it
 };
 
+std::vector<double> column_of(const std::vector<std::vector<double>>& rows, std::size_t key) {
+    std::vector<double> column;
+    for (const auto& row : rows) column.push_back(row[key]);
+    return column;
+}
+
 /// OpenturnsFunctions::chaos.
-std::vector<Chaos> chaos(const DesignPoints& points, const std::vector<std::vector<double>>& outputs) {
+std::vector<Chaos> chaos(const DesignPoints& points, const std::vector<std::vector<double>>& outputs,
+                         const DesignPoints& elsewhere) {
     OT::TBB::SetThreadsNumber(1);
-    const std::size_t keys = points.nominal.size(), members = points.numbers.size();
+    const std::size_t keys = points.nominal.size(), members = points.numbers.size(), others = elsewhere.numbers.size();
     std::vector<std::vector<KeyFunction>> functions;
-    for (std::size_t k = 0; k < keys; ++k) {
-        std::vector<double> column;
-        for (const auto& row : points.nominal[k] ? points.numbers : points.places) column.push_back(row[k]);
-        functions.push_back(points.nominal[k] ? contrasts(column) : polynomials(column));
-    }
-    std::vector<Chaos> best(outputs.size(), Chaos{std::nan(""), {}, {}});
+    for (std::size_t k = 0; k < keys; ++k)
+        functions.push_back(points.nominal[k]
+                                ? contrasts(column_of(points.numbers, k), column_of(elsewhere.numbers, k))
+                                : polynomials(column_of(points.places, k), column_of(elsewhere.places, k)));
+    std::list<Regression> regressions;
+    std::vector<Fitted> best(outputs.size());
     constexpr std::pair<std::size_t, std::size_t> k_sets[] = {{1, 1}, {2, 1}, {3, 1}, {2, 2}, {3, 2}, {3, 3}};
     for (const auto& [degree, order] : k_sets) {
         std::vector<Term> terms;
         add_terms(functions, {}, 0, degree, order, terms);
         if (4 * terms.size() > 3 * members) continue;
-        const Regression regression(functions, std::move(terms), members);
-        if (!regression.is_sound()) continue;
-        for (std::size_t i = 0; i < outputs.size(); ++i) {
-            Chaos one = regression.of(outputs[i], keys);
-            if (std::isfinite(one.q2) && !(best[i].q2 >= one.q2)) best[i] = std::move(one);
+        Regression& regression = regressions.emplace_back(functions, std::move(terms), members);
+        for (std::size_t i = 0; i < outputs.size() && regression.is_sound(); ++i) {
+            Fitted one = regression.of(outputs[i], others > 0);
+            if (std::isfinite(one.chaos.q2) && !(best[i].chaos.q2 >= one.chaos.q2)) best[i] = std::move(one);
         }
     }
-    return best;
+    std::vector<Chaos> all;
+    for (Fitted& one : best) {
+        if (one.by != nullptr && others > 0) one.chaos.elsewhere = one.by->elsewhere(one.coefficients, others);
+        all.push_back(std::move(one.chaos));
+    }
+    return all;
 }
 
 OT::Mixture proposal(const Places& design, const std::vector<double>& weights, const std::vector<double>& widths,

@@ -72,13 +72,14 @@ void append_members(const SampleTable& draws, std::size_t level, std::size_t fir
                     SampleTable& table) {
     table.keys = draws.keys;
     table.nominal = draws.nominal;
+    table.is_replicated = draws.is_replicated;
     for (std::size_t i = first; i < last; ++i) {
         for (const bool is_coarse : {false, true}) {
             if (is_coarse && level == 0) continue;
             table.values.push_back(draws.values[i]);
             table.numbers.push_back(draws.numbers[i]);
             table.weights.push_back(1);
-            table.level_runs.push_back({level, is_coarse, is_coarse ? 2 * cell_size : cell_size});
+            table.level_runs.push_back({level, is_coarse, is_coarse ? 2 * cell_size : cell_size, i});
         }
     }
 }

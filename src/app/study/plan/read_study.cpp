@@ -292,10 +292,11 @@ void StudyReader::check_sampling() {
     if (study.until && method.kind != Kind::sample)
         refuse_for("cannot be stopped before its last member by study.until",
                    remove_or_choose("study.until", [](const auto& row) { return row.kind == Kind::sample; }));
-    if (study.sampling == Sampling::saltelli && !study.vary.empty()) {
-        const auto group = static_cast<std::int64_t>(study.vary.size()) + 2;
+    if (method.more_in_group > 0 && !study.vary.empty()) {
+        const auto group = static_cast<std::int64_t>(study.group_size());
         if (study.samples % group != 0 || study.samples / group < 2)
-            add_problem({"is not a multiple of the keys plus 2, which sampling = saltelli needs",
+            add_problem({"is not a multiple of the keys plus " + std::to_string(method.more_in_group) +
+                             ", which sampling = " + method.name + " needs",
                          where("study.samples"), std::to_string(study.samples), "",
                          "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
     }

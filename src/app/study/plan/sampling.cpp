@@ -244,7 +244,7 @@ std::vector<std::string> SampleTable::overrides(std::size_t member) const {
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems) {
     if (study.sampling == Sampling::grid) return full_factorial(study);
     SampleTable table = samples_at(study, draw_places(study, true), label, problems);
-    if (study.sampling == Sampling::saltelli) table.groups = table.size() / (study.vary.size() + 2);
+    if (const std::size_t size = study.group_size(); size > 0) table.groups = table.size() / size;
     table.is_replicated = method_of(study.sampling).replicated;
     return table;
 }
@@ -392,6 +392,22 @@ SampleTable samples_of_table(const std::vector<std::string>& columns, const std:
         problems.add(
             {"has no weight greater than 0", where + ": " + k_weight_column, "", "", "Give a member a weight"});
     return table;
+}
+
+DesignPoints dense_points(const StudySpec& study, std::int64_t count) {
+    StudySpec dense = study;
+    dense.sampling = Sampling::sobol;
+    dense.samples = count;
+    DesignPoints points;
+    points.places = draw_places(dense, true);
+    if (!study.correlate.empty()) openturns().correlate(dense, points.places);
+    points.numbers = points.places;
+    for (std::size_t k = 0; k < study.vary.size(); ++k) {
+        points.nominal.push_back(study.vary[k].distribution.is_nominal());
+        for (std::size_t i = 0; i < points.places.size() && points.nominal[k]; ++i)
+            points.numbers[i][k] = nominal_value(study.vary[k].distribution, points.places[i][k]).second;
+    }
+    return points;
 }
 
 std::vector<std::string> central_values(const StudySpec& study) {

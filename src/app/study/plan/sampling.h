@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/study/openturns/functions.h"
 #include "app/study/study_spec.h"
 #include "core/error.h"
 #include "params/keys/parameter.h"
@@ -40,8 +41,9 @@ struct SampleTable {
     std::vector<double> weights;       ///< by member, greater than 0
     std::vector<TableColumn> columns;  ///< of the table that was read; empty: drawn
     Places places;                     ///< of the values in their distributions; none: of a grid or a table
-    /// Saltelli's design (Saltelli et al. 2010): members i, i + n, i + 2n, ... form group i of n groups: rows of the
-    /// matrices A, B, then A with one column of B each. 0: members are independent of each other.
+    /// Members i, i + n, i + 2n, ... form group i of n groups. Saltelli's design (Saltelli et al. 2010): rows of the
+    /// matrices A, B, then A with one column of B each. Morris': a point, then each key alone moved by half of its
+    /// distribution. 0: members are independent of each other.
     std::size_t groups = 0;
     bool is_replicated = false;  ///< SamplingMethod::replicated
     /// A run of a multilevel study.
@@ -49,13 +51,14 @@ struct SampleTable {
         std::size_t level = 0;
         bool is_coarse = false;  ///< on the next coarser cells; it follows the run with the same values on the level's
         double cell_size = 0;    ///< [m]; 0: the scene's own
+        std::size_t draw = 0;    ///< its number among the draws of its level
     };
     std::vector<LevelRun> level_runs;  ///< by member; empty: all on the scene's own cells
 
     [[nodiscard]] std::size_t size() const noexcept { return values.size(); }
     /// The part of a replicated design that a member is from.
     [[nodiscard]] std::size_t replicate_of(std::size_t member) const noexcept {
-        return (groups > 0 ? member % groups : member) % k_replicates;
+        return (!level_runs.empty() ? level_runs[member].draw : groups > 0 ? member % groups : member) % k_replicates;
     }
     /// Returns "key=value" of a member, in a multilevel study with its cell size.
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;
@@ -85,6 +88,10 @@ inline constexpr double k_least_table_weight = 1e-100,
                         k_most_table_weight = 1e100;  // their squares and sums stay finite
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                              const std::string& where, Problems& problems);
+
+/// Returns the places of many members of a study, and of keys without order their numbers, as SampleTable has them; of
+/// the others the places stand for both.
+DesignPoints dense_points(const StudySpec& study, std::int64_t count);
 
 /// Returns the overrides of the central member: medians, likeliest choices, no error of the terrain.
 std::vector<std::string> central_values(const StudySpec& study);

@@ -3,6 +3,7 @@
 #include "app/study/plan/study_input.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frana::app::study {
 namespace {
@@ -40,11 +41,19 @@ std::vector<LevelSummary> level_summaries(const StudyInput& input, const StudyRe
         if (level.members > 0) level.statistics.cost /= static_cast<double>(level.members);
     }
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const std::vector<double> variances =
+        const LevelVariances variances =
             level_variances(result.finished, events.quantity, result.grid, events.thresholds, levels.size());
-        for (std::size_t l = 0; l < levels.size(); ++l) levels[l].statistics.variance += variances[l];
+        for (std::size_t l = 0; l < levels.size(); ++l) levels[l].statistics.variance += variances.differences[l];
+        levels.back().own_variance += variances.own;
     }
+    levels.back().own_cost = own_cost(input, result);
     return levels;
+}
+
+double error_of_levels(const std::vector<LevelSummary>& levels) {
+    double sum = 0;
+    for (const LevelSummary& level : levels) sum += std::sqrt(level.statistics.variance * level.statistics.cost);
+    return sum / std::sqrt(levels.back().own_variance * levels.back().own_cost);
 }
 
 bool run_levels(StudyInput& input, const std::string& folder, const std::function<bool(std::size_t)>& run_until,

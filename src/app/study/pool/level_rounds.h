@@ -23,9 +23,15 @@ struct LevelSummary {
     std::size_t failed = 0;   ///< of which a run failed
     /// Of the difference of the level, summed over all cells and events; cost: particle-steps of a member.
     LevelStatistics statistics;
+    /// Of the finest level: what a run on the scene's own cells costs, and its variance likewise.
+    double own_cost = 0, own_variance = 0;
 };
 /// Empty for other studies.
 std::vector<LevelSummary> level_summaries(const StudyInput& input, const StudyResult& result);
+
+/// Returns the standard error of levels over that of independent members on the scene's own cells, both at the same
+/// cost: sum over the levels of sqrt(V_l C_l), over sqrt(V C).
+double error_of_levels(const std::vector<LevelSummary>& levels);
 
 /// Runs a multilevel study round by round: first the pilot, then what add_level_members adds.
 /// @param run_until runs the members below a number; false: stopped by a signal

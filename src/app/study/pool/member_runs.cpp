@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -270,14 +271,22 @@ void run_members(const Job& job, const std::vector<StudyInput>& studies, int thr
     for (const StudyInput& one : studies) inputs.push_back(&one);
     MemberThreads members(std::move(inputs), threads);
     job.send(0, kind_of(RankMessage::ready), with_number(static_cast<std::size_t>(threads)));
-    bool told = false;
+    bool told = false, has_spare = false;
+    std::optional<Stopwatch> since_first;
     for (;;) {
         while (auto message = job.receive()) {
             if (is(*message, RankMessage::stop)) return;
-            if (is(*message, RankMessage::member)) members.add(task_from(std::move(message->bytes)));
+            if (!is(*message, RankMessage::member)) continue;
+            if (!since_first) since_first.emplace();
+            members.add(task_from(std::move(message->bytes)));
         }
-        while (const auto record = members.take_record())
+        while (const auto record = members.take_record()) {
             job.send(0, kind_of(RankMessage::record), with_number(record->member, record->bytes));
+            // Short members: as many wait here, so that no thread waits for a message. Long ones are better shared out.
+            constexpr double k_short = 1;  // [s]
+            if (!std::exchange(has_spare, true) && since_first->seconds() < k_short)
+                job.send(0, kind_of(RankMessage::ready), with_number(static_cast<std::size_t>(threads)));
+        }
         if (const std::exception_ptr problem = members.take_problem()) send_problem(job, problem);
         if (stop_signal() != 0 && !std::exchange(told, true))
             job.send(0, kind_of(RankMessage::interrupted), with_number(static_cast<std::size_t>(stop_signal())));
@@ -407,9 +416,26 @@ std::optional<MemberTask> MemberRunner::take() {
 }
 
 void MemberRunner::keep(std::size_t member, const std::string& record) {
-    write_file(record_file(folder_, member), record, Sync::yes);
+    const std::string file = record_file(folder_, member);
+    write_file(file, record);
+    unsynced_.push_back(file);
+    // Together they cost little more than one. What a power failure damages is seen by its CRC, and computed again.
+    constexpr std::size_t k_together = 64;
+    constexpr double k_longest_wait = 1;  // [s]
+    if (unsynced_.size() >= k_together || since_sync_.seconds() > k_longest_wait) sync();
     ++computed_;
     progress_.add_member();
+}
+
+void MemberRunner::sync() {
+    if (unsynced_.empty()) return;
+    unsynced_.push_back(std::filesystem::path(unsynced_.front()).parent_path().string());
+    for (const std::string& path : unsynced_)
+        if (const int reason = sync_path(path); reason != 0)
+            throw Error(ErrorKind::environment, Problem{std::string("cannot be stored: ") + std::strerror(reason), path,
+                                                        "", "", "Check the disk and its free space"});
+    unsynced_.clear();
+    since_sync_ = {};
 }
 
 void MemberRunner::run_until_all_are_back() {
@@ -438,6 +464,7 @@ void MemberRunner::run_until_all_are_back() {
 bool MemberRunner::run_until(std::size_t end) {
     end_ = end;
     run_until_all_are_back();
+    sync();
     progress_.finish();
     return stopped_by() == 0;
 }

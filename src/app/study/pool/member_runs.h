@@ -146,6 +146,8 @@ class MemberRunner {
   private:
     void run_until_all_are_back();
     void keep(std::size_t member, const std::string& record);
+    /// Waits until the records that were written are on the disk.
+    void sync();
 
     [[nodiscard]] std::optional<MemberTask> take();
 
@@ -157,6 +159,8 @@ class MemberRunner {
     std::size_t next_ = 0, end_ = 0;  ///< members below `next_` were given out or have a record
     MemberProgress progress_;
     std::size_t computed_ = 0, out_ = 0;  ///< out: given to the threads of this process
+    std::vector<std::string> unsynced_;   ///< records that a power failure could still take
+    Stopwatch since_sync_;
     MemberThreads members_;
 };
 

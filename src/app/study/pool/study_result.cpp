@@ -115,6 +115,7 @@ void add_finished(const StudyInput& input, const std::string& folder, std::size_
                   FinishedMembers& to, std::vector<std::size_t>& places) {
     to.records.push_back(record_file(folder, member));
     to.weights.push_back(input.table.weights[member]);
+    to.columns.push_back(place);
     if (input.table.is_replicated) to.replicates.push_back(input.table.replicate_of(member));
     places.push_back(place);
 }
@@ -141,6 +142,7 @@ OpenRuns open_runs(const StudyInput& input, const std::string& folder, const Stu
         all.is_open.push_back(one.end.is_open() || !one.failure.empty());
     }
     if (counts.empty()) scale_weights(all.runs);
+    all.runs.store = std::make_shared<CellStore>(all.runs.records);
     return all;
 }
 
@@ -169,12 +171,12 @@ void add_pairs(const StudyInput& input, const std::string& folder, StudyResult& 
     }
 }
 
-/// Groups of Saltelli's design of which every member finished; each gets the next number.
+/// Groups of a design of which every member finished; each gets the next number.
 std::map<std::size_t, std::size_t> whole_groups(const StudyInput& input, const StudyResult& result) {
     std::map<std::size_t, std::size_t> counts, numbers;
     for (const std::size_t place : result.finished_at) ++counts[result.members[place].member % input.table.groups];
     for (const auto& [group, count] : counts)
-        if (count == input.table.keys.size() + 2) numbers.emplace(group, numbers.size());
+        if (count == input.reading.study.group_size()) numbers.emplace(group, numbers.size());
     return numbers;
 }
 
@@ -188,11 +190,13 @@ void choose_design(const StudyInput& input, const std::string& folder, StudyResu
             if (groups.count(member % table.groups) > 0)
                 add_finished(input, folder, member, place, result.design, result.design_at);
         }
+        result.design.store = result.finished.store;
         result.groups = groups.size();
     } else if (!table.level_runs.empty()) {
         for (const std::size_t place : result.finished_at)
             if (table.level_runs[place].level == 0)
                 add_finished(input, folder, place, place, result.design, result.design_at);
+        result.design.store = result.finished.store;
     } else {
         result.design = result.finished;
         result.design_at = result.finished_at;
@@ -278,23 +282,59 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     else
         add_pairs(input, folder, result);
     result.open = open_runs(input, folder, result);
+    result.finished.store = result.open.runs.store;
     choose_design(input, folder, result);
     result.grid = input.base.scene.grid;
     return result;
 }
 
-std::vector<FigureSensitivity> sensitivities(const StudyResult& result) {
+Emulation emulation_of(const StudyInput& input, const StudyResult& result) {
+    // Of fewer it is not known well enough which estimate is better; more are alone as exact as anybody asks for.
+    constexpr std::size_t k_least_members = 32, k_most_members = 2048;
+    constexpr std::int64_t k_sample = 16384;
+    const StudySpec& study = input.reading.study;
+    Emulation emulation{result.points, {}};
+    const bool is_sample = method_of(study.sampling).kind == SamplingMethod::Kind::sample && !study.levels;
+    // Of members that failed nobody knows the outline, and the others have other distributions.
+    if (is_sample && result.failed() == 0 && result.finished.size() >= k_least_members &&
+        result.finished.size() <= k_most_members)
+        emulation.sample = dense_points(study, k_sample);
+    return emulation;
+}
+
+double largest_error(const StudyInput& input, const StudyResult& result) {
+    std::optional<Emulation> emulation;
+    double largest = 0;
+    for (const MappedEvents& events : mapped_events(input.base.spec)) {
+        ErrorSummary errors =
+            error_of_first(result.finished, result.finished.size(), events.quantity, result.grid, events.thresholds);
+        if (errors.largest() > *input.reading.study.until) {  // polynomials may be better
+            if (!emulation) emulation = emulation_of(input, result);
+            for (const double threshold : events.thresholds)
+                if (!emulation->sample.places.empty())
+                    outline_maps(result.finished, *emulation, events.quantity, threshold, result.grid, false)
+                        .improve(errors);
+        }
+        largest = std::max(largest, errors.largest());
+    }
+    return largest;
+}
+
+std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result) {
+    const bool is_morris = input.reading.study.sampling == Sampling::morris,
+               is_saltelli = result.groups >= k_least_groups && !is_morris;
     std::vector<FigureSensitivity> all;
     if (result.design_at.size() < 2 || !result.equal_weights()) return all;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         std::vector<double> output;
         for (const std::size_t place : result.design_at) output.push_back(result.members[place].figures[f].value);
-        const Chaos chaos = openturns().chaos(result.points, {output}).front();
+        const Chaos chaos = openturns().chaos(result.points, {output}, {}).front();
         FigureSensitivity one{result.figures()[f], {}, chaos.q2};
-        one.keys = result.groups >= k_least_groups ? sobol_indices(result.points, output, result.groups)
-                   : result.groups > 0             ? std::vector<KeySensitivity>(result.points.nominal.size())
-                                                   : rank_correlations(result.points, output);
-        for (std::size_t k = 0; k < one.keys.size() && result.groups < k_least_groups; ++k) {
+        one.keys = is_saltelli                      ? sobol_indices(result.points, output, result.groups)
+                   : is_morris && result.groups > 1 ? elementary_effects(result.points, output, result.groups)
+                   : result.groups > 0              ? std::vector<KeySensitivity>(result.points.nominal.size())
+                                                    : rank_correlations(result.points, output);
+        for (std::size_t k = 0; k < one.keys.size() && !is_saltelli; ++k) {
             KeySensitivity& key = one.keys[k];
             constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
             if (std::isnan(chaos.q2) || result.points.are_dependent || chaos.q2 < k_least_q2) {

@@ -12,6 +12,7 @@
 #include "app/study/member_record.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/statistics/cell_statistics.h"
+#include "app/study/statistics/outline_maps.h"
 #include "app/study/statistics/sensitivity.h"
 #include "app/study/statistics/study_maps.h"
 
@@ -61,8 +62,9 @@ struct StudyResult {
     std::vector<MemberResult> members;
     FinishedMembers finished;              ///< whose maps are used
     std::vector<std::size_t> finished_at;  ///< their places in `members`
-    /// Members of whole groups of Saltelli's design, of a multilevel study those of the coarsest level, or all finished
-    /// ones: those that sensitivities use. `groups`: rows of matrix A among them, 0 if the members are independent.
+    /// Members of whole groups of Saltelli's or Morris' design, of a multilevel study those of the coarsest level, or
+    /// all finished ones: those that sensitivities use. `groups`: rows of the first matrix among them, 0 if the members
+    /// are independent.
     FinishedMembers design;
     std::vector<std::size_t> design_at;
     DesignPoints points;
@@ -97,7 +99,14 @@ inline constexpr double k_most_failed = 0.05;
 /// Reads the records of the first `count` members. Throws Error(environment) for one that cannot be read.
 StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count);
 
+/// Returns the inputs of the members for polynomials, with many more from the same distributions where the members are
+/// a sample of these and so few that polynomials may add to what they tell.
+Emulation emulation_of(const StudyInput& input, const StudyResult& result);
+
+/// Returns the standard error by which study.until decides, of the first members.
+double largest_error(const StudyInput& input, const StudyResult& result);
+
 /// Returns the sensitivities of all figures.
-std::vector<FigureSensitivity> sensitivities(const StudyResult& result);
+std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result);
 
 }  // namespace frana::app::study

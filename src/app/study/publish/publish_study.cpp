@@ -233,12 +233,10 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
     gis::OutlineLayer layer{"members", {}};
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
         const MemberResult& member = result.members[result.finished_at[i]];
-        FinishedMembers alone;
-        alone.records.push_back(record_file(folder, member.member));
-        const CellWindow window = reached_window(alone, result.grid);
+        const MemberRecord record = require_record(record_file(folder, member.member));
+        const CellWindow window = record.reached(result.grid);
         if (window.rows == 0) continue;
-        const auto record = own_record(input, folder, member.member);
-        const Raster depth = record->raster(Quantity::depth, part_of(result.grid, window));
+        const Raster depth = record.raster(Quantity::depth, part_of(result.grid, window));
         PolygonFeature feature;
         feature.parts = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
         if (feature.parts.empty()) continue;
@@ -309,13 +307,22 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
              percent(facts.error.largest()) + " at most, " + percent(facts.error.mean()) +
              " on average where it is not 0; where all or none came, up to " + percent(facts.least_margin) +
              " away are still likely (95 %)");
+    for (const StudyFacts::EmulatedMap& one : facts.emulated)
+        log.note(one.raster +
+                 (one.is_used ? ": with polynomials of the keys beside the members, standard error "
+                              : ": of the members alone; with polynomials of the keys the error would be ") +
+                 number_text(one.error_ratio, 2) + " of that of the members alone");
     const auto& until = input.reading.study.until;
     if (until && facts.error.largest() > *until)
         log.warn(
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
-void tell_sensitivities(const std::vector<FigureSensitivity>& figures, RunLog& log) {
+void tell_sensitivities(const StudyInput& input, const std::vector<FigureSensitivity>& figures, RunLog& log) {
+    const bool is_untold = std::any_of(figures.begin(), figures.end(), [](const FigureSensitivity& figure) {
+        return figure.q2 < k_least_q2 && !figure.keys.front().effect;
+    });
+    if (is_untold && input.table.keys.size() > k_many_keys) log.warn(k_screening_advice);
     std::string text;
     for (const FigureSensitivity& figure : figures)
         if (!std::isnan(figure.q2))
@@ -386,8 +393,8 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             publish_unions(input, result, directory, facts);
         } else {
             publish_study_ground(input, directory);
-            figures = sensitivities(result);
-            tell_sensitivities(figures, log);
+            figures = sensitivities(input, result);
+            tell_sensitivities(input, figures, log);
             publish_study_maps(input, result, directory, facts);
             warn_of_error(input, result, facts, log);
             facts.median = median_member(input, result);

@@ -88,26 +88,31 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
         std::any_of(data.sensitivities.begin(), data.sensitivities.end(), [](const FigureSensitivity& figure) {
             return std::any_of(figure.keys.begin(), figure.keys.end(), [](const auto& one) { return one.total; });
         });
+    const bool by_effects = data.sensitivities.front().keys.front().effect.has_value();
     render::Chart chart = chart_sheet(
         source, title,
-        words(by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
-                         : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
+        words(by_effects   ? worded("bar: mean change when the key alone moves by half of its distribution (mu* of "
+                                      "Morris), thin line: its interval of 95 %")
+              : by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
+                           : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
         "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
     for (const FigureSensitivity& figure : data.sensitivities) {
         if (chart.panels.size() == k_most_panels) break;
-        render::ChartPanel panel{figure_title(figure.figure, words),
-                                 words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
-                                 "",
-                                 {}};
+        render::ChartPanel panel{
+            figure_title(figure.figure, words),
+            by_effects ? axis_label(figure.figure, words)
+                       : words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
+            "",
+            {}};
         panel.note =
             words(figure.q2 < k_least_q2 ? worded("the members do not tell it") : worded("the figure does not vary"));
         const double count = static_cast<double>(figure.keys.size());
         panel.has_rows = true;
         panel.on_y = {0.5, count + 0.5};
-        panel.on_x = {by_indices ? 0 : -1.05, 1.05};
+        if (!by_effects) panel.on_x = {by_indices ? 0 : -1.05, 1.05};
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            const auto& value = by_indices ? one.total : one.rank_correlation;
+            const auto& value = by_effects ? one.effect : by_indices ? one.total : one.rank_correlation;
             if (!value) continue;
             const double y = count - static_cast<double>(k);
             const Rgb colour = k_colours[k % std::size(k_colours)];
@@ -115,7 +120,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
             panel.series.push_back(std::move(bar));
             if (std::isfinite(value->low))
                 panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
-            if (!by_indices) continue;
+            if (by_effects || !by_indices) continue;
             render::ChartSeries first{"", {20, 20, 20}, {{one.first_order->value, y}}, 1};
             first.marker = render::Marker::circle;
             panel.series.push_back(std::move(first));
@@ -222,8 +227,7 @@ class Builder {
     template <class Visit>
     void for_each(Quantity quantity, const Visit& visit) const {
         const bool has_open = result_.open.any();
-        for_each_feature((has_open ? result_.open.runs : result_.finished).records, quantity, result_.grid, cells_,
-                         visit);
+        for_each_feature(has_open ? result_.open.runs : result_.finished, quantity, result_.grid, cells_, visit);
     }
     [[nodiscard]] std::size_t member_of(std::size_t record) const {
         return result_.members[result_.open.any() ? record : result_.finished_at[record]].member;
@@ -240,11 +244,10 @@ class Builder {
             const auto set = [&](std::size_t feature, const std::string& name, double value) {
                 rows[feature].numbers.emplace_back(name, rows[feature].is_on_map() ? value : k_no_data);
             };
-            for_each_feature(result_.finished.records, quantity, result_.grid, cells_,
-                             [&](std::size_t feature, Values values) {
-                                 for (std::size_t t = 0; t < thresholds.size(); ++t)
-                                     set(feature, names[t], estimate.probability(values, thresholds[t]).value);
-                             });
+            for_each_feature(result_.finished, quantity, result_.grid, cells_, [&](std::size_t feature, Values values) {
+                for (std::size_t t = 0; t < thresholds.size(); ++t)
+                    set(feature, names[t], estimate.probability(values, thresholds[t]).value);
+            });
             if (!result_.open.any()) return;
             for_each(quantity, [&](std::size_t feature, Values values) {
                 for (std::size_t t = 0; t < thresholds.size(); ++t)
@@ -397,8 +400,25 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const bool on_levels = !input.levels.empty();
     const std::vector<float> none(result.finished.size());
     facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
+    const Emulation emulation = emulation_of(input, result);
+    bool needs_fractions = result.equal_weights() && result.design_at.size() > 1 && !result.points.are_dependent;
+    const auto write_fractions = [&](const OutlineMaps& outlines) {
+        for (std::size_t k = 0; k < outlines.fractions.size(); ++k)
+            writer.write("sensitivity_" + input.table.keys[k], outlines.fractions[k]);
+    };
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
         QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
+        for (std::size_t t = 0; t < events.thresholds.size() && !emulation.sample.places.empty(); ++t) {
+            const bool is_first = events.quantity == Quantity::depth && t == 0;
+            const OutlineMaps outlines = outline_maps(result.finished, emulation, events.quantity, events.thresholds[t],
+                                                      result.grid, is_first && needs_fractions);
+            outlines.improve(maps.probability[t], maps.margin[t]);
+            outlines.improve(maps.errors);
+            if (!outlines.cells.empty())
+                facts.emulated.push_back({events.rasters[t], outlines.error_ratio, outlines.pays()});
+            write_fractions(outlines);
+            needs_fractions = needs_fractions && !is_first;
+        }
         std::vector<RasterInterval> bounds;
         if (result.open.any())
             bounds = probability_bounds(maps.probability, result.open, events.quantity, events.thresholds, result.grid);
@@ -427,11 +447,9 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
     for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
         writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
-    if (result.equal_weights() && result.design_at.size() > 1 && !result.points.are_dependent) {
-        const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
-        const std::vector<Raster> maps = sensitivity_maps(result.design, result.points, result.grid, threshold);
-        for (std::size_t k = 0; k < maps.size(); ++k) writer.write("sensitivity_" + input.table.keys[k], maps[k]);
-    }
+    if (!needs_fractions) return;
+    const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
+    write_fractions(outline_maps(result.design, {result.points, {}}, Quantity::depth, threshold, result.grid, true));
 }
 
 void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <string>
 
 #include "app/pictures/map_layer.h"
@@ -160,6 +161,28 @@ std::string runs_sentence(const StudyInput& input, const StudyResult& result, co
         {finished, all, name_of(study.sampling), std::to_string(study.seed)});
 }
 
+/// What polynomials of the keys add to the runs.
+std::string polynomials_sentence(const StudyFacts& facts, const Words& words) {
+    if (facts.emulated.empty()) return "";
+    std::size_t used = 0;
+    double worst = 0, best = 1;
+    for (const StudyFacts::EmulatedMap& one : facts.emulated) {
+        if (!one.is_used) continue;
+        ++used;
+        worst = std::max(worst, one.error_ratio);
+        best = std::min(best, one.error_ratio);
+    }
+    const ReportNumbers number(words);
+    return " " +
+           (used == 0
+                ? words("Polynomials of the keys would not make the probabilities more certain: they are those of "
+                        "the runs alone.")
+                : words("In {1} of {2} maps of probability polynomials of the keys stand beside the runs: the "
+                        "standard error is {3} to {4} % of that of the runs alone.",
+                        {std::to_string(used), std::to_string(facts.emulated.size()), number.percent(best),
+                         number.percent(worst)}));
+}
+
 Document sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     const ReportNumbers number(words);
     const StudySpec& study = input.reading.study;
@@ -175,6 +198,10 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
                       "Where all or none of the runs come, that is not certain: a probability {1} % away from it is "
                       "still possible (95 % confidence).",
                       {number.percent(facts.least_margin)});
+    if (result.finished.levels.empty())
+        text += " " + words("A probability less than {1} % is less than one run, and cannot be told from 0.",
+                            {number.percent(1 / result.finished.effective_size())});
+    text += polynomials_sentence(facts, words);
     text += " " + words("In the rasters of probability band 2 is half of the interval of 95 %.");
     if (result.open.any())
         text += " " + words("Band 3 is the probability if all runs whose full reach is not known came everywhere.");
@@ -387,8 +414,31 @@ std::string interval_text(const std::optional<Interval>& one, const Words& words
     return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
 }
 
+/// Of Morris' design, the greatest effects on a figure first.
+Document effects_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, const Words& words) {
+    const ReportNumbers number(words);
+    Table table({words("value"), words("key"), words("mean change"), words("deviation"), ""});
+    for (const FigureSensitivity& figure : figures) {
+        std::vector<std::size_t> order(figure.keys.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return figure.keys[a].effect->value > figure.keys[b].effect->value;
+        });
+        for (const std::size_t k : order) {
+            const KeySensitivity& one = figure.keys[k];
+            table.row({figure_title(figure.figure, words), input.table.keys[k], interval_text(one.effect, words),
+                       number(one.effect_scatter, 2), ReportNumbers::unit(figure.figure.unit)});
+        }
+    }
+    return Document().add(table).small(
+        words("Mean change: by how much the value changes on average when the key alone moves by half of its "
+              "distribution, without sign (mu* of Morris), in brackets the interval of 95 %. A deviation as large as "
+              "it: the change depends on where the key is and on the others."));
+}
+
 Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool are_dependent,
                            const Words& words) {
+    if (!figures.empty() && figures.front().keys.front().effect) return effects_table(input, figures, words);
     const ReportNumbers number(words);
     Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"), "Q2"});
     std::vector<std::string> untold;
@@ -411,6 +461,7 @@ Document sensitivity_table(const StudyInput& input, const std::vector<FigureSens
             words("No fraction of the variance is told of {1}: there polynomials of the keys do not predict "
                   "the runs (Q2 less than {2}). More runs may help.",
                   {joined(untold, ", "), number(k_least_q2)}));
+    if (!untold.empty() && input.table.keys.size() > k_many_keys) section.small(words(k_screening_advice));
     return section.small(
         words("First order and total are fractions of the variance of a value that its key explains, alone and with "
               "others. The rank correlation is no fraction: it tells whether the two rise together. In brackets the "

@@ -185,7 +185,8 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
     std::string text =
-        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method,q2\n";
+        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method,q2,"
+        "effect,effect_low,effect_high,effect_deviation\n";
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
@@ -193,7 +194,8 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
                     value_cell(one.first_order) + "," + value_cell(one.total) + "," + cells(one.first_order) + "," +
                     cells(one.total) + "," + value_cell(one.rank_correlation) + "," + cells(one.rank_correlation) +
                     "," + (one.method.empty() ? "not measurable" : one.method) + "," +
-                    (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "\n";
+                    (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "," + value_cell(one.effect) + "," +
+                    cells(one.effect) + "," + (one.effect ? shortest_text(one.effect_scatter) : "") + "\n";
         }
     }
     return text;
@@ -237,6 +239,9 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
         json["largest_standard_error"] = facts.error.largest();
         json["mean_standard_error"] = facts.error.mean();
         json["margin_at_0_and_1"] = facts.least_margin;
+        for (const StudyFacts::EmulatedMap& one : facts.emulated)
+            json["polynomials"].push_back(
+                {{"raster", one.raster}, {"error_ratio", one.error_ratio}, {"used", one.is_used}});
     }
     if (study.until)
         json["until"] = {{"standard_error", *study.until}, {"reached", facts.error.largest() <= *study.until}};

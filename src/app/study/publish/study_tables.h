@@ -45,6 +45,13 @@ struct StudyFacts {
     Troubles troubles;
     ErrorSummary error;       ///< of all maps of probability
     double least_margin = 1;  ///< Estimate::margin of a probability of 0 or 1
+    /// Maps of probability for which polynomials of the keys were tried.
+    struct EmulatedMap {
+        std::string raster;
+        double error_ratio = 1;  ///< OutlineMaps::error_ratio
+        bool is_used = false;
+    };
+    std::vector<EmulatedMap> emulated;
     std::optional<MedianMember> median;
     std::vector<LevelSummary> levels;  ///< of a multilevel study
     std::optional<ExposureTotals> exposure;

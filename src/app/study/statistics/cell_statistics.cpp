@@ -17,21 +17,7 @@ namespace {
 
 constexpr std::size_t k_budget_bytes = 256'000'000;
 
-CellWindow inside(const CellWindow& window, const GridSpec& grid) {
-    const std::int64_t top = std::max<std::int64_t>(0, window.row), left = std::max<std::int64_t>(0, window.column);
-    return {top, left, std::min(window.row + window.rows, grid.rows) - top,
-            std::min(window.column + window.columns, grid.columns) - left};
-}
-
 }  // namespace
-
-MemberRecord require_record(const std::string& path) {
-    auto record = read_record(path);
-    if (!record)
-        throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", path, "", "",
-                                                    "Check the disk; --resume computes that member again"});
-    return *std::move(record);
-}
 
 double FinishedMembers::effective_size() const {
     double sum = 0, squares = 0;
@@ -42,54 +28,35 @@ double FinishedMembers::effective_size() const {
     return squares > 0 ? sum * sum / squares : 0;
 }
 
+FinishedMembers FinishedMembers::first(std::size_t count) const {
+    FinishedMembers some = *this;
+    some.records.resize(count);
+    some.weights.resize(count);
+    for (auto* const list : {&some.replicates, &some.levels, &some.columns})
+        if (!list->empty()) list->resize(count);
+    return some;
+}
+
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) {
-    constexpr std::int64_t k_far = std::numeric_limits<std::int64_t>::max();
-    std::int64_t top = k_far, bottom = -k_far, left = k_far, right = -k_far;
-    for (const std::string& file : members.records) {
-        require_record(file).for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t) {
-            top = std::min(top, row);
-            bottom = std::max(bottom, row);
-            left = std::min(left, column);
-            right = std::max(right, column);
-        });
-    }
-    if (bottom < top) return {};
-    return {top, left, bottom - top + 1, right - left + 1};
+    return CellStore(members.records).reached(grid);
 }
 
 void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
-    const CellWindow window = inside(reached_window(members, grid), grid);
-    if (window.rows <= 0 || window.columns <= 0) return;
-    const std::size_t count = members.size(), columns = static_cast<std::size_t>(window.columns);
-    const auto rows_at_once =
-        static_cast<std::int64_t>(std::max<std::size_t>(1, k_budget_bytes / (sizeof(float) * count * columns)));
+    if (members.size() == 0) return;
+    CellStore own(members.records);
+    CellStore& store = members.store ? *members.store : own;
     const float nothing = quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
-    for (std::int64_t first = window.row; first < window.row + window.rows; first += rows_at_once) {
-        const std::int64_t last = std::min(first + rows_at_once, window.row + window.rows);
-        const std::size_t cells = static_cast<std::size_t>(last - first) * columns;
-        std::vector<float> values(cells * count, nothing);
-        std::vector<bool> reached(cells);
-        for (std::size_t m = 0; m < count; ++m) {
-            const MemberRecord record = require_record(members.records[m]);
-            const std::vector<float>& of_member = record.of(quantity);
-            record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
-                const bool is_inside =
-                    row >= first && row < last && column >= window.column && column < window.column + window.columns;
-                if (!is_inside) return;
-                const std::size_t cell =
-                    static_cast<std::size_t>(row - first) * columns + static_cast<std::size_t>(column - window.column);
-                reached[cell] = true;
-                values[cell * count + m] = of_member[index];
-            });
+    std::vector<float> values(members.size());
+    store.for_each_cell(quantity, grid, [&](std::size_t cell, std::span<const float> all) {
+        bool is_reached = false;
+        for (std::size_t m = 0; m < values.size(); ++m) {
+            const float value = all[members.columns.empty() ? m : members.columns[m]];
+            is_reached = is_reached || !std::isnan(value);
+            values[m] = std::isnan(value) ? nothing : value;
         }
-        for (std::size_t cell = 0; cell < cells; ++cell) {
-            if (!reached[cell]) continue;
-            const auto row = first + static_cast<std::int64_t>(cell / columns),
-                       column = window.column + static_cast<std::int64_t>(cell % columns);
-            visit(static_cast<std::size_t>(row * grid.columns + column), {values.data() + cell * count, count});
-        }
-    }
+        if (is_reached) visit(cell, values);
+    });
 }
 
 double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper) {
@@ -101,32 +68,31 @@ double sum_bound(const OpenRuns& runs, std::span<const float> values, double thr
 
 namespace {
 
-/// The differences between the two indicators (0 or 1) of an event in each pair of runs of a level.
-struct LevelDifference {
-    double count = 0, sum = 0, squares = 0;
+/// The runs of a level; on the coarsest one they are no pairs.
+struct LevelRuns {
+    double count = 0;
+    double fine = 0, coarse = 0, both = 0;  ///< pairs of which the finer run exceeds, the coarser one, both
 
-    [[nodiscard]] double mean() const noexcept { return sum / count; }
-    /// Of the sample; infinite of fewer than two members.
+    /// Of the difference of the two indicators (0 or 1); infinite of fewer than two members.
     [[nodiscard]] double variance() const noexcept {
         if (count < 2) return std::numeric_limits<double>::infinity();
-        return std::max(0.0, squares - sum * sum / count) / (count - 1);
+        return std::max(0.0, fine + coarse - 2 * both - (fine - coarse) * (fine - coarse) / count) / (count - 1);
     }
 };
 
 /// By level; the event is that a value exceeds the threshold.
-std::vector<LevelDifference> level_differences(const FinishedMembers& members, std::span<const float> values,
-                                               double threshold) {
-    std::vector<LevelDifference> levels;
-    const auto happened = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1 : 0; };
+std::vector<LevelRuns> level_runs(const FinishedMembers& members, std::span<const float> values, double threshold) {
+    std::vector<LevelRuns> levels;
+    const auto exceeds = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold; };
     for (std::size_t m = 0; m < values.size(); ++m) {
         if (members.weights[m] < 0) continue;  // belongs to the one before
-        const bool is_pair = m + 1 < values.size() && members.weights[m + 1] < 0;
-        const double difference = happened(m) - (is_pair ? happened(m + 1) : 0);
+        const bool is_pair = m + 1 < values.size() && members.weights[m + 1] < 0, coarse = is_pair && exceeds(m + 1);
         levels.resize(std::max(levels.size(), members.levels[m] + 1));
-        LevelDifference& level = levels[members.levels[m]];
+        LevelRuns& level = levels[members.levels[m]];
         level.count += 1;
-        level.sum += difference;
-        level.squares += difference * difference;
+        level.fine += exceeds(m) ? 1 : 0;
+        level.coarse += coarse ? 1 : 0;
+        level.both += exceeds(m) && coarse ? 1 : 0;
     }
     return levels;
 }
@@ -138,11 +104,37 @@ MeanEstimate::MeanEstimate(const FinishedMembers& members)
       effective_size_(members.effective_size()),
       parts_(std::set<std::size_t>(members.replicates.begin(), members.replicates.end()).size()) {}
 
+MeanEstimate::MeanEstimate(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::vector<double>& thresholds)
+    : MeanEstimate(members) {
+    if (members.levels.empty()) return;
+    struct Counts {
+        double above = 0, both_above = 0, below = 0, both_below = 0;
+    };
+    std::map<double, std::vector<Counts>> sums;
+    for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
+        for (const double threshold : thresholds) {
+            const std::vector<LevelRuns> levels = level_runs(members, values, threshold);
+            std::vector<Counts>& counts = sums[threshold];
+            counts.resize(std::max(counts.size(), levels.size()));
+            for (std::size_t l = 1; l < levels.size(); ++l) {
+                const LevelRuns& level = levels[l];
+                counts[l].above += level.coarse == 1 ? 1 : 0;
+                counts[l].both_above += level.coarse == 1 ? level.both : 0;
+                const bool one_below = level.count - level.coarse == 1;
+                counts[l].below += one_below ? 1 : 0;
+                counts[l].both_below += one_below ? 1 - (level.fine - level.both) : 0;
+            }
+        }
+    });
+    for (const auto& [threshold, counts] : sums)
+        for (const Counts& one : counts)
+            agreement_[threshold].push_back(
+                {one.above > 0 ? one.both_above / one.above : 1, one.below > 0 ? one.both_below / one.below : 1});
+}
+
 namespace {
 
-/// k_normal's of Student's t distribution with 1, 2 ... degrees of freedom.
-constexpr double k_student[] = {12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646};
-static_assert(std::size(k_student) + 1 == k_replicates);
 constexpr double k_unknown_error = 0.5;  // of a probability, where one member or one replicate says nothing of others
 
 }  // namespace
@@ -177,25 +169,58 @@ Estimate MeanEstimate::of(const ValueOf& value) const {
 }
 
 Estimate MeanEstimate::probability(std::span<const float> values, double threshold) const {
-    Estimate p;
-    if (!members_.levels.empty()) {
-        double squares = 0;
-        for (const LevelDifference& level : level_differences(members_, values, threshold)) {
-            p.value += level.mean();
-            squares += level.variance() / level.count;
-        }
-        p.value = std::clamp(p.value, 0.0, 1.0);
-        p.error = std::sqrt(squares);
-        p.margin = k_normal * p.error;
-    } else {
-        p = of([&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1.0 : 0.0; });
-        const double nearer_half = (effective_size_ * p.value + 2) / (effective_size_ + 4);
-        if (parts_ == 0) p.margin = k_normal * std::sqrt(nearer_half * (1 - nearer_half) / effective_size_);
-    }
+    if (!members_.levels.empty()) return on_levels(values, threshold);
+    Estimate p = of([&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1.0 : 0.0; });
+    const double nearer_half = (effective_size_ * p.value + 2) / (effective_size_ + 4);
+    if (parts_ == 0) p.margin = k_normal * std::sqrt(nearer_half * (1 - nearer_half) / effective_size_);
     if (!std::isfinite(p.error)) return {p.value, k_unknown_error, 1};
     constexpr double k_rounding = 1e-9;  // of sums of weights; no member has so little
     const bool is_alike = p.error < k_rounding;
     return {p.value, is_alike ? 0 : p.error, std::min(1.0, is_alike ? 3 / effective_size_ : p.margin)};
+}
+
+Estimate MeanEstimate::on_levels(std::span<const float> values, double threshold) const {
+    const std::vector<LevelRuns> levels = level_runs(members_, values, threshold);
+    FinishedMembers coarsest;
+    std::vector<double> exceeds;
+    for (std::size_t m = 0; m < values.size(); ++m) {
+        if (members_.levels[m] > 0) continue;
+        coarsest.weights.push_back(1);
+        if (parts_ > 0) coarsest.replicates.push_back(members_.replicates[m]);
+        exceeds.push_back(static_cast<double>(values[m]) > threshold ? 1 : 0);
+    }
+    const Estimate first = MeanEstimate(coarsest).mean(exceeds);
+    double p = first.value, variance = first.error * first.error;
+    bool none = p == 0, all = p == 1;
+    const auto found = agreement_.find(threshold);
+    for (std::size_t l = 1; l < levels.size(); ++l) {
+        const LevelRuns& level = levels[l];
+        const Agreement agreement =
+            found == agreement_.end() || l >= found->second.size() ? Agreement{} : found->second[l];
+        const double below = level.count - level.coarse, only_fine = level.fine - level.both;
+        // As the two runs of a pair exceed equally often, what one says of a follows from what is known of b.
+        const double other_a = level.coarse > 0 && p > 0
+                                   ? std::max(agreement.exceeds, 1 - (1 - p) * (1 - agreement.stays_below) / p)
+                                   : agreement.exceeds,
+                     other_b = below > 0 && p < 1
+                                   ? std::min(1 - agreement.stays_below, p * (1 - agreement.exceeds) / (1 - p))
+                                   : 1 - agreement.stays_below;
+        const auto spread = [](double hits, double count, double other) {
+            const double fraction = (hits + other) / (count + 1);
+            return fraction * (1 - fraction) / (count + 1);
+        };
+        const double a = level.coarse > 0 ? level.both / level.coarse : other_a,
+                     b = below > 0 ? only_fine / below : other_b;
+        variance = (a - b) * (a - b) * variance + p * p * spread(level.both, level.coarse, other_a) +
+                   (1 - p) * (1 - p) * spread(only_fine, below, other_b);
+        if (level.count < 2) variance = std::numeric_limits<double>::infinity();
+        p = p * a + (1 - p) * b;
+        none = none && level.fine == 0 && level.coarse == 0;
+        all = all && level.fine == level.count && level.coarse == level.count;
+    }
+    if (!std::isfinite(variance)) return {p, k_unknown_error, 1};
+    const double error = none || all ? 0 : std::sqrt(variance);
+    return {p, error, std::min(1.0, error > 0 ? k_normal * error : 3 / effective_size_)};
 }
 
 Estimate MeanEstimate::mean(std::span<const double> values) const {
@@ -233,62 +258,43 @@ double weighted_quantile(const std::vector<double>& values, const std::vector<do
     return quantile_of(std::span<const double>(values), weights, q, order);
 }
 
-std::vector<double> level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                                    const std::vector<double>& thresholds, std::size_t levels) {
-    std::vector<double> sums(levels);
+LevelVariances level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                               const std::vector<double>& thresholds, std::size_t levels) {
+    LevelVariances sums{std::vector<double>(levels), 0};
     for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
         for (const double threshold : thresholds) {
-            const std::vector<LevelDifference> at = level_differences(members, values, threshold);
+            const std::vector<LevelRuns> at = level_runs(members, values, threshold);
             for (std::size_t l = 0; l < at.size(); ++l)
-                if (at[l].count > 1) sums[l] += at[l].variance();
+                if (at[l].count > 1) sums.differences[l] += at[l].variance();
+            const LevelRuns last = at.size() == levels ? at.back() : LevelRuns{};
+            if (last.count > 1) sums.own += LevelRuns{last.count, last.fine, 0, 0}.variance();
         }
     });
     return sums;
 }
 
-namespace {
-
-using Place = std::pair<std::size_t, std::size_t>;  // cell, feature
-
-/// The values of the features from `first` to before `last`.
-std::vector<float> values_of(const std::vector<std::string>& records, Quantity quantity, const GridSpec& grid,
-                             const std::vector<std::vector<std::size_t>>& cells, std::size_t first, std::size_t last) {
-    std::vector<Place> places;
-    for (std::size_t feature = first; feature < last; ++feature)
-        for (const std::size_t cell : cells[feature]) places.emplace_back(cell, feature - first);
-    std::sort(places.begin(), places.end());
-    const bool is_arrival = quantity == Quantity::arrival;
-    const std::size_t count = records.size();
-    std::vector<float> values((last - first) * count, is_arrival ? std::numeric_limits<float>::infinity() : 0.0F);
-    for (std::size_t m = 0; m < count; ++m) {
-        const MemberRecord record = require_record(records[m]);
-        const std::vector<float>& of_member = record.of(quantity);
-        if (of_member.empty()) continue;
-        record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
-            if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
-            const auto cell = static_cast<std::size_t>(row * grid.columns + column);
-            for (auto one = std::lower_bound(places.begin(), places.end(), Place{cell, 0});
-                 one != places.end() && one->first == cell; ++one) {
-                float& value = values[one->second * count + m];
-                value = is_arrival ? std::min(value, of_member[index]) : std::max(value, of_member[index]);
-            }
-        });
-    }
-    return values;
-}
-
-}  // namespace
-
-void for_each_feature(const std::vector<std::string>& records, Quantity quantity, const GridSpec& grid,
+void for_each_feature(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                       const std::vector<std::vector<std::size_t>>& cells,
                       const std::function<void(std::size_t feature, std::span<const float> values)>& visit) {
-    if (records.empty()) return;
-    const std::size_t at_once = std::max<std::size_t>(1, k_budget_bytes / (sizeof(float) * records.size()));
-    for (std::size_t first = 0; first < cells.size(); first += at_once) {
+    const std::size_t count = members.size(), at_once = std::max<std::size_t>(
+                                                  1, k_budget_bytes / sizeof(float) / std::max<std::size_t>(1, count));
+    const bool is_arrival = quantity == Quantity::arrival;
+    for (std::size_t first = 0; first < cells.size() && count > 0; first += at_once) {
         const std::size_t last = std::min(first + at_once, cells.size());
-        const std::vector<float> values = values_of(records, quantity, grid, cells, first, last);
+        std::multimap<std::size_t, std::size_t> features;  // by cell
         for (std::size_t feature = first; feature < last; ++feature)
-            visit(feature, {values.data() + (feature - first) * records.size(), records.size()});
+            for (const std::size_t cell : cells[feature]) features.emplace(cell, feature - first);
+        std::vector<float> all((last - first) * count, is_arrival ? std::numeric_limits<float>::infinity() : 0.0F);
+        for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+            const auto [begin, end] = features.equal_range(cell);
+            for (auto one = begin; one != end; ++one)
+                for (std::size_t m = 0; m < count; ++m) {
+                    float& value = all[one->second * count + m];
+                    value = is_arrival ? std::min(value, values[m]) : std::max(value, values[m]);
+                }
+        });
+        for (std::size_t feature = first; feature < last; ++feature)
+            visit(feature, {all.data() + (feature - first) * count, count});
     }
 }
 

@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
+#include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/study/member_record.h"
+#include "app/study/statistics/cell_store.h"
+#include "app/study/study_spec.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
 
@@ -23,7 +28,12 @@ struct FinishedMembers {
     std::vector<std::size_t> replicates;  ///< SampleTable::replicate_of each; empty: all are independent
     /// Of a multilevel study: the level of each run; the coarser one of a pair follows its finer one. Empty: one level.
     std::vector<std::size_t> levels{};
+    /// Their records' values by cells, with others; `columns`: their places in it. Null: made whenever it is needed.
+    std::shared_ptr<CellStore> store{};
+    std::vector<std::size_t> columns{};
 
+    /// The first of them alone.
+    [[nodiscard]] FinishedMembers first(std::size_t count) const;
     [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
     /// Number of independent members with equal weights whose mean is as certain: (sum w)^2 / sum w^2.
     [[nodiscard]] double effective_size() const;
@@ -45,13 +55,10 @@ struct OpenRuns {
 /// Returns a bound of the probability that a value exceeds a threshold, from the values of all runs.
 double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper);
 
-/// Returns the record in a file. Throws Error(environment) if it cannot be read.
-MemberRecord require_record(const std::string& path);
-
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
 /// for each member, 0 (arrival: infinity) where it did not come. A run on larger cells has one value for all cells of
-/// the grid within each of its own. Reads the records window by window: memory is bounded by a budget, whatever the
-/// number of members and cells. Throws Error(environment) for a record that cannot be read.
+/// the grid within each of its own. Memory is bounded by a budget, whatever the number of members and cells, and each
+/// record is read once (CellStore). Throws Error(environment) for a record that cannot be read.
 void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
 
@@ -61,6 +68,9 @@ CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid);
 
 /// 97.5 % quantile of the normal distribution: of intervals of 95 %.
 inline constexpr double k_normal = 1.959963984540054;
+/// Likewise of Student's t distribution with 1, 2 ... degrees of freedom.
+inline constexpr double k_student[] = {12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646};
+static_assert(std::size(k_student) + 1 == k_replicates);
 
 /// A mean over the members and how far it may be off because their number is finite.
 struct Estimate {
@@ -76,11 +86,17 @@ struct Estimate {
 /// members p is moved to (n p + 2) / (n + 4) for it, since an error estimated from few is too small (Agresti & Coull
 /// 1998, American Statistician 52, 119). A probability whose standard error is 0 is not certain: with p = 3 / n none of
 /// n members exceeds in 5 % of studies, and with 3 / R one of R replicates, each of n / R members, counts one more.
-/// With levels the standard error of p is sqrt(sum var_l / n_l) of the differences of each level, and p is set to 0 or
-/// 1 where the sum lies beyond.
+/// With levels p is that of the coarsest cells, and from level to level p a + (1 - p) b, with the fractions a and b of
+/// pairs whose finer run exceeds where the coarser one does and where it does not (double sampling for stratification,
+/// Cochran 1977, section 12.2): in [0, 1], and at least as certain as the sum of differences. Where no coarser run
+/// exceeds, or all do, a or b is that of cells with one such pair. The variance is (a - b)^2 that of the coarser p,
+/// with p^2 and (1 - p)^2 times those of the fractions, as one pair more with what other cells say would give them.
 class MeanEstimate {
   public:
     explicit MeanEstimate(const FinishedMembers& members);
+    /// For maps of these events: with levels looks at all their cells first.
+    MeanEstimate(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                 const std::vector<double>& thresholds);
     [[nodiscard]] Estimate probability(std::span<const float> values, double threshold) const;
     /// With levels without error.
     [[nodiscard]] Estimate mean(std::span<const double> values) const;
@@ -88,6 +104,13 @@ class MeanEstimate {
   private:
     template <class ValueOf>
     [[nodiscard]] Estimate of(const ValueOf& value) const;
+    [[nodiscard]] Estimate on_levels(std::span<const float> values, double threshold) const;
+
+    /// Fractions of pairs of a level whose finer run does what the coarser one does, where it alone does.
+    struct Agreement {
+        double exceeds = 1, stays_below = 1;
+    };
+    std::map<double, std::vector<Agreement>> agreement_;  ///< by threshold and level
 
     const FinishedMembers& members_;
     double effective_size_;
@@ -104,17 +127,20 @@ double weighted_quantile(std::span<const float> values, const std::vector<double
 /// The same for a figure of the members; the weights have a sum of 1.
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
 
-/// Returns for each level the sum over all cells and thresholds of the variance of its difference.
-std::vector<double> level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                                    const std::vector<double>& thresholds, std::size_t levels);
+/// Sums of variances over all cells and thresholds: of the difference of each level, and of the finest runs themselves.
+struct LevelVariances {
+    std::vector<double> differences;
+    double own = 0;
+};
+LevelVariances level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                               const std::vector<double>& thresholds, std::size_t levels);
 
 /// Calls visit(feature, values) for every feature, in order; values has one number for each member: the greatest value
 /// in any of the feature's cells (arrival: the least), 0 (arrival: infinity) where the member reached none. Memory is
 /// bounded by a budget, whatever the number of members and features. Throws Error(environment) for a record that cannot
 /// be read.
-/// @param records files of the members
 /// @param cells of each feature, on the grid
-void for_each_feature(const std::vector<std::string>& records, Quantity quantity, const GridSpec& grid,
+void for_each_feature(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                       const std::vector<std::vector<std::size_t>>& cells,
                       const std::function<void(std::size_t feature, std::span<const float> values)>& visit);
 

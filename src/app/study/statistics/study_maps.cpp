@@ -5,11 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <tuple>
 #include <utility>
 
-#include "analysis/trace.h"
 #include "app/study/member_record.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -128,21 +125,15 @@ void add_moments(std::span<const float> values, const std::vector<double>& weigh
     maps.hits.values[cell] = hits;
 }
 
-/// Of the distances of cells from the outlines of all members: each lot of cells reads every record again.
-constexpr std::size_t k_distance_bytes = 256'000'000;
-/// Distances are computed block by block with so many cells around it: the ground between flows far apart costs
-/// nothing.
-constexpr std::int64_t k_block = 1024, k_far = 512;
-
 }  // namespace
 
-void ErrorSummary::add(const Estimate& probability) {
+void ErrorSummary::count(const Estimate& probability, double times) {
     if (!(probability.error > 0)) return;
-    const auto at = static_cast<std::size_t>(static_cast<double>(classes_.size()) * probability.value);
-    Class& one = classes_[std::min(at, classes_.size() - 1)];
-    one.count += 1;
-    one.sum += probability.error;
-    one.squares += probability.error * probability.error;
+    const auto most = static_cast<double>(classes_.size()) - 1;
+    Class& one = classes_[static_cast<std::size_t>(std::clamp((most + 1) * probability.value, 0.0, most))];
+    one.count += times;
+    one.sum += times * probability.error;
+    one.squares += times * probability.error * probability.error;
 }
 
 void ErrorSummary::add(const ErrorSummary& other) {
@@ -174,7 +165,7 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
     QuantityMaps maps;
     const bool arrival = quantity == Quantity::arrival,
                has_distribution = quantity == Quantity::depth || quantity == Quantity::velocity;
-    const MeanEstimate estimate(members);
+    const MeanEstimate estimate(members, quantity, grid, thresholds);
     if (!arrival) {
         maps.probability.assign(thresholds.size(), Raster(grid));
         const std::vector<float> nowhere(members.size());
@@ -253,103 +244,13 @@ std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool up
 
 ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
                             const std::vector<double>& thresholds) {
-    FinishedMembers first = members;
-    first.records.resize(count);
-    first.weights.resize(count);
-    if (!first.replicates.empty()) first.replicates.resize(count);
-    if (!first.levels.empty()) first.levels.resize(count);
-    const MeanEstimate estimate(first);
+    const FinishedMembers first = members.first(count);
+    const MeanEstimate estimate(first, quantity, grid, thresholds);
     ErrorSummary all;
     for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
         for (const double threshold : thresholds) all.add(estimate.probability(values, threshold));
     });
     return all;
-}
-
-namespace {
-
-/// Signed distances of some cells of a grid from a member's outline, in cells; up to k_far they are exact.
-/// @param window of the cells and k_far around them, as far as any member comes
-std::vector<double> distances_from_outline(const MemberRecord& record, const GridSpec& grid, const CellWindow& window,
-                                           double threshold, const std::vector<std::size_t>& cells) {
-    const auto columns = static_cast<std::size_t>(window.columns + 2);  // with a border where nothing comes
-    std::vector<char> inside(columns * static_cast<std::size_t>(window.rows + 2));
-    const auto place = [&](std::int64_t row, std::int64_t column) {
-        return static_cast<std::size_t>(row - window.row + 1) * columns +
-               static_cast<std::size_t>(column - window.column + 1);
-    };
-    record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
-        if (row < window.row || column < window.column || row >= window.row + window.rows ||
-            column >= window.column + window.columns)
-            return;
-        inside[place(row, column)] = static_cast<double>(record.depth[index]) > threshold ? 1 : 0;
-    });
-    const std::vector<double> all = distances_from_rim(inside, columns);
-    std::vector<double> distances;
-    for (const std::size_t cell : cells)
-        distances.push_back(
-            all[place(static_cast<std::int64_t>(cell) / grid.columns, static_cast<std::int64_t>(cell) % grid.columns)]);
-    return distances;
-}
-
-/// Divides cells into lots that lie in one block each, of at most `most`.
-std::vector<std::vector<std::size_t>> lots_of(const std::vector<std::size_t>& cells, const GridSpec& grid,
-                                              std::size_t most) {
-    std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> blocks;
-    for (const std::size_t cell : cells) {
-        const auto at = static_cast<std::int64_t>(cell);
-        blocks[{at / grid.columns / k_block, at % grid.columns / k_block}].push_back(cell);
-    }
-    std::vector<std::vector<std::size_t>> lots;
-    for (const auto& [place, all] : blocks)
-        for (std::size_t first = 0; first < all.size(); first += most)
-            lots.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(first),
-                              all.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, all.size())));
-    return lots;
-}
-
-/// The block of such a lot and k_far around it, within `limits`.
-CellWindow window_around(const std::vector<std::size_t>& cells, const GridSpec& grid, const CellWindow& limits) {
-    const auto at = static_cast<std::int64_t>(cells.front());
-    const auto part = [](std::int64_t cell, std::int64_t first, std::int64_t count) {
-        const std::int64_t block = cell / k_block * k_block;
-        const std::int64_t low = std::max(first, block - k_far),
-                           high = std::min(first + count, block + k_block + k_far);
-        return std::pair(low, high - low);
-    };
-    CellWindow window;
-    std::tie(window.row, window.rows) = part(at / grid.columns, limits.row, limits.rows);
-    std::tie(window.column, window.columns) = part(at % grid.columns, limits.column, limits.columns);
-    return window;
-}
-
-}  // namespace
-
-std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, const GridSpec& grid,
-                                     double threshold) {
-    std::vector<Raster> maps(points.nominal.size(), Raster(grid, k_no_data));
-    std::vector<std::size_t> rim;  // cells that some members reach and others do not
-    for_each_reached_cell(members, Quantity::depth, grid, [&](std::size_t cell, std::span<const float> values) {
-        const auto exceeds = [&](float value) { return static_cast<double>(value) > threshold; };
-        const auto count = static_cast<std::size_t>(std::count_if(values.begin(), values.end(), exceeds));
-        if (count > 0 && count < values.size()) rim.push_back(cell);
-    });
-    const CellWindow reached = reached_window(members, grid);
-    const std::size_t at_once = std::max<std::size_t>(1, k_distance_bytes / (sizeof(double) * members.size()));
-    for (const std::vector<std::size_t>& cells : lots_of(rim, grid, at_once)) {
-        const CellWindow window = window_around(cells, grid, reached);
-        std::vector<std::vector<double>> outputs(cells.size());
-        for (const std::string& file : members.records) {
-            const std::vector<double> distances =
-                distances_from_outline(require_record(file), grid, window, threshold, cells);
-            for (std::size_t i = 0; i < cells.size(); ++i) outputs[i].push_back(distances[i]);
-        }
-        const std::vector<Chaos> all = openturns().chaos(points, outputs);
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            for (std::size_t k = 0; k < maps.size() && all[i].q2 >= k_least_q2; ++k)
-                maps[k].values[cells[i]] = all[i].first_order[k];
-    }
-    return maps;
 }
 
 }  // namespace frana::app::study

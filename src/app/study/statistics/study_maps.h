@@ -9,7 +9,6 @@
 #include "analysis/hazard.h"
 #include "app/study/member_record.h"
 #include "app/study/statistics/cell_statistics.h"
-#include "app/study/statistics/sensitivity.h"
 #include "core/raster.h"
 
 namespace frana::app::study {
@@ -46,7 +45,9 @@ Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& gri
 /// are taken together.
 class ErrorSummary {
   public:
-    void add(const Estimate& probability);
+    void add(const Estimate& probability) { count(probability, 1); }
+    /// Takes one away that was added.
+    void remove(const Estimate& probability) { count(probability, -1); }
     void add(const ErrorSummary& other);
     /// The greatest root mean square of the standard errors in ten classes of the probability, where they are not 0.
     [[nodiscard]] double largest() const;
@@ -57,6 +58,7 @@ class ErrorSummary {
     struct Class {
         double count = 0, sum = 0, squares = 0;
     };
+    void count(const Estimate& probability, double times);
     std::array<Class, 10> classes_{};
 };
 
@@ -96,12 +98,5 @@ std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool up
 /// The standard errors of the first members alone, of one quantity and all thresholds, without keeping maps.
 ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
                             const std::vector<double>& thresholds);
-
-/// Returns for each key the fraction of the variance of the signed distance of a cell from the outline of what is
-/// deeper than the threshold, positive inside, that it explains alone (Chaos::first_order): unlike the event itself,
-/// which is 0 or 1, the distance is a smooth function of the keys. NaN where all or none of the members exceed the
-/// threshold, and where Chaos::q2 is less than k_least_q2.
-std::vector<Raster> sensitivity_maps(const FinishedMembers& members, const DesignPoints& points, const GridSpec& grid,
-                                     double threshold);
 
 }  // namespace frana::app::study

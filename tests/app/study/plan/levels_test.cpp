@@ -35,20 +35,22 @@ TEST_F(Levels, TheirDifferencesAddUpToTheProbabilityOnTheFinestCells) {
     for (int u = 0; u < 10; ++u) add_member(1, 0.1, u >= 3, u >= 5);
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
     EXPECT_DOUBLE_EQ(maps.probability[0].at(0, 0), 0.7);
-    // Sample variances 2.5 / 9 of the coarse runs and 1.6 / 9 of the differences (2 of 10), each over its 10 members.
-    EXPECT_DOUBLE_EQ(maps.errors.largest(), std::sqrt(2.5 / 90 + 1.6 / 90));
+    // a = 1 and b = 2 / 5; the coarsest p of 0.5 has the variance 1 / 40, b as (2 + 0) of 6 pairs 2 / 9 / 6.
+    EXPECT_DOUBLE_EQ(maps.errors.largest(), std::sqrt(0.36 / 40 + 0.25 * 2 / 54));
     EXPECT_DOUBLE_EQ(maps.mean.at(0, 0), 0.7);
-    const std::vector<double> variances = level_variances(members_, Quantity::depth, grid_, {0.5, 2}, 2);
-    EXPECT_DOUBLE_EQ(variances[0], 2.5 / 9);
-    EXPECT_DOUBLE_EQ(variances[1], 1.6 / 9);
+    const LevelVariances variances = level_variances(members_, Quantity::depth, grid_, {0.5, 2}, 2);
+    EXPECT_DOUBLE_EQ(variances.differences[0], 2.5 / 9);
+    EXPECT_DOUBLE_EQ(variances.differences[1], 1.6 / 9);
+    EXPECT_DOUBLE_EQ(variances.own, 2.1 / 9);
 }
 
-TEST_F(Levels, ASumBeyondOneIsSetToOne) {
+// The sum of differences is 5 / 4.
+TEST_F(Levels, WhereAllCoarsestRunsReachItIsNoMoreThanOne) {
     for (int u = 0; u < 4; ++u) add_member(0, 0.25, true);
     for (int u = 0; u < 4; ++u) add_member(1, 0.25, true, u > 0);
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 1);
-    EXPECT_DOUBLE_EQ(maps.errors.largest(), 0.25);  // differences 1, 0, 0, 0: variance 1/4, of 4 members
+    EXPECT_GT(maps.margin[0].at(0, 0), 0);
 }
 
 TEST_F(Levels, OneMemberTellsNoError) {

@@ -68,6 +68,7 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
     const std::string correlated = "[correlate]\nmaterial.turbulence material.friction-coefficient = 0.3\n";
     const std::string head = k_head;
     EXPECT_TRUE(has_problem(problems(head + "sampling = saltelli\nsamples = 102\n" + two), "study.samples", "102"));
+    EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 100\n" + two), "study.samples", "100"));
     EXPECT_TRUE(has_problem(problems(head + "sampling = grid\n" + two + correlated), "study.sampling", "grid"));
     EXPECT_TRUE(
         has_problem(problems(head + two + correlated + "material.friction-coefficient material.turbulence = -0.3\n"),

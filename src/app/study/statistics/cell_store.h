@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/study/member_record.h"
+#include "core/grid_spec.h"
+
+namespace frana::app::study {
+
+/// Returns the record in a file. Throws Error(environment) if it cannot be read.
+MemberRecord require_record(const std::string& path);
+
+/// The values of many records by cells of a grid. Each record is read once, whatever is asked for afterwards. What
+/// memory has no place for is in a file without a name beside the records, in batches of records, each sorted by tiles:
+///
+///     batch:  tile 0 | tile 1 | ...        tile:  cells | records | quantity 0 | quantity 1 | ...
+///
+/// so that a tile's values of one quantity are a few pieces of it. Time and disk grow with what the records contain,
+/// memory does not.
+class CellStore {
+  public:
+    explicit CellStore(std::vector<std::string> records);
+    ~CellStore();
+    CellStore(const CellStore&) = delete;
+    CellStore& operator=(const CellStore&) = delete;
+
+    /// Calls visit(cell, values) for every cell of the grid that any record reached, in order of cells; values has one
+    /// number for each record, NaN where it did not come. Throws Error(environment) for a record that cannot be read
+    /// and a file that cannot be written.
+    void for_each_cell(Quantity quantity, const GridSpec& grid,
+                       const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
+    /// Returns the window that contains all cells reached by any record, in rows and columns of a grid; it may reach
+    /// beyond that grid, if members had others. Empty if there is none.
+    CellWindow reached(const GridSpec& grid);
+
+    /// Bytes that may be in memory at once, for a batch and for a tile.
+    static constexpr std::size_t k_budget_bytes = 256'000'000;
+
+  private:
+    /// Values of one tile, by quantity: of as many cells of records.
+    struct Piece {
+        std::vector<std::uint32_t> cells, records;
+        std::vector<float> values;
+    };
+    struct Batch {
+        std::vector<std::uint64_t> begins;  ///< by tile, and the end: numbers of its first values
+        std::uint64_t at = 0;               ///< its first byte in the file
+        std::string bytes;                  ///< empty: in the file
+    };
+    void load(const GridSpec& grid);
+    void add(const std::vector<std::uint64_t>& cells, const std::vector<std::uint32_t>& records,
+             const std::vector<std::vector<float>>& values);
+    void write(Batch& batch);
+    [[nodiscard]] Piece piece(const Batch& batch, std::size_t tile, std::size_t quantity) const;
+
+    std::vector<std::string> records_;
+    GridSpec grid_;
+    bool is_loaded_ = false;
+    CellWindow reached_;
+    std::uint64_t tile_cells_ = 1;
+    std::vector<Batch> batches_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, nullptr};
+};
+
+}  // namespace frana::app::study
