@@ -367,14 +367,14 @@ TEST_P(VectorKernelsTest, UpdateNodesUnderASumOfLaws) {
 
 template <bool FollowsBed, class Stress>
 void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile& tile, const Stress& stress, bool wall,
-                    double shift = 0) {
+                    double shift = 0, double kept = 0) {
     Fields fields(bed);
     NodeGrid& nodes = fields.nodes;
     const double dt = 0.05;
     const Slopes slopes(particles);
     step_nodes<FollowsBed>(particles, tile, dt, slopes, nodes);
     ParticleSet fast = particles;
-    const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}, 9.81 * dt, shift, slopes};
+    const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}, 9.81 * dt, shift, kept, slopes};
     const VectorKernels& kernels = *vector_kernels(tested);
     const ParticleReport a =
         nodes_to_particles<Shape, ApicTransfer, Stress, true, FollowsBed>(tile, update, stress, nodes, particles);
@@ -408,6 +408,8 @@ TEST_P(VectorKernelsTest, NodesToParticles) {
     const auto earth_pressure = EarthPressureStress::of(0.7, 0.3, 9.81);
     compare_update<false>(bed_, particles, tile, earth_pressure, false);
     compare_update<true>(bed_, particles, tile, earth_pressure, true);
+    compare_update<false>(bed_, particles, tile, NoStress{}, false, 0, 0.3);
+    compare_update<true>(bed_, particles, tile, NoStress{}, false, 0, 0.3);
 }
 
 // Small ones, of which 15 000 claim 22 x 22 cells about once: overlapping particles are not shifted, nor isolated ones.
@@ -442,7 +444,7 @@ TEST(Shifting, ChangesNeitherVolumeNorVelocity) {
     const ParticleTile tile{0, still.size(), 0};
     const Slopes slopes(still);
     step_nodes<true>(still, tile, dt, slopes, fields.nodes);
-    ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt, 0, slopes};
+    ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt, 0, 0, slopes};
     nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(tile, update, {}, fields.nodes, still);
     update.shift = k_shift;
     nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(tile, update, {}, fields.nodes, shifted);
@@ -499,7 +501,7 @@ TEST(VectorKernels, OfBothSetsOfInstructionsGiveTheSameBits) {
     both([&](const VectorKernels& k, NodeGrid& nodes, ParticleSet& particles) {
         const Slopes slopes(start);
         step_nodes<true>(start, tile, dt, slopes, nodes);
-        const ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt, k_shift, slopes};
+        const ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt, k_shift, 0, slopes};
         std::get<VectorKernels::NodesToParticles<BinghamStress>>(k.nodes_to_particles)
             .along_bed(tile, update, stress, nodes, particles);
     });
