@@ -13,7 +13,7 @@ constexpr double k_reach = 4;      // of the kernel, in s: beyond, it is less th
 constexpr double k_per_width = 2;  // lattice points within s: sums over them are the integrals to 2e-17 of the variance
 /// Least s in cells: there cells that touch have a correlation of 0.002. Shorter ranges would only cost more.
 constexpr double k_least_width = 0.2;
-constexpr double k_places = 1024;  // of a cell: coordinates are rounded to this part, so that parts of a map agree
+constexpr double k_places = 1 << 20;  // of a metre: coordinates are rounded to this part, so that parts of a map agree
 
 /// Mixes a word so that every bit of it changes every bit of the result (Steele, Lea & Flood 2014, SplitMix64).
 std::uint64_t mixed(std::uint64_t word) {
@@ -40,8 +40,7 @@ class Kernel {
     /// @param s width of the kernel, and `spacing` of the lattice [m]
     Kernel(double edge, double cell_size, std::int64_t first, std::int64_t count, double s, double spacing) {
         for (std::int64_t cell = first; cell < first + count; ++cell) {
-            const double part = cell_size / k_places,
-                         x = std::round((edge + (static_cast<double>(cell) + 0.5) * cell_size) / part) * part;
+            const double x = std::round((edge + (static_cast<double>(cell) + 0.5) * cell_size) * k_places) / k_places;
             begins_.push_back(static_cast<std::int64_t>(std::floor(x / spacing)) - k_side);
             double squares = 0;
             const std::size_t start = weights_.size();

@@ -139,7 +139,7 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::text, {k_region_file}).add(FileKind::vector, {k_degree_zones_file});
     table.add_styles(k_degree_zones_file).add_rasters();
     table.by("calibrate");
-    table.add(FileKind::table, {k_posterior_table, posterior_of("*"), k_design_table});
+    table.add(FileKind::table, {k_posterior_table, posterior_of("*")});
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});
     table.add_rasters();
     table.by("render");

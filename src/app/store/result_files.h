@@ -118,7 +118,6 @@ inline std::string probability_layer(const std::string& quantile) {
 inline constexpr const char* k_member_folder = "members";
 /// Of a calibration.
 inline constexpr const char* k_posterior_table = "posterior.csv";
-inline constexpr const char* k_design_table = "design.csv";
 inline constexpr const char* k_calibration_file = "calibration.json";
 inline constexpr const char* k_best_scene = "best.ini";
 /// The same of one of several events.

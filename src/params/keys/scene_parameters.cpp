@@ -397,7 +397,7 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(number("observed.error-length", FRANA_MEMBER(observed.error_length), "m", Range{1e-3, 1e6},
                           "Calibrations: length over which the errors of outline and deposit are alike, the integral "
                           "of their correlation from minus to plus infinity.",
-                          "10 perimeter-error, or 10 cells"));
+                          "ten times perimeter-error, or ten cells"));
 }
 
 void add_scene(std::vector<Parameter>& list) {

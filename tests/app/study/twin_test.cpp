@@ -22,19 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Errors of a survey: a smooth field of displacements, a sum of waves of 4 to 12 cells in all directions, as an
-/// outline drawn by hand on a photograph has. The correlation of waves of the length L along a line is J0(2 pi s / L),
-/// whose integral is L / pi.
+/// Errors of a survey: a Gaussian field of displacements, as a sum of random waves (Shinozuka 1971), of the correlation
+/// exp(-s^2 / (2 a^2)), a = 4 cells, whose integral is sqrt(2 pi) a.
 class SurveyError {
   public:
     /// @param size standard deviation across the outline [m]
     SurveyError(unsigned seed, double size) : size_(size) {
         std::mt19937 random(seed);
-        std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi), part(0.5, 1.5);
-        for (Wave& wave : waves_) {
-            const double direction = angle(random), number = 2 * std::numbers::pi / (k_wave * part(random));
-            wave = {number * std::cos(direction), number * std::sin(direction), angle(random), angle(random)};
-        }
+        std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
+        std::normal_distribution<double> number(0, 1 / k_alike);
+        for (Wave& wave : waves_) wave = {number(random), number(random), angle(random), angle(random)};
     }
     [[nodiscard]] Point operator()(Point place) const {
         Point moved = place;
@@ -46,14 +43,15 @@ class SurveyError {
         }
         return moved;
     }
-    static constexpr double k_wave = 8 * k_cell, k_length = k_wave / std::numbers::pi;
+    static constexpr double k_alike = 4 * k_cell;
+    static inline const double k_length = std::sqrt(2 * std::numbers::pi) * k_alike;
 
   private:
     struct Wave {
         double x, y, first, second;
     };
     double size_;
-    Wave waves_[24];
+    Wave waves_[64];
 };
 
 /// An outline as it was surveyed, along the edges of cells: displaced corners may make it cross itself.
