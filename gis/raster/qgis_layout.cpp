@@ -10,7 +10,7 @@ namespace frana::gis {
 namespace {
 
 // All lengths in millimetres.
-constexpr double k_margin = 10, k_gap = 3, k_heading = 8, k_subtitle = 9, k_foot = 7, k_arrow = 14;
+constexpr double k_margin = 10, k_gap = 3, k_heading = 8, k_subtitle = 13, k_foot = 7, k_arrow = 14;
 
 struct Box {
     double x, y, width, height;

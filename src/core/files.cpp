@@ -90,8 +90,11 @@ class AbandonedFiles {
         std::error_code ignored;
         for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, ignored); entry != fs::end(entry);
              entry.increment(ignored)) {
-            const auto made = file_in_making(entry->path().filename().string());
-            if (made && made->abandoned && !made->is_beside) left.emplace(made->name, entry->path());
+            const std::string name = entry->path().filename().string();
+            const auto made = file_in_making(name);
+            // SQLite's journal of a file without its file is of no use; others beside it may be the user's.
+            if (made && made->abandoned && (!made->is_beside || name.ends_with("-journal")))
+                left.emplace(made->name, entry->path());
         }
     }
 

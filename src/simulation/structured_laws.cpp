@@ -164,12 +164,14 @@ double greatest_modulus_reduction(const StructuredMaterial& m) {
     return greatest;
 }
 
+double damage_length(const StructuredMaterial& m, double cell_size, double thickness) {
+    return m.damage_length.value_or(
+        std::clamp(k_of_thickness * thickness, k_least_length * cell_size, 2.0 / 3 * cell_size));
+}
+
 structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, const GridSpec& grid,
                                  double thickness) {
-    const double cell = grid.cell_size;
-    const double length =
-        m.damage_length.value_or(std::clamp(k_of_thickness * thickness, k_least_length * cell, 2.0 / 3 * cell));
-    structured::Laws laws(cell, length);
+    structured::Laws laws(grid.cell_size, damage_length(m, grid.cell_size, thickness));
     laws.fluid = fluid_laws(m, numerics);
     laws.gaps_are_walls = numerics.nodata != NodataPolicy::stop;
     structured::SolidLaws& solid = laws.solid;
@@ -188,7 +190,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.fragmentation.measure =
         m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;
     solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m));
-    solid.spacing = cell / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
+    solid.spacing = grid.cell_size / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
     solid.viscosity = {m.linear_viscosity, m.quadratic_viscosity, m.sound_speed > 0 ? m.sound_speed : solid.wave_speed,
                        solid.kernel.length()};
     solid.artificial_stress = m.artificial_stress;

@@ -14,6 +14,10 @@ namespace frana {
 /// which the kernel reaches as far as without.
 inline constexpr double k_least_length = 0.5, k_greatest_length = 2, k_of_thickness = 0.25;
 
+/// Returns the damage length of a scene, the default if none is given [m].
+/// @param thickness greatest of the columns at the start [m]
+double damage_length(const StructuredMaterial& material, double cell_size, double thickness);
+
 /// Returns the structured model's laws for a scene's material and numerics. The spacing of the solids'
 /// particles follows numerics.particles-per-cell.
 /// @param thickness greatest of the columns at the start, for the default of the damage length [m]

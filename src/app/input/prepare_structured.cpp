@@ -120,6 +120,14 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
             "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
             {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
              numeral(number_text(least, 3)), number_text(0.5 * thickness / least * grid.cell_size, 2)}));
+    const double wanted = k_of_thickness * thickness, length = damage_length(m, grid.cell_size, thickness);
+    if (thickness > 0 && e.cohesion > 0 && !m.damage_length && length != wanted)
+        log.warn(worded(
+            "structured.damage-length is not given, and {1} m, a fourth of the thickness, does not fit the cells: it "
+            "is "
+            "{2} m, so that the loss of cohesion follows the cell size. Set structured.damage-length to the same value "
+            "for all cell sizes",
+            {numeral(number_text(wanted, 3)), numeral(number_text(length, 3))}));
 }
 
 /// A key of [structured] whose value may vary from place to place, and the raster that was read for it.

@@ -147,8 +147,8 @@ double speed_in_gully(double cfl, double waves) {
 
 class SpeedInGully : public testing::TestWithParam<double> {};
 
-// 1 % is what other terms of the step leave. With APIC's whole filter in every step a quarter of the step takes 2.6 % of
-// the speed, 2.0 % over waves.
+// 1 % is what other terms of the step leave. With APIC's whole filter in every step a quarter of the step takes 2.6 %
+// of the speed, 2.0 % over waves.
 TEST_P(SpeedInGully, DoesNotDependOnTheStep) {
     const double speed = speed_in_gully(0.8, GetParam());
     EXPECT_NEAR(speed_in_gully(0.4, GetParam()), speed, 0.01 * speed);
