@@ -86,9 +86,11 @@ class Writer {
         label({k_margin, k_margin, at.width - 2 * k_margin, k_heading}, layout_.title, 15, true);
         label({k_margin, k_margin + k_heading, at.width - 2 * k_margin, k_subtitle}, layout_.subtitle, 9);
         legend(at.legend, layers);
-        // "1 : 5 000", whatever the user makes of the map.
+        // "1 : 5 000", whatever the user makes of the map. Not its map_scale: without a CRS that counts degrees.
         label({panel.x, panel.y, panel.width - k_arrow, 5},
-              "[% '1 : ' || format_number(item_variables('map')['map_scale'], 0) %]", 10, true);
+              "[% '1 : ' || format_number(1000 * item_variables('map')['map_extent_width'] / " +
+                  std::to_string(at.map.width) + ", 0) %]",
+              10, true);
         scale_bar({panel.x, panel.y + 5, panel.width - k_arrow, 9});
         item(Item::picture, {panel.x + panel.width - k_arrow, panel.y, k_arrow, k_arrow},
              "file=\"arrows/NorthArrow_02.svg\" northMode=\"0\" mapUuid=\"" + uuid(number_, k_map) + "\"", "");

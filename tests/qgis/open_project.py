@@ -118,7 +118,9 @@ def check_layouts(project, folder, picture):
         for item in items:
             assert page.adjusted(-0.1, -0.1, 0.1, 0.1).contains(item.mapRectToScene(item.rect())), (layout.name(), item)
         texts = " ".join(item.currentText() for item in items if isinstance(item, QgsLayoutItemLabel))
-        assert "Simulated with frana" in texts and "dtm.tif" in texts and "1 : " in texts and project.title() in texts, texts
+        assert "Simulated with frana" in texts and "dtm.tif" in texts and project.title() in texts, texts
+        scale = round(1000 * sheet.extent().width() / sheet.rect().width())
+        assert "1 : " + f"{scale:,}" in texts, (scale, texts)
     pictures = QgsLayoutExporter.ImageExportSettings()
     pictures.dpi = 150
     exporter = QgsLayoutExporter(layouts[[layer.source().endswith("max_depth.tif") for layer in maps].index(True)])
