@@ -164,14 +164,11 @@ double greatest_modulus_reduction(const StructuredMaterial& m) {
     return greatest;
 }
 
-double damage_length(const StructuredMaterial& m, double cell_size, double thickness) {
-    return m.damage_length.value_or(
-        std::clamp(k_of_thickness * thickness, k_least_length * cell_size, 2.0 / 3 * cell_size));
-}
-
 structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, const GridSpec& grid,
                                  double thickness) {
-    structured::Laws laws(grid.cell_size, damage_length(m, grid.cell_size, thickness));
+    const double cell = grid.cell_size;
+    structured::Laws laws(cell, m.damage_length.value_or(std::clamp(k_of_thickness * thickness, k_least_length * cell,
+                                                                    k_greatest_default * cell)));
     laws.fluid = fluid_laws(m, numerics);
     laws.gaps_are_walls = numerics.nodata != NodataPolicy::stop;
     structured::SolidLaws& solid = laws.solid;

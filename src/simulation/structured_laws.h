@@ -10,13 +10,10 @@
 namespace frana {
 
 /// A damage length over the cell size: the least, under which the nodes of its sums have no particles, and the
-/// greatest, up to which the kernel follows it; and the default over the thickness, within half a cell and 2/3, with
-/// which the kernel reaches as far as without.
-inline constexpr double k_least_length = 0.5, k_greatest_length = 2, k_of_thickness = 0.25;
-
-/// Returns the damage length of a scene, the default if none is given [m].
-/// @param thickness greatest of the columns at the start [m]
-double damage_length(const StructuredMaterial& material, double cell_size, double thickness);
+/// greatest, up to which the kernel follows it. The default over the thickness, and its greatest over the cell size,
+/// with which the kernel reaches as far as without.
+inline constexpr double k_least_length = 0.5, k_greatest_length = 2, k_of_thickness = 0.25,
+                        k_greatest_default = 2.0 / 3;
 
 /// Returns the structured model's laws for a scene's material and numerics. The spacing of the solids'
 /// particles follows numerics.particles-per-cell.

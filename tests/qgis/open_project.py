@@ -119,6 +119,8 @@ def check_layouts(project, folder, picture):
             assert page.adjusted(-0.1, -0.1, 0.1, 0.1).contains(item.mapRectToScene(item.rect())), (layout.name(), item)
         texts = " ".join(item.currentText() for item in items if isinstance(item, QgsLayoutItemLabel))
         assert "Simulated with frana" in texts and "dtm.tif" in texts and project.title() in texts, texts
+        if layer.source().endswith("hazard.tif"):
+            assert "not a hazard" in texts and "Thresholds: " in texts, texts
         scale = round(1000 * sheet.extent().width() / sheet.rect().width())
         assert "1 : " + f"{scale:,}" in texts, (scale, texts)
     pictures = QgsLayoutExporter.ImageExportSettings()

@@ -12,9 +12,8 @@ from osgeo import gdal
 from qgis.core import (QgsLayerTreeGroup, QgsProcessingFeatureSourceDefinition, QgsProcessingModelAlgorithm,
                        QgsProcessingModelChildAlgorithm, QgsProcessingModelChildParameterSource,
                        QgsProcessingModelOutput, QgsProcessingModelParameter, QgsProcessingParameterDefinition,
-                       QgsProcessingParameterFeatureSource, QgsProcessingParameterFolderDestination,
-                       QgsProcessingParameterNumber, QgsProcessingParameterRasterLayer, QgsProject, QgsRasterLayer,
-                       QgsSettings, QgsVectorLayer)
+                       QgsProcessingParameterFeatureSource, QgsProcessingParameterNumber,
+                       QgsProcessingParameterRasterLayer, QgsProject, QgsRasterLayer, QgsSettings, QgsVectorLayer)
 
 OBSERVED = {"observed_perimeter": SCAR, "hazard_scheme": "swiss-flood", "output_report": True}
 
@@ -256,21 +255,25 @@ def test_region():
 
 
 def test_events():
-    """A column of the release area names events, each with its own outline; nothing is given: told."""
-    layers = {name: polygons(*texts, event=["upper", "lower's"]) for name, texts in (
-        ("release", (UPPER, LOWER)), ("survey", (LOWER, UPPER)))}
-    parameters = {**scene("events", release_perimeter=layers["release"], observed_perimeter=layers["survey"], EVENT="event",
-                          output_report=True),
-                  "VARY": ["Material: Friction angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
-                  "SAMPLES": 8}
-    assert "Measures: none is given" in refusal("calibrate", {**parameters, "OBJECTIVE": None})
-    found = run("calibrate", parameters)
-    check_outputs("calibrate", found, {"BEST_SCENE"})  # each event has its own
-    with open(found["CALIBRATION"], encoding="utf-8") as file:
-        events = json.load(file)["events"]
-    assert [event["name"] for event in events] == ["lower_s", "upper"], events
-    best = run("run", {"SCENE": os.path.join(found["OUTPUT"], "best_upper.ini"), "OUTPUT": os.path.join(folder, "best")})
-    assert abs(best["VOLUME_M3"] / 45000 - 1) < 1e-6, best["VOLUME_M3"]
+    """A column of the release area names events, each with its own outline; what is missing is told."""
+    for upper, lower, names in (("Bürg", "lower's", ["B_rg", "lower_s"]), (20170823, 20180101, ["20170823", "20180101"])):
+        layers = {name: polygons(*texts, event=[upper, lower]) for name, texts in (
+            ("release", (UPPER, LOWER)), ("survey", (LOWER, UPPER)))}
+        parameters = {**scene("events" + names[0], release_perimeter=layers["release"], observed_perimeter=layers["survey"],
+                              EVENT="event", output_report=True),
+                      "VARY": ["Material: Friction angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
+                      "SAMPLES": 8}
+        assert "Measures: none is given" in refusal("calibrate", {**parameters, "OBJECTIVE": None})
+        assert "column of the surveyed outline: is missing" in refusal("calibrate", {
+            **parameters, "observed_perimeter": polygons(LOWER)})
+        found = run("calibrate", parameters)
+        check_outputs("calibrate", found, {"BEST_SCENE"})  # each event has its own
+        with open(found["CALIBRATION"], encoding="utf-8") as file:
+            events = json.load(file)["events"]
+        assert [event["name"] for event in events] == names, events
+        best = run("run", {"SCENE": os.path.join(found["OUTPUT"], f"best_{names[0]}.ini"),
+                           "OUTPUT": os.path.join(folder, "best" + names[0])})
+        assert abs(best["VOLUME_M3"] / 45000 - 1) < 1e-6, best["VOLUME_M3"]
 
 
 def test_dialogue():

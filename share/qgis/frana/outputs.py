@@ -144,6 +144,7 @@ ENSEMBLE = (
     Output("number", "FINISHED", "Runs finished", "summary.json|finished"),
     Output("number", "FAILED", "Runs failed", "summary.json|failed"),
     Output("number", "LARGEST_STANDARD_ERROR", "Largest standard error", "summary.json|largest_standard_error"),
+    Output("text", "WARNINGS", "Warnings", "summary.json|warnings"),
 ) + EXPOSURE
 BATCH = tuple(_raster(f"UNION_{name}", f"{label} that any slope causes") for name, label in (
     ("MAX_DEPTH", "Greatest depth [m]"), ("MAX_VELOCITY", "Greatest speed [m/s]"),
@@ -161,6 +162,7 @@ BATCH = tuple(_raster(f"UNION_{name}", f"{label} that any slope causes") for nam
     Output("file", "SUMMARY", "Summary (JSON)", "summary.json"),
     Output("number", "FINISHED", "Slopes finished", "summary.json|finished"),
     Output("number", "FAILED", "Slopes failed", "summary.json|failed"),
+    Output("text", "WARNINGS", "Warnings", "summary.json|warnings"),
 ) + EXPOSURE
 CALIBRATE = (
     Output("file", "POSTERIOR", "Weighted runs (CSV)", "posterior.csv"),
@@ -169,4 +171,5 @@ CALIBRATE = (
     Output("file", "CALIBRATION", "Calibration (JSON)", "calibration.json"),
     Output("rasters", "POSTERIOR_MAPS", "Posterior probability of each event", "posterior_*.tif"),
     Output("number", "BEST_SCORE", "Best score", "calibration.json|best_score"),
+    Output("text", "WARNINGS", "Warnings", "calibration.json|warnings"),
 )

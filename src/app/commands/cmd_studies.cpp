@@ -212,6 +212,7 @@ void tell_gain(const study::StudyInput& input, const std::string& folder, std::s
     constexpr double k_of_sobol = 0.5;  // usual error of `sobol` over that of independent members: ensembles.md
     const study::StudyResult result = study::read_study_result(input, folder, members);
     const double error = study::error_of_levels(study::level_summaries(input, result));
+    if (std::isnan(error)) return;  // no cell in which runs differ
     if (!(error > k_of_sobol)) {
         log.note("levels: standard error " + number_text(error, 2) +
                  " of that of independent members on the scene's own cells at the same cost, as the pilot tells");

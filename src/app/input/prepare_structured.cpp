@@ -120,14 +120,14 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
             "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
             {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
              numeral(number_text(least, 3)), number_text(0.5 * thickness / least * grid.cell_size, 2)}));
-    const double wanted = k_of_thickness * thickness, length = damage_length(m, grid.cell_size, thickness);
-    if (thickness > 0 && e.cohesion > 0 && !m.damage_length && length != wanted)
+    const double shortest = k_least_length * grid.cell_size, longest = k_greatest_default * grid.cell_size;
+    if (const double wanted = k_of_thickness * thickness;
+        thickness > 0 && e.cohesion > 0 && !m.damage_length && (wanted < shortest || wanted > longest))
         log.warn(worded(
-            "structured.damage-length is not given, and {1} m, a fourth of the thickness, does not fit the cells: it "
-            "is "
-            "{2} m, so that the loss of cohesion follows the cell size. Set structured.damage-length to the same value "
-            "for all cell sizes",
-            {numeral(number_text(wanted, 3)), numeral(number_text(length, 3))}));
+            "structured.damage-length is not given: on these cells it is a fourth of the thickness, but at least {1} m "
+            "and at most {2} m, so that the loss of cohesion follows the cell size. Set it to the same value for all "
+            "cell sizes",
+            {numeral(number_text(shortest, 3)), numeral(number_text(longest, 3))}));
 }
 
 /// A key of [structured] whose value may vary from place to place, and the raster that was read for it.

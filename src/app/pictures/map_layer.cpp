@@ -132,31 +132,49 @@ std::string bare_description(std::string text) {
     return bracket == std::string::npos ? text : text.substr(0, bracket);
 }
 
-/// Names the scheme in the titles, and its source and meaning on the map itself: maps are passed on without the log.
-void add_scheme(const std::string& kind, const std::map<std::string, std::string>& metadata, const Words& words,
-                MapLayer& layer) {
+bool has_scheme(const std::string& kind) {
+    return kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_");
+}
+
+using Metadata = std::map<std::string, std::string>;
+
+bool shows_zones(const Metadata& metadata) {
+    const auto title = metadata.find("HAZARD_TITLE");
+    return title != metadata.end() && title->second != k_intensity_title;
+}
+
+/// What the classes of a scheme mean, and the source of their limits.
+std::vector<std::string> scheme_notes(const std::string& kind, const Metadata& metadata, const Words& words) {
     const bool is_degree = kind == k_degree_map;
-    std::vector<std::string> notes;
-    if (is_degree) {
-        notes = {words("Degree of hazard from intensity and return period"), words("Return periods in years (a)"),
-                 words("Limits of intensity")};
-    } else {
-        const auto title = metadata.find("HAZARD_TITLE");
-        const bool is_zones = title != metadata.end() && title->second != k_intensity_title;
-        if (is_zones && kind == "hazard") layer.title = words(title->second);
-        notes.push_back(is_zones ? words("Zones of one scenario, not a hazard zone plan")
-                                 : words("Intensity of one scenario, not a hazard level"));
-    }
+    std::vector<std::string> notes{is_degree               ? words("Degree of hazard from intensity and return period")
+                                   : shows_zones(metadata) ? words("Zones of one scenario, not a hazard zone plan")
+                                                           : words("Intensity of one scenario, not a hazard level")};
+    if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
+        notes.push_back(words.labelled(is_degree ? words("Matrix") : words("Thresholds"), words(source->second)));
+    return notes;
+}
+
+/// Names the scheme in the titles, and its meaning, limits and source on the map.
+void add_scheme(const std::string& kind, const Metadata& metadata, const Words& words, MapLayer& layer) {
+    if (shows_zones(metadata) && kind == "hazard") layer.title = words(metadata.at("HAZARD_TITLE"));
+    if (const std::string title = scheme_title(metadata, words); !title.empty())
+        layer.title = words("{1}, scheme {2}", {layer.title, title});
+    std::vector<std::string> notes = scheme_notes(kind, metadata, words), limits;
+    if (kind == k_degree_map) limits = {words("Return periods in years (a)"), words("Limits of intensity")};
     for (int i = 1;; ++i) {
         const auto limit = metadata.find(k_limit_item + std::to_string(i));
         if (limit == metadata.end()) break;
-        notes.push_back(class_label(limit->second, words));
+        limits.push_back(class_label(limit->second, words));
     }
-    if (const std::string title = scheme_title(metadata, words); !title.empty())
-        layer.title = words("{1}, scheme {2}", {layer.title, title});
-    if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
-        notes.push_back(words.labelled(is_degree ? words("Matrix") : words("Thresholds"), words(source->second)));
+    notes.insert(notes.begin() + 1, limits.begin(), limits.end());
     layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());
+}
+
+/// Whether a raster of maxima of a result omits what flew over its cells.
+bool omits_flights(const std::string& path, const std::string& kind) {
+    constexpr std::array k_of_maxima{"max_depth", "max_velocity", "max_pressure", "hazard"};
+    return std::find(k_of_maxima.begin(), k_of_maxima.end(), kind) != k_of_maxima.end() &&
+           std::filesystem::exists(std::filesystem::path(path).parent_path() / raster_file("jump_height"));
 }
 
 /// The name of the table's row that frana wrote to a band, before its description.
@@ -168,6 +186,17 @@ std::optional<std::string> probability_of(const gis::RasterText& text) {
 }
 
 }  // namespace
+
+std::vector<std::string> needed_notes(const std::string& path, const Words& words) {
+    const std::string kind = std::filesystem::path(path).stem().string();
+    std::vector<std::string> notes;
+    if (has_scheme(kind)) {
+        const gis::RasterText text = gis::read_raster_text(path);
+        notes = scheme_notes(kind, text.metadata, words_of_scheme(text.metadata, words));
+    }
+    if (omits_flights(path, kind)) notes.push_back(words(k_high_flights));
+    return notes;
+}
 
 std::optional<std::string> probability_name(const std::string& path) {
     return probability_of(gis::read_raster_text(path));
@@ -188,9 +217,6 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
-    constexpr std::array k_of_maxima{"max_depth", "max_velocity", "max_pressure", "hazard"};
-    const bool has_flights = !foreign && std::find(k_of_maxima.begin(), k_of_maxima.end(), kind) != k_of_maxima.end() &&
-                             std::filesystem::exists(file.parent_path() / raster_file("jump_height"));
     const auto probability = probability_of(text);
     const std::string direction = depth_direction(text.description);
     const bool is_known = probability ? set_from_table(*probability, classes, words, direction, layer)
@@ -206,13 +232,12 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
         for (const gis::NamedClass& one : text.classes)
             layer.categories.push_back({static_cast<double>(one.value), class_label(one.label, own), one.colour});
         layer.notes = class_areas(layer, words);
-        if (kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_"))
-            add_scheme(kind, text.metadata, own, layer);
+        if (has_scheme(kind)) add_scheme(kind, text.metadata, own, layer);
         if (const auto depth = text.metadata.find(gis::k_depth_item);
             depth != text.metadata.end() && kind != "comparison")
             layer.notes.push_back(words.labelled(words("Flow depth"), words(depth->second)));
     }
-    if (has_flights) layer.notes.push_back(words(k_high_flights));
+    if (!foreign && omits_flights(path, kind)) layer.notes.push_back(words(k_high_flights));
     return layer;
 }
 

@@ -350,9 +350,9 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
             directory);
     }
     write_text_file(directory.path(k_summary_file), summary_json(result, facts));
+    log.note("wrote summary.json");
     // Its sheets show what the summary says.
     publish_project(directory.folder(), prepared.spec.output.title.value_or(scene_name(prepared.spec)));
-    log.note("wrote summary.json");
     write_text_file(directory.path(k_log_file), log.text());
     return pictures;
 }

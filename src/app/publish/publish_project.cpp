@@ -155,6 +155,7 @@ class ProjectWriter {
                 if (line.visible) show(line, true);
             show(map, true);
             one.title = page_title(source_, one.legend.back());
+            for (const std::string& note : needed_notes(result_.path(map.file), words_)) one.notes += '\n' + note;
             if (project.groups.back().layers.front().file == raster_file("dtm"))
                 show(project.groups.back().layers.front(), false);
         }

@@ -293,7 +293,8 @@ class Reference {
                                                      found != better[t].end()
                                                          ? found->second
                                                          : estimate.probability(values, events_[e].thresholds[t]);
-                                                 sum.error += (p.value - exact) * (p.value - exact) - exact * exact;
+                                                 const double value = std::clamp(p.value, 0.0, 1.0);  // as maps have it
+                                                 sum.error += (value - exact) * (value - exact) - exact * exact;
                                                  sum.said += p.error * p.error;
                                              }
                                          });
@@ -333,7 +334,8 @@ std::vector<Row> measure(study::StudyInput& input, const Method& method, std::in
     if (method.with_polynomials != nullptr) rows.push_back({&method, samples, method.with_polynomials});
     for (int i = 0; i < extent.seeds; ++i) {
         const Sample sample = run_study(input, method, samples, first_seed + 1 + i, threads, scratch);
-        const study::Emulation emulation = study::emulation_of(input, sample.result);
+        const study::Emulation emulation =
+            rows.size() > 1 ? study::emulation_of(input, sample.result) : study::Emulation{};
         for (Row& row : rows) {
             const Reference::Squares squares = reference.of(sample.result, &row == &rows[0] ? nullptr : &emulation);
             row.runs += static_cast<double>(sample.result.members.size()) / extent.seeds;

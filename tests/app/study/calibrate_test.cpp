@@ -379,6 +379,22 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
     }
     EXPECT_EQ(same, 1);
     EXPECT_EQ(other, 1);
+    EXPECT_FALSE(calibration()["events"][0]["stated_errors"].get<bool>());
+
+    // With stated errors run-out and gauges are a piece each, outline and deposit at least one.
+    std::string study = read_text(path("study.ini"));
+    for (const std::string key : {"runout = ", "arrival bridge = ", "speed bridge = ", "depth bridge = "})
+        study.insert(study.find('\n', study.find("\n" + key, study.find("[event")) + 1), " +- 0.5");
+    study.insert(study.find("[objective]"),
+                 "observed.perimeter-error = 5\nobserved.deposit-error = 0.1\nobserved.error-length = 1000\n");
+    write("study.ini", study);
+    const Outcome stated = run({}, "stated");
+    ASSERT_EQ(stated.exit_code, 0) << stated.err;
+    const Json event = calibration("stated")["events"][0];
+    EXPECT_TRUE(event["stated_errors"].get<bool>());
+    EXPECT_EQ(event["pieces"].get<double>(), 6);
+    for (const auto& row : table("stated/posterior.csv"))
+        EXPECT_NEAR(std::stod(row.at("weight")), row.at("material.friction-angle") == "17" ? 1 : 0, 1e-3);
 }
 
 TEST_F(Calibrate, ChartsAndReportAreDrawn) {

@@ -144,6 +144,30 @@ double uniform_probability(std::vector<double> ranks) {
     return std::clamp(sum, 0.0, 1.0);
 }
 
+// Members run in batches: what a batch reached must not decide which cells of a surveyed deposit count.
+TEST_F(Twin, AllBatchesAreComparedOverTheSameCells) {
+    const Outcome ran = frana(
+        {"run", "scene.ini", "--out", "long", "--quiet", "--set", "time.end=15", "--set", "material.friction-angle=8"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    write_polygon("small", {{20, 60}, {40, 60}, {40, 90}, {20, 90}});
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 4\n[objective]\njaccard = 1\ndeposit-depth = 1\n[set]\ntime.end = 15\n"
+          "observed.perimeter = small.geojson\nobserved.deposit = long/final_depth.tif\n"
+          "observed.perimeter-error = 5\nobserved.deposit-error = 0.2\nobserved.error-length = 20\n"
+          "[vary]\nmaterial.friction-angle = uniform(8, 26)\n");
+    app::RunLog log(true);
+    const app::study::CalibrationInput input = app::study::prepare_calibration(
+        app::study::read_calibration_texts(path("study.ini"), {}, log), std::nullopt, log);
+    const app::Prepared& base = input.own[0].base;
+    const auto survey = [&](const CellWindow& reached) {
+        return app::study::EventSurvey(base, input.spec().events[0], input.spec().objective, reached);
+    };
+    const app::study::EventSurvey of_none = survey({}),
+                                  of_all = survey({0, 0, base.scene.grid.rows, base.scene.grid.columns});
+    EXPECT_GT(of_none.pieces(), of_none.outline_pieces() + 1);
+    EXPECT_EQ(of_none.pieces(), of_all.pieces());
+}
+
 // With FRANA_TWINS twins of each noise it prints what they give; see share/doc/calibration.md.
 TEST_F(Twin, IntervalsHoldTheTruth) {
     const char* const asked = std::getenv("FRANA_TWINS");

@@ -6,11 +6,10 @@ import os
 from typing import Any
 
 from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingParameterBoolean,
-                       QgsProcessingParameterDefinition, QgsProcessingParameterFolderDestination,
-                       QgsProcessingParameterNumber)
+                       QgsProcessingParameterDefinition, QgsProcessingParameterFolderDestination)
 from qgis.PyQt.QtGui import QIcon
 
-from ..fields import Values
+from ..fields import Values, number_parameter
 from ..inputs import inputs_folder
 from ..program import Program
 from ..written_values import problem_of, range_problem
@@ -97,13 +96,11 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
         self.addParameter(parameter)
 
     def add_threads(self) -> None:
-        self.add_advanced(QgsProcessingParameterNumber("THREADS", "Threads (all processors)",
-                                                       QgsProcessingParameterNumber.Integer, None, True, 1, 1024),
+        self.add_advanced(number_parameter("THREADS", "Threads (all processors)", (1, 1024), True),
                           "Number of threads. The result is the same for any number.")
 
     def add_seed(self) -> None:
-        self.add_advanced(QgsProcessingParameterNumber("SEED", "Seed (1)", QgsProcessingParameterNumber.Integer, None, True, 0,
-                                                       2147483647), "The same seed gives the same runs.")
+        self.add_advanced(number_parameter("SEED", "Seed (1)", (0, 2147483647), True), "The same seed gives the same runs.")
 
     def add_result_folder(self, label: str = "Folder of the result") -> None:
         self.addParameter(QgsProcessingParameterFolderDestination("OUTPUT", label))

@@ -9,7 +9,7 @@ from typing import Any
 from qgis.core import (QgsProcessing, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
                        QgsProcessingParameterField, QgsProcessingParameterMultipleLayers)
 
-from ..fields import Values, number_parameter
+from ..fields import Values, number_parameter, number_text
 from ..inputs import settings, write_scene
 from ..outputs import CALIBRATE, declare
 from .study import StudyAlgorithm, by_key, rows, section, table, vary_parameter
@@ -24,7 +24,8 @@ class CalibrateAlgorithm(StudyAlgorithm):
     HELP = ("Finds the values of uncertain keys that explain one or several surveyed events, and how uncertain they stay.\n\n"
             "An event is a scene with its surveyed outline: the layers of the fields; or, with a column of the release "
             "polygons that names events, one for each of its values, with the outlines that have the same value; and scene "
-            "files (“New scene from layers” writes one), for which the other fields count too.")
+            "files (“New scene from layers” writes one). Without a layer of the release area the other fields count for "
+            "these, too.")
     TAGS = ("back-calculation", "inverse")
     TAKES_SCENE_FILE = False
     NOT_FIRST = ("output.maps", "numerics.accuracy")
@@ -60,18 +61,22 @@ class CalibrateAlgorithm(StudyAlgorithm):
             return [] if release is None else [("layers", os.path.basename(
                 write_scene(folder, self.given, f"{self.TITLE}, from QGIS", self.scene_name(folder))))]
         surveyed = values.column("SURVEYED_EVENT") or (column if survey is not None and survey.has(column) else "")
+        if survey is not None and not surveyed:
+            raise QgsProcessingException("Events: column of the surveyed outline: is missing. Choose the one that has the "
+                                         "event's value")
         written: dict[str, str] = {}
         for value in release.values_of(column):
-            name = re.sub(r"[^\w-]+", "_", str(value)).strip("_") or "event"
+            label = number_text(value) if isinstance(value, float) else str(value)
+            name = re.sub(r"[^A-Za-z0-9_-]+", "_", label)[:50].strip("_") or "event"
             while name in written:
                 name += "_"
-            text = "'" + value.replace("'", "''") + "'" if isinstance(value, str) else f"{value:g}"
+            text = "'" + value.replace("'", "''") + "'" if isinstance(value, str) else label
             filters = []
             for key, of_event in ((_RELEASE, column), (_SURVEY, surveyed)):
                 if of_event:
                     own = self.given.text_of(key + "-filter")
                     filters.append((key + "-filter", (f"({own}) AND " if own else "") + f'"{of_event}" = {text}'))
-            written[name] = os.path.basename(write_scene(folder, self.given, f"Event {value}, from QGIS", f"event-{name}.ini",
+            written[name] = os.path.basename(write_scene(folder, self.given, f"Event {label}, from QGIS", f"event-{name}.ini",
                                                          more=tuple(filters)))
         return list(written.items())
 

@@ -52,9 +52,9 @@ class EnsembleAlgorithm(StudyAlgorithm):
         pairs = by_key(values, self.program.keys, "VARY", "Uncertain values")
         if not pairs:
             raise QgsProcessingException("Uncertain values: no row is given. Add a key and its distribution, or a study file")
-        entries = [("scene", scene), ("samples", str(values.whole("SAMPLES"))),
-                   ("sampling", values.word("SAMPLING") or _SAMPLINGS[0]),
-                   ("seed", str(values.whole("SEED") if values.has("SEED") else 1))]
+        entries = [("scene", scene), ("samples", str(values.whole("SAMPLES")))]
+        entries += [("sampling", values.word("SAMPLING"))] if values.has("SAMPLING") else []
+        entries += [("seed", str(values.whole("SEED")))] if values.has("SEED") else []
         entries += [("until", number_text(values.number("UNTIL")))] if values.has("UNTIL") else []
         entries += [("levels", str(values.whole("LEVELS")))] if values.has("LEVELS") else []
         return [*section("study", entries), *changed, *section("vary", pairs)]

@@ -66,7 +66,7 @@ class StudyAlgorithm(SceneAlgorithm):
 
     def scene(self, values: Values, folder: str) -> tuple[str, list[str]]:
         """Writes the scene; returns its name for a file in the folder, and the lines of its changes."""
-        if self.TAKES_SCENE_FILE and values.has("SCENE"):
+        if values.has("SCENE"):
             return os.path.abspath(values.text("SCENE")), section("set", settings(folder, self.given))
         return os.path.basename(write_scene(folder, self.given, f"{self.TITLE}, from QGIS", self.scene_name(folder))), []
 

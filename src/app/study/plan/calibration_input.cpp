@@ -137,7 +137,13 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
     for (const Weight& one : objective)
         if (has_evidence(base, event, row_of(one.measure).needs)) measures_.push_back(one);
     const Survey survey = surveyed(base).survey;
-    grid_ = grid_round(base.scene.grid, window, survey.box());
+    std::optional<Bounds> box = survey.box();
+    if (survey.elevation_change) {  // whatever these members reached, all are compared over the same cells
+        const Bounds all = survey.elevation_change->grid.bounds(), part = box.value_or(all);
+        box = {std::min(all.west, part.west), std::min(all.south, part.south), std::max(all.east, part.east),
+               std::max(all.north, part.north)};
+    }
+    grid_ = grid_round(base.scene.grid, window, box);
     if (!survey.scar.empty()) {
         scar_ = gis::coverage(survey.scar, grid_);
         outline_.emplace(survey.scar);
@@ -167,9 +173,9 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
                             : needs == Evidence::deposit ? !is_empty(deposit_)
                                                          : true;
         if (!covers)
-            throw Error(ErrorKind::input, Problem{"the surveyed area contains no centre of a cell",
-                                                  event.members.study.scene, "", std::to_string(grid_.cell_size) + " m",
-                                                  "Use smaller cells: study.coarse, terrain.cell-size"});
+            throw Error(ErrorKind::input,
+                        Problem{"the surveyed area contains no centre of a cell", event.members.study.scene, "",
+                                std::to_string(grid_.cell_size) + " m", "Use smaller cells: terrain.cell-size"});
     }
 }
 
@@ -180,8 +186,12 @@ double EventSurvey::outline_misfit(const Raster& depth) const {
     return mean / (mean + std::sqrt(scar_area_ / std::numbers::pi));
 }
 
+bool EventSurvey::has_no_deposit(const Raster& final_depth) const {
+    return is_empty(deposit_) && is_empty(trace_mask(final_depth, threshold_));
+}
+
 double EventSurvey::deposit_depth_misfit(const Raster& final_depth) const {
-    if (is_empty(deposit_) && is_empty(trace_mask(final_depth, threshold_))) return 0;
+    if (has_no_deposit(final_depth)) return 0;
     const DepositScores scores = compare_deposit(final_depth, elevation_change_, threshold_);
     const double sum = scores.simulated_volume_m3 + scores.observed_volume_m3;
     return sum > 0 ? scores.mean_absolute_error_m * scores.area_m2 / sum : 0;
@@ -226,6 +236,7 @@ double EventSurvey::outline_mean_square(const Raster& depth) const {
 }
 
 double EventSurvey::deposit_mean_square(const Raster& final_depth) const {
+    if (has_no_deposit(final_depth)) return 0;
     return std::pow(compare_deposit(final_depth, elevation_change_, threshold_).rmse_m, 2);
 }
 

@@ -24,7 +24,7 @@ constexpr std::size_t k_least_batch = 4, k_batches = 5;  // members of a batch: 
 
 /// Where the records of an event's members are, in the folder in which the result is being built.
 std::string record_place(const RunSetting& setting, const std::string& event) {
-    const fs::path place = fs::path(setting.folder) / k_record_folder / ("own_" + event);
+    const fs::path place = fs::path(setting.folder) / k_record_folder / event;
     std::error_code error;
     fs::create_directories(place / k_record_folder, error);
     if (error)

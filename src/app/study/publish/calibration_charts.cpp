@@ -40,12 +40,6 @@ class KeyAxis {
         scale = key.prior.law == Law::log_uniform || key.prior.law == Law::log_normal ? render::Scale::logarithmic
                                                                                       : render::Scale::linear;
     }
-    [[nodiscard]] double at(double place) const {
-        const double index = std::clamp(place, 0.0, 1.0) * static_cast<double>(k_parts);
-        const auto below = std::min(static_cast<std::size_t>(index), values_.size() - 2);
-        const double part = index - static_cast<double>(below);
-        return values_[below] + part * (values_[below + 1] - values_[below]);
-    }
     [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
 
     render::Scale scale;
@@ -95,13 +89,13 @@ render::ChartPanel response_panel(const CalibrationInput& input, const Calibrati
     render::ChartPanel panel{"", axis_label(input.spec(), a), axis_label(input.spec(), b), {}};
     panel.x = x.scale;
     panel.y = y.scale;
-    panel.on_x = {x.at(0), x.at(1)};
-    panel.on_y = {y.at(0), y.at(1)};
+    panel.on_x = {x.values().front(), x.values().back()};
+    panel.on_y = {y.values().front(), y.values().back()};
     const std::vector<bool> heavy = weightiest(result.weights);
     std::vector<Point> draws, some, others;
-    for (std::size_t i = 0; i < result.weights_after.size(); ++i)  // as dense as the posterior
-        if (result.weights_after[i] >= 1 / static_cast<double>(result.weights_after.size()))
-            draws.push_back({result.after[first].numbers[i], result.after[second].numbers[i]});
+    constexpr std::size_t k_draws = 1000;
+    for (const std::size_t i : drawn(result.weights_after, k_draws))
+        draws.push_back({result.after[first].numbers[i], result.after[second].numbers[i]});
     for (std::size_t i = 0; i < result.weights.size(); ++i)
         (heavy[i] ? some : others).push_back({a.numbers[i], b.numbers[i]});
     panel.series.push_back(dots(words("posterior"), k_cloud, draws, render::Marker::circle, 0.4));

@@ -62,9 +62,9 @@ std::vector<KeySample> key_samples(const CalibrationSpec& calibration, const Pla
     return key_samples(calibration, tables);
 }
 
-/// @param sample as the model draws it without that event
-Explained explained(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
-                    const PosteriorSample& sample, std::size_t event, std::optional<std::size_t> without) {
+/// @param sample as the model draws it without that event, and its posteriors
+Explained explained(const CalibrationRuns& runs, const CalibrationModel& model, const PosteriorSample& sample,
+                    std::vector<KeyPosterior> posteriors, std::size_t event, std::optional<std::size_t> without) {
     Explained result;
     const auto misfits = runs.misfits();
     std::vector<double> weights = model.member_weights(sample, without);
@@ -85,7 +85,7 @@ Explained explained(const CalibrationInput& input, const CalibrationRuns& runs, 
     result.mean = std::inner_product(scores.begin(), scores.end(), weights.begin(), 0.0);
     result.low = weighted_quantile(scores, weights, 0.05);
     result.high = weighted_quantile(scores, weights, 0.95);
-    result.posteriors = key_posteriors(key_samples(input.spec(), sample.places), sample.weights);
+    result.posteriors = std::move(posteriors);
     return result;
 }
 
@@ -195,8 +195,12 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     judge(input, runs, model, result);
     for (std::size_t e = 0; e < input.events(); ++e) {
         EventResult& event = result.events.emplace_back();
-        event.fitted = explained(input, runs, model, sample, e, std::nullopt);
-        if (input.events() > 1) event.predicted = explained(input, runs, model, model.sample(e), e, e);
+        event.fitted = explained(runs, model, sample, result.posteriors, e, std::nullopt);
+        if (input.events() == 1) continue;
+        const PosteriorSample of_others = model.sample(e);
+        event.predicted =
+            explained(runs, model, of_others,
+                      key_posteriors(key_samples(input.spec(), of_others.places), of_others.weights), e, e);
     }
     return result;
 }

@@ -461,7 +461,6 @@ Document sensitivity_table(const StudyInput& input, const std::vector<FigureSens
             words("No fraction of the variance is told of {1}: there polynomials of the keys do not predict "
                   "the runs (Q2 less than {2}). More runs may help.",
                   {joined(untold, ", "), number(k_least_q2)}));
-    if (!untold.empty() && input.table.keys.size() > k_many_keys) section.small(words(k_screening_advice));
     return section.small(
         words("First order and total are fractions of the variance of a value that its key explains, alone and with "
               "others. The rank correlation is no fraction: it tells whether the two rise together. In brackets the "

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "app/study/openturns/functions.h"
-#include "app/study/statistics/cell_statistics.h"
+#include "app/text/number_text.h"
 
 namespace frana::app::study {
 namespace {
@@ -58,9 +57,7 @@ Sentence name_of(const KeyPosterior& key) {
 }
 
 Sentence short_number(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return numeral(text);
+    return numeral(number_text(value, 3));
 }
 
 Sentence percent(double fraction) {
@@ -68,15 +65,6 @@ Sentence percent(double fraction) {
 }
 
 }  // namespace
-
-double effective_count(const std::vector<double>& weights) {
-    double sum = 0, squares = 0;
-    for (const double weight : weights) {
-        sum += weight;
-        squares += weight * weight;
-    }
-    return squares > 0 ? sum * sum / squares : 0;
-}
 
 std::vector<double> weights_of(const std::vector<double>& log_likelihood, const std::vector<double>& density,
                                double power) {
@@ -114,32 +102,20 @@ double supported_power(const std::vector<double>& log_likelihood, const std::vec
     return low;
 }
 
-/// Evenly spaced draws (systematic resampling): how often each place is drawn.
-std::vector<std::size_t> drawn(const std::vector<double>& weights, std::size_t count) {
-    std::vector<std::size_t> draws;
-    double below = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        below += weights[i];
-        while (draws.size() < count && (static_cast<double>(draws.size()) + 0.5) / static_cast<double>(count) < below)
-            draws.push_back(i);
-    }
-    return draws;
-}
-
 std::vector<double> column(const Places& places, std::size_t k) {
     std::vector<double> all;
     for (const auto& place : places) all.push_back(place[k]);
     return all;
 }
 
-std::vector<double> deviations(const PosteriorSample& sample) {
+std::vector<double> deviations(const Places& places, const std::vector<double>& weights) {
     std::vector<double> all;
-    for (std::size_t k = 0; k < sample.places.front().size(); ++k) {
-        const std::vector<double> values = column(sample.places, k);
-        const double mean = mean_of(values, sample.weights);
+    for (std::size_t k = 0; k < places.front().size(); ++k) {
+        const std::vector<double> values = column(places, k);
+        const double mean = mean_of(values, weights);
         double variance = 0;
         for (std::size_t i = 0; i < values.size(); ++i)
-            variance += sample.weights[i] * (values[i] - mean) * (values[i] - mean);
+            variance += weights[i] * (values[i] - mean) * (values[i] - mean);
         all.push_back(std::max(1e-3, std::sqrt(variance)));
     }
     return all;
@@ -167,6 +143,17 @@ std::size_t nearest(const Places& places, const std::vector<double>& to, const s
 }
 
 }  // namespace
+
+std::vector<std::size_t> drawn(const std::vector<double>& weights, std::size_t count) {
+    std::vector<std::size_t> draws;
+    double below = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        below += weights[i];
+        while (draws.size() < count && (static_cast<double>(draws.size()) + 0.5) / static_cast<double>(count) < below)
+            draws.push_back(i);
+    }
+    return draws;
+}
 
 double greatest_move(const PosteriorSample& before, const PosteriorSample& after) {
     double greatest = 0;
@@ -312,7 +299,7 @@ std::vector<double> CalibrationModel::member_weights(const PosteriorSample& samp
     if (!sample.possible()) return weights;
     std::vector<char> counts;
     for (std::size_t i = 0; i < places_.size(); ++i) counts.push_back(finished(i, without) ? 1 : 0);
-    const std::vector<double> widths = deviations(sample);
+    const std::vector<double> widths = deviations(sample.places, sample.weights);
     for (std::size_t i = 0; i < sample.places.size(); ++i)
         if (sample.weights[i] > 0) weights[nearest(places_, sample.places[i], widths, counts)] += sample.weights[i];
     return weights;
@@ -321,7 +308,7 @@ std::vector<double> CalibrationModel::member_weights(const PosteriorSample& samp
 Places CalibrationModel::next(std::size_t count) const {
     std::vector<PosteriorSample> posteriors{sample()};
     for (std::size_t e = 0; events_.size() > 1 && e < events_.size(); ++e) posteriors.push_back(sample(e));
-    const std::vector<double> widths = deviations(posteriors.front());
+    const std::vector<double> widths = deviations(posteriors.front().places, posteriors.front().weights);
     Places chosen;
     const auto choose = [&](const Places& among, const std::vector<double>& gains) {
         std::size_t best = 0;
@@ -420,30 +407,13 @@ std::optional<Sentence> few_members(double effective) {
         {short_number(effective)});
 }
 
-namespace {
-
-constexpr double k_prior_part = 0.2, k_least_width = 0.02;
-
-/// Width of the kernels along each key.
-std::vector<double> kernel_widths(const Places& design, const std::vector<double>& weights) {
-    const std::size_t keys = design.front().size();
-    const double shrink = std::pow(effective_count(weights), -1.0 / (static_cast<double>(keys) + 4));
-    std::vector<double> widths;
-    for (std::size_t k = 0; k < keys; ++k) {
-        double mean = 0, variance = 0;
-        for (std::size_t i = 0; i < design.size(); ++i) mean += weights[i] * design[i][k];
-        for (std::size_t i = 0; i < design.size(); ++i)
-            variance += weights[i] * (design[i][k] - mean) * (design[i][k] - mean);
-        widths.push_back(std::max(k_least_width, std::sqrt(variance) * shrink));
-    }
-    return widths;
-}
-
-}  // namespace
-
 RefinedPlaces refined_places(const Places& design, const std::vector<double>& weights, std::size_t count,
                              std::int64_t seed) {
-    return openturns().refined(design, weights, kernel_widths(design, weights), k_prior_part, count, seed);
+    constexpr double k_prior_part = 0.2, k_least_width = 0.02;
+    std::vector<double> widths = deviations(design, weights);
+    const double shrink = std::pow(effective_count(weights), -1.0 / (static_cast<double>(widths.size()) + 4));
+    for (double& width : widths) width = std::max(k_least_width, width * shrink);
+    return openturns().refined(design, weights, widths, k_prior_part, count, seed);
 }
 
 }  // namespace frana::app::study

@@ -10,6 +10,7 @@
 
 #include "app/study/openturns/functions.h"
 #include "app/study/plan/sampling.h"
+#include "app/study/statistics/cell_statistics.h"
 #include "core/words/sentence.h"
 
 namespace frana::app::study {
@@ -25,8 +26,6 @@ namespace frana::app::study {
 RefinedPlaces refined_places(const Places& design, const std::vector<double>& weights, std::size_t count,
                              std::int64_t seed);
 
-/// Number of members with equal weights that would tell as much: (sum w)^2 / sum w^2; 0 without weight.
-double effective_count(const std::vector<double>& weights);
 /// Returns the weights exp(p ln L) / q with a sum of 1. Those below 1e-4 of the greatest are 0; all are 0 if every ln L
 /// is minus infinity.
 std::vector<double> weights_of(const std::vector<double>& log_likelihood, const std::vector<double>& density,
@@ -58,7 +57,7 @@ struct PosteriorSample {
 /// Returns the greatest change of a key's 5, 50, 95 % quantile between two, in places of its distribution.
 double greatest_move(const PosteriorSample& before, const PosteriorSample& after);
 
-/// Runs go on until the quantiles move by less between two batches, twice in a row: a part of the prior's width.
+/// Runs continue until the quantiles move by less between two batches, twice in a row: a part of the prior's width.
 inline constexpr double k_settled = 0.02;
 
 /// What the members so far say of all places: a Gaussian process of each event's distance y to its survey, in the keys
@@ -68,10 +67,9 @@ inline constexpr double k_settled = 0.02;
 ///     otherwise           (m^2 + v)^(-N / 2), the scale of the errors being unknown (Jeffreys' prior)
 ///
 /// so that what was not run is less sure (Jarvenpaa et al. 2021, Bayesian Analysis 16, 147). Where the nearest member
-/// failed it is 0. If not even the best member
-/// is within its stated errors, chi^2 > N + 2 sqrt(2 N), these are multiplied by f = sqrt(chi^2 / N): the model errs
-/// too (Birge 1932, Physical Review 40, 207). Greater errors are alike over longer distances, so that N is divided by
-/// f.
+/// failed it is 0. If not even the best member is within its stated errors, chi^2 > N + 2 sqrt(2 N), these are
+/// multiplied by f = sqrt(chi^2 / N): the model errs too (Birge 1932, Physical Review 40, 207). Greater errors are
+/// alike over longer distances, so that N is divided by f.
 class CalibrationModel {
   public:
     /// @param places of the members
@@ -115,6 +113,9 @@ class CalibrationModel {
     std::vector<Emulator> emulators_;
     std::int64_t seed_;
 };
+
+/// Evenly spaced draws (systematic resampling): the place drawn each time.
+std::vector<std::size_t> drawn(const std::vector<double>& weights, std::size_t count);
 
 /// What the surveys say of one key.
 struct KeyPosterior {

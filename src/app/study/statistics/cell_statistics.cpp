@@ -15,11 +15,17 @@
 namespace frana::app::study {
 namespace {
 
-constexpr std::size_t k_budget_bytes = 256'000'000;
+/// The window that contains both.
+CellWindow around(const CellWindow& a, const CellWindow& b) {
+    if (a.rows == 0 || b.rows == 0) return a.rows == 0 ? b : a;
+    const std::int64_t row = std::min(a.row, b.row), column = std::min(a.column, b.column);
+    return {row, column, std::max(a.row + a.rows, b.row + b.rows) - row,
+            std::max(a.column + a.columns, b.column + b.columns) - column};
+}
 
 }  // namespace
 
-double FinishedMembers::effective_size() const {
+double effective_count(const std::vector<double>& weights) {
     double sum = 0, squares = 0;
     for (const double weight : weights) {
         sum += weight;
@@ -38,17 +44,18 @@ FinishedMembers FinishedMembers::first(std::size_t count) const {
 }
 
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) {
-    return CellStore(members.records).reached(grid);
+    CellWindow all;
+    for (const std::string& file : members.records) all = around(all, require_record(file).reached(grid));
+    return all;
 }
 
 void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
     if (members.size() == 0) return;
-    CellStore own(members.records);
-    CellStore& store = members.store ? *members.store : own;
+    const auto store = members.store ? members.store : std::make_shared<CellStore>(members.records);
     const float nothing = quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
     std::vector<float> values(members.size());
-    store.for_each_cell(quantity, grid, [&](std::size_t cell, std::span<const float> all) {
+    store->for_each_cell(quantity, grid, [&](std::size_t cell, std::span<const float> all) {
         bool is_reached = false;
         for (std::size_t m = 0; m < values.size(); ++m) {
             const float value = all[members.columns.empty() ? m : members.columns[m]];
@@ -276,8 +283,9 @@ LevelVariances level_variances(const FinishedMembers& members, Quantity quantity
 void for_each_feature(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                       const std::vector<std::vector<std::size_t>>& cells,
                       const std::function<void(std::size_t feature, std::span<const float> values)>& visit) {
-    const std::size_t count = members.size(), at_once = std::max<std::size_t>(
-                                                  1, k_budget_bytes / sizeof(float) / std::max<std::size_t>(1, count));
+    const std::size_t count = members.size(),
+                      at_once = std::max<std::size_t>(
+                          1, CellStore::k_budget_bytes / sizeof(float) / std::max<std::size_t>(1, count));
     const bool is_arrival = quantity == Quantity::arrival;
     for (std::size_t first = 0; first < cells.size() && count > 0; first += at_once) {
         const std::size_t last = std::min(first + at_once, cells.size());

@@ -19,6 +19,9 @@
 
 namespace frana::app::study {
 
+/// Number of members with equal weights that would tell as much: (sum w)^2 / sum w^2; 0 without weight.
+double effective_count(const std::vector<double>& weights);
+
 /// The finished members of a study, in the order of their numbers, as files.
 struct FinishedMembers {
     std::vector<std::string> records;  ///< their files
@@ -35,8 +38,8 @@ struct FinishedMembers {
     /// The first of them alone.
     [[nodiscard]] FinishedMembers first(std::size_t count) const;
     [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
-    /// Number of independent members with equal weights whose mean is as certain: (sum w)^2 / sum w^2.
-    [[nodiscard]] double effective_size() const;
+    /// Number of independent members with equal weights whose mean is as certain.
+    [[nodiscard]] double effective_size() const { return effective_count(weights); }
 };
 
 /// All runs of a study with those that failed: of some nobody knows where they would have come.
@@ -106,7 +109,8 @@ class MeanEstimate {
     [[nodiscard]] Estimate of(const ValueOf& value) const;
     [[nodiscard]] Estimate on_levels(std::span<const float> values, double threshold) const;
 
-    /// Fractions of pairs of a level whose finer run does what the coarser one does, where it alone does.
+    /// Fractions of pairs of a level whose finer run does what the coarser one does, in cells where one pair alone
+    /// does.
     struct Agreement {
         double exceeds = 1, stays_below = 1;
     };

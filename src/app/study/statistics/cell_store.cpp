@@ -22,14 +22,6 @@ constexpr Quantity k_stored[] = {Quantity::depth, Quantity::velocity, Quantity::
 constexpr std::size_t k_quantities = std::size(k_stored),
                       k_bytes = 2 * sizeof(std::uint32_t) + k_quantities * sizeof(float);  // of a cell of a record
 
-/// The window that contains both.
-CellWindow around(const CellWindow& a, const CellWindow& b) {
-    if (a.rows == 0 || b.rows == 0) return a.rows == 0 ? b : a;
-    const std::int64_t row = std::min(a.row, b.row), column = std::min(a.column, b.column);
-    return {row, column, std::max(a.row + a.rows, b.row + b.rows) - row,
-            std::max(a.column + a.columns, b.column + b.columns) - column};
-}
-
 [[noreturn]] void fail(const std::string& what, const std::string& folder) {
     throw Error(ErrorKind::environment,
                 Problem{what + ": " + std::strerror(errno), folder, "", "", "Check the disk and its free space"});
@@ -60,7 +52,6 @@ void CellStore::load(const GridSpec& grid) {
     const auto cells_of_grid = static_cast<std::uint64_t>(grid.rows * grid.columns);
     tile_cells_ = std::max<std::uint64_t>(
         {1, k_budget_bytes / 4 / k_bytes / std::max<std::size_t>(1, records_.size()), cells_of_grid / k_most_tiles});
-    reached_ = {};
     std::vector<std::uint64_t> cells;
     std::vector<std::uint32_t> numbers;
     std::vector<std::vector<float>> values(k_quantities);
@@ -72,7 +63,6 @@ void CellStore::load(const GridSpec& grid) {
     };
     for (std::size_t r = 0; r < records_.size(); ++r) {
         const MemberRecord record = require_record(records_[r]);
-        reached_ = around(reached_, record.reached(grid));
         record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
             if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
             cells.push_back(static_cast<std::uint64_t>(row * grid.columns + column));
@@ -185,11 +175,6 @@ void CellStore::for_each_cell(Quantity quantity, const GridSpec& grid,
             for (const Value& one : values) row[one.record] = std::numeric_limits<float>::quiet_NaN();
         }
     }
-}
-
-CellWindow CellStore::reached(const GridSpec& grid) {
-    load(grid);
-    return reached_;
 }
 
 }  // namespace frana::app::study

@@ -37,9 +37,6 @@ class CellStore {
     /// and a file that cannot be written.
     void for_each_cell(Quantity quantity, const GridSpec& grid,
                        const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
-    /// Returns the window that contains all cells reached by any record, in rows and columns of a grid; it may reach
-    /// beyond that grid, if members had others. Empty if there is none.
-    CellWindow reached(const GridSpec& grid);
 
     /// Bytes that may be in memory at once, for a batch and for a tile.
     static constexpr std::size_t k_budget_bytes = 256'000'000;
@@ -64,7 +61,6 @@ class CellStore {
     std::vector<std::string> records_;
     GridSpec grid_;
     bool is_loaded_ = false;
-    CellWindow reached_;
     std::uint64_t tile_cells_ = 1;
     std::vector<Batch> batches_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, nullptr};

@@ -14,8 +14,6 @@
 namespace frana::app::study {
 namespace {
 
-/// Of the distances of cells from the outlines of all members: each lot of cells reads every record again.
-constexpr std::size_t k_distance_bytes = 256'000'000;
 /// Distances are computed block by block with so many cells around it: the ground between flows far apart costs
 /// nothing.
 constexpr std::int64_t k_block = 1024, k_far = 512;
@@ -85,10 +83,6 @@ CellWindow window_around(const std::vector<std::size_t>& cells, const GridSpec& 
     std::tie(window.column, window.columns) = part(at % grid.columns, limits.column, limits.columns);
     return window;
 }
-
-}  // namespace
-
-namespace {
 
 /// Quantiles of the normal distribution at the ranks of members.
 class NormalScores {
@@ -214,7 +208,7 @@ OutlineMaps outline_maps(const FinishedMembers& members, const Emulation& emulat
     for (const auto& [cell, p] : rim) all_cells.push_back(cell);
     const CellWindow reached = reached_window(members, grid);
     const std::size_t numbers = members.size() + emulation.sample.places.size(),
-                      at_once = std::max<std::size_t>(1, k_distance_bytes / (sizeof(double) * numbers));
+                      at_once = std::max<std::size_t>(1, CellStore::k_budget_bytes / (sizeof(double) * numbers));
     double squares = 0, plain = 0;
     for (const std::vector<std::size_t>& cells : lots_of(all_cells, grid, at_once)) {
         const CellWindow window = window_around(cells, grid, reached);

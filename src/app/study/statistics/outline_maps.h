@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "app/study/openturns/functions.h"
@@ -56,7 +55,7 @@ struct OutlineMaps {
     /// Error of these probabilities over that of the members alone, root mean squares; 1: there are none.
     double error_ratio = 1;
 
-    /// Whether the probabilities of the members alone are better, as the errors tell.
+    /// Whether polynomials make the probabilities more certain, as the errors tell.
     [[nodiscard]] bool pays() const noexcept;
     /// Where it pays, puts these errors in the place of the others.
     void improve(ErrorSummary& errors) const;

@@ -137,6 +137,20 @@ TEST(CalibrationModel, SameMembersSameBits) {
     EXPECT_EQ(a.sample().weights, b.sample().weights);
 }
 
+TEST(Posterior, WithoutSurveysIntervalsAreThoseOfTheDistributions) {
+    const StudySpec study = two_keys(4096);  // points of a Sobol' sequence: 1/4096 apart in each key
+    const Places places = draw_places(study);
+    const std::vector<double> even(places.size(), 1 / static_cast<double>(places.size()));
+    const std::vector<KeyPosterior> keys = key_posteriors(samples_of(study, places), even);
+    EXPECT_NEAR(keys[0].prior_low, 0.05, 1e-9);
+    EXPECT_NEAR(keys[0].prior_high, 0.95, 1e-9);
+    EXPECT_NEAR(keys[1].low, 105, 1);
+    EXPECT_NEAR(keys[1].median, 150, 1);
+    EXPECT_NEAR(keys[1].high, 195, 1);
+    EXPECT_NEAR(keys[1].width, 1, 0.01);
+    EXPECT_NE(sentences(keys, {})[1].text().find("material.turbulence is 105"), std::string::npos);
+}
+
 TEST(Posterior, PlacesFarBelowTheGreatestWeightHaveNone) {
     const std::vector<double> weights =
         weights_of({std::log(1e-5), 0, -std::numeric_limits<double>::infinity()}, {1, 1, 1});
