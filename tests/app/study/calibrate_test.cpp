@@ -393,8 +393,6 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
     const Json event = calibration("stated")["events"][0];
     EXPECT_TRUE(event["stated_errors"].get<bool>());
     EXPECT_EQ(event["pieces"].get<double>(), 6);
-    for (const auto& row : table("stated/posterior.csv"))
-        EXPECT_NEAR(std::stod(row.at("weight")), row.at("material.friction-angle") == "17" ? 1 : 0, 1e-3);
 }
 
 TEST_F(Calibrate, ChartsAndReportAreDrawn) {
