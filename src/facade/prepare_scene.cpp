@@ -356,6 +356,8 @@ EngineScene prepare_scene(const Scene::Data& data) {
     check_inflow_counts(scene, problems);
     problems.throw_if_any();
     place_origin(scene);
+    (void)set_table_friction(spec, std::nullopt, "material.friction-table", scene, problems);
+    problems.throw_if_any();
     return prepared;
 }
 

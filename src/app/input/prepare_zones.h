@@ -19,6 +19,11 @@ namespace frana::app {
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
                             std::vector<UsedFile>& files, RunLog& log, Problems& problems);
 
+/// Reads material.forest: 1 where forest stands, NaN elsewhere; none without the key. Of a raster nothing is stored
+/// until a cell is asked for.
+std::optional<Raster> prepare_forest(const SceneReading& reading, const TerrainInput* ground,
+                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+
 /// Returns a raster of values of `key` on the working grid, checked against the key's limits; none, with a problem
 /// added or without terrain, if it cannot be read. `elsewhere` describes the value where it has none; null: not
 /// reported.

@@ -17,6 +17,8 @@
 #include "gis/raster/styles.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/zone_keys.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
@@ -101,6 +103,11 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
     write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared), prepared.spec.output,
           words_of(prepared.spec));
+    if (!prepared.friction) return;
+    for (const ZoneKey& key : zone_keys())
+        if (const ResultRaster* row = find_result_raster(key.columns.back()))
+            write(directory, *row, *(prepared.scene.zones.*raster_of(key)), provenance(prepared), prepared.spec.output,
+                  words_of(prepared.spec));
 }
 
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {

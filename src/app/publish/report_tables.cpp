@@ -270,6 +270,38 @@ Document release_table(const RunResult& result, const Words& words) {
     return table;
 }
 
+Document friction_table(const SummaryFacts& facts, const Words& words) {
+    const ReportNumbers n(words);
+    const FrictionChoice& choice = facts.friction->choice();
+    const FrictionTable& source = choice.table;
+    Table table({words("terrain"), words("elevation [m]"), "μ", "ξ [m/s²]", words("area [m²]")});
+    for (const FrictionArea& area : facts.friction_areas) {
+        const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
+        const std::string from = area.band > 0 ? n.grouped(source.altitudes[area.band - 1]) : "",
+                          to = area.band < source.altitudes.size() ? n.grouped(source.altitudes[area.band]) : "";
+        table.row({words(source.terrain[area.kind].name) + (area.forest ? ", " + words("forest") : ""),
+                   from.empty() && to.empty() ? ""
+                   : from.empty()             ? "< " + to
+                   : to.empty()               ? "≥ " + from
+                                              : from + " – " + to,
+                   n(pair.coefficient, 3),
+                   n.rounded(pair.turbulence, 4),
+                   {n.grouped(area.area_m2), "n"}});
+    }
+    Document told;
+    told.paragraph(words("{1}, return period {2} years, volume {3} m³. Source: {4}; {5}.",
+                         {words(source.called), n(source.periods[choice.period]), n.grouped(choice.volume),
+                          source.named_source,
+                          source.quote.empty() ? words("not read") : words("read at {1}", {source.read_at})}))
+        .add(table);
+    if (source.terrain.size() > 1)
+        told.small(
+            words("Of the area reached, by the nearest class. Between two classes of terrain the values are "
+                  "interpolated by the curvature across the slope; mu.tif and xi.tif have those used."));
+    if (!source.note.empty()) told.small(source.note);
+    return told;
+}
+
 Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
     const ReportNumbers n(words);
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);

@@ -199,6 +199,13 @@ std::vector<ResultRaster> make_table() {
     table.add("dtm", RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
     table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
 
+    table.when("with `material.friction-table`",
+               [](const SceneSpec& scene) { return scene.friction_table.name.has_value(); });
+    table.add("mu", RasterKind::given, "Bed friction coefficient", "Bed friction coefficient mu", "-", "velocity",
+              k_even);
+    table.add("xi", RasterKind::given, "Turbulence coefficient", "Voellmy turbulence coefficient xi", "m/s2", "depth",
+              k_even);
+
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
     table.when("with a hazard scheme that uses it",
@@ -323,8 +330,10 @@ std::string raster_of_map(const std::string& map) {
 std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
-        const bool shows_flow = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
-        if (shows_flow && one.command == "run") names.push_back(one.name);
+        // What some scenes give by place is worth a look; the release is in every map.
+        const bool shows = one.kind == RasterKind::flow || one.kind == RasterKind::classes ||
+                           (one.kind == RasterKind::given && one.is_produced_by != nullptr);
+        if (shows && one.command == "run") names.push_back(one.name);
     }
     for (const ResultRaster& one : result_rasters())
         if (one.has_view) names.push_back(one.name + k_view_ending);
@@ -334,7 +343,7 @@ std::vector<std::string> usual_maps() {
 std::vector<std::string> map_names() {
     std::vector<std::string> names = usual_maps();
     for (const ResultRaster& one : result_rasters())
-        if (one.kind == RasterKind::given && one.is_drawn()) names.push_back(one.name);
+        if (one.kind == RasterKind::given && one.is_drawn() && one.is_produced_by == nullptr) names.push_back(one.name);
     return names;
 }
 
