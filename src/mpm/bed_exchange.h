@@ -195,7 +195,9 @@ inline void mix_particles(std::size_t begin, std::size_t end, const double* kept
     const auto mix = [&](Field field, double of_bed) {
         double* const values = particles[field];
         if (values == nullptr) return;
-        for (std::size_t p = begin; p < end; ++p) values[p] = of_bed + kept[p] * (values[p] - of_bed);
+        for (std::size_t p = begin; p < end; ++p) values[p] *= kept[p];
+        if (of_bed > 0)
+            for (std::size_t p = begin; p < end; ++p) values[p] += (1 - kept[p]) * of_bed;
     };
     for (const Field f : {Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) mix(f, 0);
     mix(Field::pore_pressure, bed.ratio);

@@ -239,7 +239,8 @@ BedExchange make_exchange(const Entrainment& entrainment, const Material& materi
     BedExchange laws;
     const double density = laws.density = material.density;
     const PorePressure pores = material.pore_pressure(density);
-    laws.bed = {entrainment.bed_pore_pressure_ratio.value_or(pores.hydrostatic), pores.initial.solid_fraction};
+    const double at_rest = pores.dissipates() ? pores.hydrostatic : pores.initial.ratio;
+    laws.bed = {entrainment.bed_pore_pressure_ratio.value_or(at_rest), pores.initial.solid_fraction};
     set_exchange<ErosionLaws>(entrainment.erosion, entrainment, density, laws.erosion);
     set_exchange<DepositionLaws>(entrainment.deposition ? "on" : "off", entrainment, density, laws.deposition);
     return laws;
