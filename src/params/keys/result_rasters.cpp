@@ -330,7 +330,7 @@ std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
         const bool shows_flow = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
-        if (shows_flow && one.command == "run") names.push_back(one.name);
+        if (shows_flow && one.is_drawn() && one.command == "run") names.push_back(one.name);
     }
     for (const ResultRaster& one : result_rasters())
         if (one.has_view) names.push_back(one.name + k_view_ending);
