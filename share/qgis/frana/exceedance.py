@@ -37,7 +37,7 @@ class Grid:
         column, row = (self.west - west) / self.cell, (north - self.north) / self.cell
         if abs(column - round(column)) > _ALIGNED or abs(row - round(row)) > _ALIGNED:
             raise GridError(tr("{0} has cells that lie between those of the first raster. Use results on the same cells",
-                                  self.path))
+                               self.path))
         return round(column), round(row)
 
 
@@ -47,7 +47,7 @@ def _check_alike(grids: list[Grid]) -> None:
     for grid in grids[1:]:
         if not math.isclose(grid.cell, first.cell, rel_tol=1e-9):
             raise GridError(tr("{0} has cells of {1:g}, the first raster of {2:g}. Use results on the same cells", grid.path,
-                                  grid.cell, first.cell))
+                               grid.cell, first.cell))
         other = osr.SpatialReference(grid.data.GetProjection())
         if bool(first.data.GetProjection()) != bool(grid.data.GetProjection()) or not crs.IsSame(other):
             raise GridError(tr("{0} has another CRS than the first raster. Use results in the same CRS", grid.path))

@@ -191,7 +191,7 @@ class Field:
     def _needed(self, layer: Layer | None) -> Layer:
         if layer is None:
             raise QgsProcessingException(tr("{0}: the layer could not be opened. Choose one that is in the project, or a "
-                                               "file", self.key.title()))
+                                            "file", self.key.title()))
         return layer
 
 

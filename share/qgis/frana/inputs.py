@@ -47,7 +47,7 @@ def make_folder(folder: str) -> None:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:
         raise QgsProcessingException(tr("Folder of the result: {0} cannot be made ({1}). Choose another place", folder,
-                                           error.strerror)) from error
+                                        error.strerror)) from error
 
 
 def write_scene(folder: str, given: Given, title: str, name: str, layers: str = "",

@@ -48,8 +48,8 @@ class VectorSource:
         self.source, self.title, self.name = source, title, source.sourceName()
         if source.featureCount() == 0:
             raise QgsProcessingException(tr("{0}: the layer {1} has no features, or only its selected features are asked "
-                                               "for and none is selected. Select features, or untick “Selected "
-                                               "features only”", title, source.sourceName()))
+                                            "for and none is selected. Select features, or untick “Selected "
+                                            "features only”", title, source.sourceName()))
 
     def has(self, column: str) -> bool:
         return self.source.fields().lookupField(column) >= 0
@@ -84,7 +84,7 @@ class VectorSource:
                     feature.setGeometry(area)
                 if not writer.addFeature(feature, QgsFeatureSink.FastInsert):
                     raise QgsProcessingException(tr("{0}: feature {1} could not be written: {2}", self.title, feature.id(),
-                                                       writer.errorMessage()))
+                                                    writer.errorMessage()))
             del writer  # writes the end of the file
         os.replace(aside, os.path.join(folder, name))
         return name
@@ -119,14 +119,14 @@ class RasterSource:
         copy = gdal.Translate(path, self.path, format="GTiff", outputSRS=crs, creationOptions=["COMPRESS=DEFLATE"])
         if copy is None:
             raise QgsProcessingException(tr("{0}: {1} could not be copied to {2}: {3}", self.title, self.name, path,
-                                               gdal.GetLastErrorMsg()))
+                                            gdal.GetLastErrorMsg()))
         copy.FlushCache()
 
     def _copy_from_provider(self, path: str) -> None:
         provider = self.provider
         if not provider.isValid() or provider.xSize() <= 0:
             raise QgsProcessingException(tr("{0}: {1} has no cells that could be read. Save it as a GeoTIFF and use that "
-                                               "layer", self.title, self.name))
+                                            "layer", self.title, self.name))
         pipe = QgsRasterPipe()
         pipe.set(provider.clone())
         writer = QgsRasterFileWriter(path)

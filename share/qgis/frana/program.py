@@ -18,6 +18,7 @@ SETTING = "FRANA_PROGRAM"  # of Processing's options
 _INSTALLED_BY = os.path.join(os.path.dirname(__file__), "program.txt")  # written by `frana qgis-plugin --install`
 _LIMIT = 60  # seconds for an answer, which takes a tenth of one
 
+
 class ProgramError(Exception):
     """The program is missing or does not answer; a sentence for the user."""
 
@@ -44,7 +45,7 @@ def find_program() -> str:
     if setting:
         if not _is_program(setting):
             raise ProgramError(tr("{0} is not a program that can be run. Correct the path under Settings, Options, "
-                                     "Processing, Providers, frana, or empty it", setting))
+                                  "Processing, Providers, frana, or empty it", setting))
         return setting
     found = shutil.which("frana")
     if found:
@@ -55,7 +56,7 @@ def find_program() -> str:
         if _is_program(path):
             return path
     raise ProgramError(tr("The program frana was not found. Install it, or give its path under Settings, Options, "
-                             "Processing, Providers, frana"))
+                          "Processing, Providers, frana"))
 
 
 def _answer(path: str, *words: str) -> str:

@@ -149,4 +149,4 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
     @staticmethod
     def resume_hint(folder: str) -> str:
         return tr("What was computed so far is in {0}. To continue, run again with the same values and this folder, and "
-                     "tick “Resume a stopped run”. The inputs are kept in {1}", folder, inputs_folder(folder))
+                  "tick “Resume a stopped run”. The inputs are kept in {1}", folder, inputs_folder(folder))

@@ -64,7 +64,7 @@ class CalibrateAlgorithm(StudyAlgorithm):
         surveyed = values.column("SURVEYED_EVENT") or (column if survey is not None and survey.has(column) else "")
         if survey is not None and not surveyed:
             raise QgsProcessingException(tr("Events: column of the surveyed outline: is missing. Choose the one that has the "
-                                               "event's value"))
+                                            "event's value"))
         written: dict[str, str] = {}
         for value in release.values_of(column):
             label = number_text(value) if isinstance(value, float) else str(value)

@@ -53,7 +53,7 @@ class EnsembleAlgorithm(StudyAlgorithm):
         pairs = by_key(values, self.program.keys, "VARY", "Uncertain values")
         if not pairs:
             raise QgsProcessingException(tr("Uncertain values: no row is given. Add a key and its distribution, or a "
-                                               "study file"))
+                                            "study file"))
         entries = [("scene", scene), ("samples", str(values.whole("SAMPLES")))]
         entries += [("sampling", values.word("SAMPLING"))] if values.has("SAMPLING") else []
         entries += [("seed", str(values.whole("SEED")))] if values.has("SEED") else []

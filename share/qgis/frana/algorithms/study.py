@@ -38,7 +38,7 @@ def rows(values: Values, name: str, title: str) -> list[tuple[str, str]]:
     for key, text in pairs:
         if not key or not text:
             raise QgsProcessingException(tr("{0}: a row has only one of its two cells ({1}). Fill the other one, or "
-                                               "remove the row", tr(title), key or text))
+                                            "remove the row", tr(title), key or text))
     return pairs
 
 
