@@ -18,7 +18,7 @@ from .base import FranaAlgorithm
 _TEXTS = (("MAPS", "--map", "Rasters to draw, separated by commas (otherwise all)",
            "For example max_depth, max_velocity; depth@12.5 is the frame nearest to 12.5 s."),
           ("SIZE", "--size", "Size (otherwise the scene's)",
-           "WIDTHxHEIGHT in pixels, or A4, A3, A4-portrait, A3-portrait, with @DPI: A4@300."),
+           "auto, WIDTHxHEIGHT in pixels, or A4, A3, A4-portrait, A4-landscape, with @DPI: A4@300."),
           ("TITLE", "--title", "Title of the maps (otherwise the scene's)", "A text."),
           ("ATTRIBUTION", "--attribution", "Sources of the data and author, at the foot", "A text."),
           ("CAMERA", "--camera", "Camera of 3-D views: azimuth, elevation[, zoom]", "For example 220, 35."))
