@@ -12,6 +12,7 @@ from qgis.core import (QgsProcessingContext, QgsProcessingFeedback, QgsProcessin
 
 from ..inputs import inputs_folder
 from ..process import run_or_refuse
+from ..translation import tr
 from .base import FranaAlgorithm
 
 _TEXTS = (("MAPS", "--map", "Rasters to draw, separated by commas (otherwise all)",
@@ -56,7 +57,7 @@ class RenderAlgorithm(FranaAlgorithm):
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> bool:
         values = self.values(parameters, context)
-        self.background = values.raster("BACKGROUND", "Background") if values.has("BACKGROUND") else None
+        self.background = values.raster("BACKGROUND", tr("Background")) if values.has("BACKGROUND") else None
         return True
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
