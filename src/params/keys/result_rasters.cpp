@@ -171,11 +171,13 @@ void set_classes_by_unit(std::vector<ResultRaster>& rows) {
                 row.classes = quantity.name;
 }
 
-/// The flow's depths, whose direction output.depth chooses; what is released, eroded and deposited stays vertical.
+/// The flow's depths, whose direction output.depth chooses; what is released, eroded, deposited and changed
+/// stays vertical.
 void set_flow_depths(std::vector<ResultRaster>& rows) {
     for (ResultRaster& row : rows)
         row.is_flow_depth = row.kind != RasterKind::given && !depth_direction(row.description).empty() &&
-                            !row.name.starts_with("eroded") && !row.name.starts_with("deposited");
+                            !row.name.starts_with("eroded") && !row.name.starts_with("deposited") &&
+                            row.name != "elevation_change";
 }
 
 std::vector<ResultRaster> make_table() {
@@ -198,6 +200,10 @@ std::vector<ResultRaster> make_table() {
         .is_surface = true;
     table.add("dtm", RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
     table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
+
+    table.flow("elevation_change", "Change of elevation",
+               "What lies at the end minus release and erosion, plus deposition into the bed, vertical", "m", "",
+               k_even);
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
@@ -324,7 +330,7 @@ std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
         const bool shows_flow = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
-        if (shows_flow && one.command == "run") names.push_back(one.name);
+        if (shows_flow && one.is_drawn() && one.command == "run") names.push_back(one.name);
     }
     for (const ResultRaster& one : result_rasters())
         if (one.has_view) names.push_back(one.name + k_view_ending);
