@@ -36,8 +36,7 @@ void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid
 /// A step of the pore pressure of a tile's particles: they advance over `dt`, and the nodes receive their state in the
 /// middle, at the time of the forces. Reads x, y, u, v, volume, area; reads and writes pore_pressure and, with
 /// dilatancy, solid_fraction; adds w V r to `sums`.
-/// @param gravity vertical [m/s2]  @param slopes of the bed under the particles, where speeds are along it
-/// @param along_bed whether the particles' velocity is that along the bed
+/// @param gravity vertical [m/s2]  @param along_bed whether the particles' velocity is that along the bed
 template <class Shape, bool Metric>
 void pore_pressure_to_nodes(const ParticleTile& tile, const PorePressure& law, double dt, double gravity,
                             const BedSlopes& slopes, bool along_bed, const NodeGrid& nodes, ParticleSet& particles,

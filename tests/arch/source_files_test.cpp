@@ -40,7 +40,7 @@ struct Room {
 
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
-    {"src/core", 3350},         {"src/params", 4770},       {"src/physics", 1490},
+    {"src/core", 3350},         {"src/params", 4790},       {"src/physics", 1490},
     {"src/particles", 1650},    {"src/mpm", 5000},          {"src/models", 4800},
     {"src/simulation", 6100},   {"src/analysis", 2900},     {"src/facade", 1300},
     {"src/python", 500},        {"src/bench", 5850},        {"src/app/process", 320},
