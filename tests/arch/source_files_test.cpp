@@ -103,10 +103,12 @@ TEST(SourceFiles, ALawIsNamedInItsHeader) {
 TEST(SourceFiles, ARasterIsNamedInItsRowAndWhereItIsComputed) {
     // With which the program computes, compares or draws something else, and words that have other meanings.
     const std::set<std::string> used{
-        "arrival_time", "bed",         "cohesion_ratio",  "comparison",   "depth",       "dtm",
-        "final_depth",  "hazard",      "hazard_degree",   "hit_count",    "jump_height", "max_depth",
-        "max_flux",     "max_head",    "max_pressure",    "max_velocity", "release",     "sensitivity",
-        "strain",       "uncertainty", "union_max_depth", "velocity",     "worst_source"};
+        "arrival_time", "bed",           "cohesion_ratio",   "comparison",   "deposited_depth",
+        "depth",        "dtm",           "elevation_change", "eroded_depth", "final_depth",
+        "hazard",       "hazard_degree", "hit_count",        "jump_height",  "max_depth",
+        "max_flux",     "max_head",      "max_pressure",     "max_velocity", "release",
+        "sensitivity",  "solid_depth",   "strain",           "uncertainty",  "union_max_depth",
+        "velocity",     "worst_source"};
     std::string table;
     for (const std::string& line : lines_of("src/params/keys/result_rasters.cpp")) table += line;
     const std::regex row(R"re((?:\.flow|\.add|phase|probability|for_values|of_all|of_scenario)\( *"([a-z_]+)")re");

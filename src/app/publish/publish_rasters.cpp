@@ -30,7 +30,7 @@ void write(const ResultDirectory& directory, const ResultRaster& row, const Rast
             file,
             gis::class_stops(palette(row.palette), class_bounds(row, output.classes, maximum(raster)), row.unit, words),
             row.unit, gis::StyleKind::classed, words(row.title));
-    else if (row.kind == ResultRaster::Kind::given)  // elevations
+    else  // elevations
         gis::write_style(file, gis::relief_style(row.name, words(row.title)));
 }
 

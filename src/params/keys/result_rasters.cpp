@@ -201,9 +201,12 @@ std::vector<ResultRaster> make_table() {
     table.add("dtm", RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
     table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
 
-    table.flow("elevation_change", "Change of elevation",
-               "What lies at the end minus release and erosion, plus deposition into the bed, vertical", "m", "",
-               k_even);
+    table.when("at the end of a run", nullptr);
+    constexpr double k_infinity = std::numeric_limits<double>::infinity();
+    table
+        .flow("elevation_change", "Change of elevation", "Deposit minus release and erosion, vertical", "m",
+              "difference", k_even)
+        .bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
@@ -330,7 +333,7 @@ std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
         const bool shows_flow = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
-        if (shows_flow && one.is_drawn() && one.command == "run") names.push_back(one.name);
+        if (shows_flow && one.command == "run") names.push_back(one.name);
     }
     for (const ResultRaster& one : result_rasters())
         if (one.has_view) names.push_back(one.name + k_view_ending);
