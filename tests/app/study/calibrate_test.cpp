@@ -350,7 +350,7 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
     arrival = times.at((static_cast<int>(k_south) + 150 - 5094075) / 5, (527120 - 527000) / 5);
     ASSERT_GT(arrival, 0);
     ASSERT_GT(speed, 0);
-    write("slope.ini", read_text(path("slope.ini")) + "deposit = surveyed/final_depth.tif\n");
+    write("slope.ini", read_text(path("slope.ini")) + "deposit = surveyed/elevation_change.tif\n");
     write("study.ini",
           "[study]\nscene = slope.ini\nsamples = 2\nsampling = latin-hypercube\n[set]\ntime.end = "
           "12\n[objective]\njaccard = "
