@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int k_most_classes = 20;
+constexpr int k_most_terrains = 20;
 constexpr double k_usual_spacing = 10;  // of elevations for the curvature [m]
 
 /// A number of a key's name: 100000, not 1e+05.
@@ -59,7 +59,7 @@ class TableReader : DataFile {
     }
 
     void read_classes(FrictionTable& table) {
-        const std::vector<int> numbers = numbered("class", k_most_classes);
+        const std::vector<int> numbers = numbered("class", k_most_terrains);
         if (numbers.empty())
             refuse("has no classes of terrain", "class-1", "", "", "Add a section for each, by rising curvature");
         for (std::size_t i = 0; i < numbers.size(); ++i) {
