@@ -275,8 +275,8 @@ void add_friction(Json& json, const SummaryFacts& facts) {
         const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
         Json& row = areas.emplace_back(Json{{"terrain", table.terrain[area.kind].name},
                                             {"forest", area.forest},
-                                            {"mu", pair.coefficient},
-                                            {"xi", pair.turbulence},
+                                            {"friction_coefficient", pair.coefficient},
+                                            {"turbulence", pair.turbulence},
                                             {"area_m2", area.area_m2}});
         row["from_m"] = area.band > 0 ? Json(table.altitudes[area.band - 1]) : Json();
         row["to_m"] = area.band < table.altitudes.size() ? Json(table.altitudes[area.band]) : Json();
