@@ -74,16 +74,24 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
     }
 }
 
+constexpr const char* k_table_keys[] = {"material.return-period",         "material.table-volume",
+                                        "material.altitude-limits",       "material.forest",
+                                        "material.table-friction-factor", "material.table-turbulence-factor"};
+
 /// Checks the keys by which a friction table is read.
 void check_friction_table(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                           Problems& problems) {
     const FrictionTableSpec& spec = scene.friction_table;
     const std::string table_key = "material.friction-table";
-    for (const char* const key :
-         {"material.return-period", "material.table-volume", "material.altitude-limits", "material.forest",
-          "material.table-friction-factor", "material.table-turbulence-factor"})
-        if (!spec.name && given.count(key) > 0)
-            problems.add({"needs " + table_key, file + ": " + key, "", "", "Name the table, or remove the key"});
+    const SceneSpec usual;
+    for (const Parameter& key : scene_parameters()) {
+        const bool reads_table =
+            std::find(std::begin(k_table_keys), std::end(k_table_keys), key.name()) != std::end(k_table_keys);
+        // A key given with its default value requests nothing.
+        if (reads_table && !spec.name && given.count(key.name()) > 0 && key.write(scene) != key.write(usual))
+            problems.add({"needs " + table_key, file + ": " + key.name(), key.write(scene).value_or(""), "",
+                          "Name the table, or remove the key"});
+    }
     if (!spec.name) return;
     for (const std::string& key : given)
         if (gives_by_table(key))

@@ -98,7 +98,7 @@ class TableReader : DataFile {
         }
         if (!good && !text.empty())
             refuse("is not a mu and a xi for each band of altitude", key, text,
-                   std::to_string(bands) + " pairs, mu 0 to 2, xi 1 to 1e9 m/s2",
+                   std::to_string(bands) + (bands == 1 ? " pair" : " pairs") + ", mu 0 to 2, xi 1 to 1e9 m/s2",
                    "Write for example 0.33 1250, 0.305 1400, 0.29 1500");
         values.resize(first + bands);
     }

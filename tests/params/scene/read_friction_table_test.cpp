@@ -105,19 +105,19 @@ TEST_F(OwnFrictionTable, IsRefusedWhereItIsWrong) {
     EXPECT_TRUE(has_problem(problems_of(k_head + "[class-2]\nname = A\n" + row), "own.ini: class-1"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "[class-1]\nname = A\n"), "own.ini: class-1.30-years-from-0-m3"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "[class-1]\nname = A\n30-years-from-0-m3 = 0.2\n"),
-                            "class-1.30-years-from-0-m3", "0.2", "1 pairs"));
+                            "class-1.30-years-from-0-m3", "0.2", "1 pair, mu 0 to 2, xi 1 to 1e9 m/s2"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "[class-1]\nname = A\n30-years-from-0-m3 = 2.5 1000\n"),
-                            "class-1.30-years-from-0-m3", "2.5 1000", "mu 0 to 2"));
+                            "class-1.30-years-from-0-m3", "2.5 1000", "1 pair, mu 0 to 2, xi 1 to 1e9 m/s2"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "volume-limits = 100000\n" + one), "class-1.30-years-from-100000-m3"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "altitude-limits = 1500, 1000\n" + one), "table.altitude-limits",
-                            "1500, 1000", "rising"));
+                            "1500, 1000", "rising numbers greater than 0"));
     EXPECT_TRUE(has_problem(problems_of(k_head + one + "[class-2]\nname = B\n" + row), "class-1.curvature"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "[class-1]\nname = A\ncurvature = 0.1\n" + row +
                                         "[class-2]\nname = B\ncurvature = 0.1\n" + row),
                             "class-2.curvature", "0.1", "greater than 0.1"));
     EXPECT_TRUE(has_problem(problems_of(k_head + one + "[forest]\nmore-friction = 0.02\n"), "forest.turbulence"));
     EXPECT_TRUE(has_problem(problems_of(k_head + one + "colour = ffffff\n"), "class-1.colour"));
-    EXPECT_TRUE(has_problem(problems_of(k_head + "quote = words\n" + one), "table.read-at"));
+    EXPECT_TRUE(has_problem(problems_of(k_head + "quote = words\n" + one), "table.quote"));
 }
 
 const std::string k_scene = "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = area.shp\nthickness = 2\n[material]\n",
@@ -126,7 +126,7 @@ const std::string k_scene = "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = ar
 TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_TRUE(problems(k_table + "return-period = 30\n").empty());
     EXPECT_TRUE(has_problem(problems(k_scene + "friction-table = rams\n"), "material.friction-table", "rams",
-                            "ramms-avalanche"));
+                            "ramms-avalanche, or a file FILE.ini"));
     EXPECT_TRUE(has_problem(problems(k_table), "material.return-period", "", "10, 30, 100, 300 years"));
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 150\n"), "material.return-period", "150",
                             "10, 30, 100, 300 years"));
@@ -137,6 +137,8 @@ TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 30\nbed-friction = coulomb\n"),
                             "material.friction-table", "ramms-avalanche"));
     EXPECT_TRUE(has_problem(problems(k_least + "table-volume = 1000\n"), "material.table-volume"));
+    EXPECT_TRUE(has_problem(problems(k_least + "table-friction-factor = 2\n"), "material.table-friction-factor", "2"));
+    EXPECT_TRUE(problems(k_least + "table-friction-factor = 1\n").empty()) << "as the echo of every scene has it";
     // It replaces what a preset, or an earlier source, gives.
     const SceneReading preset = read(k_table + "preset = snow-avalanche\nreturn-period = 30\n");
     EXPECT_TRUE(preset.problems.empty());
