@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Data surveyed on site, from files to results: zones, obstacles, walls, slip surfaces, late areas, inflow.
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "gis/raster/raster_in.h"
