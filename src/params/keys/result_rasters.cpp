@@ -201,9 +201,12 @@ std::vector<ResultRaster> make_table() {
     table.add("dtm", RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
     table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
 
-    table.flow("elevation_change", "Change of elevation",
-               "What lies at the end minus release and erosion, plus deposition into the bed, vertical", "m", "",
-               k_even);
+    table.when("at the end of a run", nullptr);
+    constexpr double k_infinity = std::numeric_limits<double>::infinity();
+    table
+        .flow("elevation_change", "Change of elevation", "Deposit minus release and erosion, vertical", "m",
+              "difference", k_even)
+        .bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
