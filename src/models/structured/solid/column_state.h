@@ -17,7 +17,8 @@ struct SolidKind {
 inline constexpr FieldMask k_solid_fields =
     k_basic_fields | FieldMask{Field::t_xx,   Field::t_yy,   Field::t_zz,     Field::t_xy,         Field::e_xx,
                                Field::e_yy,   Field::e_xy,   Field::friction, Field::bed_friction, Field::grain_density,
-                               Field::push_x, Field::push_y, Field::flatness};
+                               Field::push_x, Field::push_y, Field::flatness, Field::c_xx,         Field::c_xy,
+                               Field::c_yx,   Field::c_yy};
 inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
 inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence, Field::grain_diameter};
 inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released};
@@ -32,6 +33,12 @@ inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
     if (wet) fields = fields | k_wet_fields;
     if (cohesive && wet) fields = fields | k_release_fields;
     return fields;
+}
+
+/// Mass of a particle [kg].
+inline double particle_mass(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
+    const double confined = particles[Field::confined] != nullptr ? particles[Field::confined][p] : 0;
+    return particles[Field::grain_density][p] * particles[Field::volume][p] + laws.basal.fluid_density * confined;
 }
 
 /// A particle's column: mass, depth, load on the bed, thrust on its neighbours.
