@@ -139,8 +139,9 @@ std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<do
     const std::size_t classes = bounds.size() < 2 ? 0 : bounds.size() - 1;
     for (std::size_t i = 0; i < classes; ++i) {
         const double t = classes == 1 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1);
-        const std::string range = std::isinf(bounds[i + 1]) ? "> " + number(bounds[i])
-                                                            : number(bounds[i]) + " \u2013 " + number(bounds[i + 1]);
+        const std::string range = std::isinf(bounds[i])       ? "< " + number(bounds[i + 1])
+                                  : std::isinf(bounds[i + 1]) ? "> " + number(bounds[i])
+                                                              : number(bounds[i]) + " \u2013 " + number(bounds[i + 1]);
         stops.push_back({bounds[i + 1], colour_at(palette, t), range + (unit.empty() ? "" : " " + unit)});
     }
     return stops;

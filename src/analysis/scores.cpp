@@ -17,10 +17,24 @@ DepositScores compare_deposit(const Raster& simulated, const Raster& observed, d
         throw Error(ErrorKind::input, Problem{"simulated and observed deposit do not have the same cells", "comparison",
                                               "", "", "Bring both onto one grid"});
     }
+    DepositScores scores;
+    const double cell = simulated.grid.cell_area();
+    const auto add = [cell](double change, double& raised, double& lowered) {
+        (change > 0 ? raised : lowered) += std::abs(change) * cell;
+    };
+    double surveyed = 0, differences = 0;
     double count = 0, sum_s = 0, sum_o = 0, absolute = 0, squares = 0, ss = 0, oo = 0, so = 0;
     for (std::size_t i = 0; i < simulated.values.size(); ++i) {
-        if (std::isnan(observed.values[i])) continue;
-        const double s = simulated.values[i] > 0 ? simulated.values[i] : 0;
+        const double change = std::isnan(simulated.values[i]) ? 0 : simulated.values[i];
+        if (std::isnan(observed.values[i])) {
+            scores.simulated_raised_beyond_m3 += std::max(change, 0.0) * cell;
+            continue;
+        }
+        ++surveyed;
+        differences += (change - observed.values[i]) * (change - observed.values[i]);
+        add(change, scores.simulated_raised_m3, scores.simulated_lowered_m3);
+        add(observed.values[i], scores.observed_raised_m3, scores.observed_lowered_m3);
+        const double s = change > 0 ? change : 0;
         const double o = observed.values[i] > 0 ? observed.values[i] : 0;
         if (!(s > threshold) && !(o > threshold)) continue;
         ++count;
@@ -36,8 +50,7 @@ DepositScores compare_deposit(const Raster& simulated, const Raster& observed, d
         throw Error(ErrorKind::input, Problem{"neither the simulation nor the survey has a deposit", "comparison", "",
                                               "", "Lower the threshold"});
     }
-    const double cell = simulated.grid.cell_area();
-    DepositScores scores;
+    scores.change_rmse_m = std::sqrt(differences / surveyed);
     scores.area_m2 = count * cell;
     scores.observed_volume_m3 = sum_o * cell;
     scores.simulated_volume_m3 = sum_s * cell;

@@ -19,10 +19,14 @@ struct DepositScores {
     double mean_absolute_error_m = 0;  ///< mean of |d|
     double rmse_m = 0;                 ///< sqrt(mean of d^2)
     double correlation = 0;            ///< Pearson's, of the two depths; NaN if one does not vary
+    /// Over all surveyed cells, losses too: volumes by which the ground rose and sank, both positive.
+    double observed_raised_m3 = 0, observed_lowered_m3 = 0, simulated_raised_m3 = 0, simulated_lowered_m3 = 0;
+    double change_rmse_m = 0;               ///< there
+    double simulated_raised_beyond_m3 = 0;  ///< where there is no survey
 };
 
-/// `simulated` final depth [m] (NaN: none), `observed` gain of elevation [m] (NaN: not surveyed; a loss counts as no
-/// deposit), on the same cells. Throws Error(input) if the cells differ or neither has a deposit.
+/// `simulated` and `observed` change of elevation [m], on the same cells (NaN: none, not surveyed). For the deposit a
+/// loss counts as none. Throws Error(input) if the cells differ or neither has a deposit.
 DepositScores compare_deposit(const Raster& simulated, const Raster& observed, double threshold);
 
 /// Agreement of a simulated trace with an observed one, cell by cell.

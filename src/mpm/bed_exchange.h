@@ -11,8 +11,10 @@
 #include "mpm/shape.h"
 #include "mpm/update_nodes.h"
 #include "particles/particle_set.h"
+#include "particles/tile_order.h"
 #include "physics/bed_contact.h"
 #include "physics/bed_state.h"
+#include "physics/pore_pressure.h"
 
 namespace frana {
 
@@ -26,14 +28,47 @@ void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid
         const NodeDrive<double> ground = load_on<Slope, double>(bed_at<Slope>(nodes, i, column, row),
                                                                 node.px / node.mass, node.py / node.mass, k.gravity);
         const double root = Slope::metric ? std::sqrt(ground.n) : 1;
-        states[i] = {node.mass / node.area / root, (k.gravity + ground.load) / root, 0, 0, 0, 0};
+        const double pore = k.pore_sums != nullptr ? std::min(1.0, k.pore_sums[i] / node.mass) : 0;
+        states[i] = {node.mass / node.area / root, (k.gravity + ground.load) / root, 0, 0, 0, 0, pore};
     });
+}
+
+/// A step of the pore pressure of a tile's particles: they advance over `dt`, and the nodes receive their state in the
+/// middle, at the time of the forces. Reads x, y, u, v, volume, area; reads and writes pore_pressure and, with
+/// dilatancy, solid_fraction; adds w V r to `sums`.
+/// @param gravity vertical [m/s2]  @param along_bed whether the particles' velocity is that along the bed
+template <class Shape, bool Metric>
+void pore_pressure_to_nodes(const ParticleTile& tile, const PorePressure& law, double dt, double gravity,
+                            const BedSlopes& slopes, bool along_bed, const NodeGrid& nodes, ParticleSet& particles,
+                            double* sums) {
+    const NodeScale grid = nodes.scale();
+    double *const ratio = particles[Field::pore_pressure], *const solid = particles[Field::solid_fraction];
+    for (std::size_t p = tile.begin; p < tile.end; ++p) {
+        const double u = particles[Field::u][p], v = particles[Field::v][p], volume = particles[Field::volume][p];
+        double root = 1, climb = 0;
+        if constexpr (Metric) {
+            root = std::sqrt(1 + slopes.x[p] * slopes.x[p] + slopes.y[p] * slopes.y[p]);
+            if (!along_bed) climb = u * slopes.x[p] + v * slopes.y[p];
+        }
+        const double thickness = volume / particles[Field::area][p] / root, speed = speed_along_bed(u, v, climb);
+        const auto half_step = [&] {
+            const auto after =
+                law.after({ratio[p], solid != nullptr ? solid[p] : 0}, thickness, speed, gravity / root, 0.5 * dt);
+            ratio[p] = after.ratio;
+            if (solid != nullptr) solid[p] = after.solid_fraction;
+        };
+        half_step();
+        const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], grid);
+        for (int b = 0; b < Shape::width; ++b)
+            for (int a = 0; a < Shape::width; ++a)
+                sums[s.first + static_cast<std::size_t>(b * grid.stride + a)] += s.wx[a] * s.wy[b] * volume * ratio[p];
+        half_step();
+    }
 }
 
 /// Adds one law to the nodes of a tile.
 template <class Law>
-void add_friction(const NodeRange& range, const NodeUpdate& k, Law law, const NodeGrid& nodes, BedState* states) {
-    if constexpr (requires { law.effective_fraction; }) law.effective_fraction = k.effective_fraction;
+void add_friction(const NodeRange& range, const Law& law, const NodeGrid& nodes, BedState* states) {
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) {
         if (nodes.mass(i) > 0) law(states[i], i);
     });
@@ -152,14 +187,20 @@ void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid&
     }
 }
 
-/// Reduces the particles' velocities to these fractions, after nodes_to_particles.
-inline void slow_particles(std::size_t begin, std::size_t end, const double* kept, const double* lost,
-                           ParticleSet& particles, ExchangeReport& report) {
-    for (const Field f : {Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) {
-        double* values = particles[f];
-        if (values == nullptr) continue;
+/// Mixes the particles with the material eroded, after nodes_to_particles: these fractions keep their velocity, the
+/// rest has that of the bed, none, and its pore pressure.
+inline void mix_particles(std::size_t begin, std::size_t end, const double* kept, const double* lost,
+                          const PorePressure::State& bed, ParticleSet& particles, ExchangeReport& report) {
+    const auto mix = [&](Field field, double of_bed) {
+        double* const values = particles[field];
+        if (values == nullptr) return;
         for (std::size_t p = begin; p < end; ++p) values[p] *= kept[p];
-    }
+        if (of_bed > 0)
+            for (std::size_t p = begin; p < end; ++p) values[p] += (1 - kept[p]) * of_bed;
+    };
+    for (const Field f : {Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) mix(f, 0);
+    mix(Field::pore_pressure, bed.ratio);
+    mix(Field::solid_fraction, bed.solid_fraction);
     for (std::size_t p = begin; p < end; ++p) {
         report.momentum_x += lost[p] * particles[Field::u][p];
         report.momentum_y += lost[p] * particles[Field::v][p];

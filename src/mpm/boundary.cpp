@@ -45,6 +45,14 @@ void mirror_sums(NodeGrid& nodes) {
     });
 }
 
+void mirror_scalar(const NodeGrid& nodes, double* sums) {
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) {
+        sums[inner] += sums[ghost];
+        sums[ghost] = 0;
+    });
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) { sums[ghost] = sums[inner]; });
+}
+
 void mirror_levels(NodeGrid& nodes) {
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) {
         if (nodes.mass(inner) != 0) nodes.levels[ghost] = nodes.levels[inner];

@@ -12,6 +12,8 @@ namespace frana {
 ///
 /// Adds the ghosts' mass, momentum, area (sums) to the inner nodes and makes the ghosts their mirror images.
 void mirror_sums(NodeGrid& nodes);
+/// The same for a padded array of sums of a scalar.
+void mirror_scalar(const NodeGrid& nodes, double* sums);
 /// Copies the reference levels of the mirror images to the ghosts.
 void mirror_levels(NodeGrid& nodes);
 /// Adds the ghosts' forces to the inner nodes and sets them to zero.

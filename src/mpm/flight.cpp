@@ -451,7 +451,7 @@ std::vector<std::size_t> Flights::take_off(ParticleSet& particles, const TileOrd
     const auto& tiles = order.tiles();
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
     double *const volume = particles[Field::volume], *const flown = particles[Field::flown];
-    const double* const area = particles[Field::area];
+    const double *const area = particles[Field::area], *const pore = particles[Field::pore_pressure];
     edges_.resize(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y()), k_unknown);
     std::vector<std::size_t> steep;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
@@ -469,8 +469,11 @@ std::vector<std::size_t> Flights::take_off(ParticleSet& particles, const TileOrd
             std::optional<Jump> jump;
             const Near& near = near_[grid.node_of(x[p], y[p])];
             if ((u[p] * u[p] + v[p] * v[p]) * near.convexity > rules.gravity &&
-                (near.edges & directions_near({u[p], v[p]})) != 0)
-                jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, volume[p] / area[p], reach, flown[p]);
+                (near.edges & directions_near({u[p], v[p]})) != 0) {
+                JumpRules own = rules;
+                if (pore != nullptr) own.bearing = 1 - pore[p];
+                jump = find_jump(nodes, own, {x[p], y[p]}, {u[p], v[p]}, volume[p] / area[p], reach, flown[p]);
+            }
             if (!jump) {
                 flown[p] = 0;
             } else if (jump->duration > 0) {

@@ -72,7 +72,7 @@ struct JumpRules {
     NodeValue friction{};    ///< Coulomb friction coefficient at landing [-]
     double clearance = 0;    ///< height above the ground up to which what flies reaches a place [m]
     double least_depth = 0;  ///< from which it does [m]
-    double bearing = 1;      ///< 1 - r_u: effective fraction of the normal stress under pore pressure [-]
+    double bearing = 1;      ///< 1 - r: effective fraction of the normal stress under pore pressure, of a particle [-]
 };
 
 /// Returns the jump of a particle that moves straight along its bed for a time `reach` [s], if there is a place on its

@@ -17,7 +17,7 @@ struct NodeUpdate {
     double gravity = 0;                   ///< g_z [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< tilted gravity for verification [m/s2]
     double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
-    double effective_fraction = 1;        ///< 1 - r_u: effective fraction of the normal stress under pore pressure [-]
+    const double* pore_sums = nullptr;    ///< padded: sum of w V r, r of pore_pressure.h [m3]; null: no pore pressure
     double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
     double kept = 0;                      ///< share of its own velocity that a particle keeps in a step: nodes return
                                           ///< theirs without it (PIC and APIC: 0, FLIP: 1)

@@ -32,8 +32,10 @@ enum class Field : unsigned char {
     s_yy,  // in-plane viscous stress over density
     q_xx,
     q_xy,
-    q_yy,   // squared extents: the shape into which the flow has deformed the particle
-    flown,  // fraction that has left the bed at the edge that the particle passes
+    q_yy,            // squared extents: the shape into which the flow has deformed the particle
+    flown,           // fraction that has left the bed at the edge that the particle passes
+    pore_pressure,   // at the bed, over the total normal stress
+    solid_fraction,  // with dilatancy
     // Further fields of structured solids; `volume` is of the solids alone, depth is (volume + confined) / area.
     confined,        // volume of the confined fluid
     confined_start,  // when the particle was placed
@@ -85,6 +87,8 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"q_xy", "m2", 0},
     {"q_yy", "m2", 0},
     {"flown", "-", 0},
+    {"pore_pressure", "-", 0},
+    {"solids", "-", 0},
     {"confined", "m3", 0},
     {"confined_start", "m3", 0},
     {"pores", "m3", 0},

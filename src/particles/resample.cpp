@@ -68,7 +68,8 @@ ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     const double va = get(a, Field::volume), vb = get(b, Field::volume), volume = va + vb;
     const double wa = va / volume, wb = vb / volume;
     for (const Field f : {Field::x, Field::y, Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy,
-                          Field::compression, Field::s_xx, Field::s_xy, Field::s_yy, Field::flown}) {
+                          Field::compression, Field::s_xx, Field::s_xy, Field::s_yy, Field::flown, Field::pore_pressure,
+                          Field::solid_fraction}) {
         get(r, f) = wa * get(a, f) + wb * get(b, f);
     }
     get(r, Field::volume) = volume;

@@ -20,6 +20,7 @@ struct BedState {
     double linear;          ///< [1/s]
     double square;          ///< [1/m]
     double resistance;      ///< after the nodes' update: the resistance that acted, over mass [m/s2]
+    double pore_pressure;   ///< over the total normal stress, r [-]
 };
 
 /// A parameter of a law: uniform, or one value per node.

@@ -9,43 +9,36 @@ namespace frana {
 
 /// Coulomb friction with pore pressure and surface pressure:
 ///
-///     R = tan(phi) ( (1 - r_u) g_n + p_A / (rho d) )      [m/s2]
+///     R = tan(phi) ( (1 - r) g_n + p_A / (rho d) )      [m/s2]
 ///
-/// phi friction angle of the bed, r_u pore pressure over total normal stress [-], p_A gauge pressure on the
-/// free surface [Pa]. Range: tan(phi) 0 to 2, r_u 0 to 1. Limits: all of it is yield; at speed zero it holds material
-/// driven by less; without support (g_n = 0) only the surface pressure acts; for d -> 0 the surface pressure holds all
-/// material. Sources: Savage and Hutter 1989 (friction); Hungr 1995, Can. Geotech. J. 32, 610 (r_u); p_A: Fois, de
-/// Falco, Formaggia 2024, equation 2.
+/// phi friction angle of the bed, r pore pressure over total normal stress (pore_pressure.h) [-], p_A gauge
+/// pressure on the free surface [Pa]. Range: tan(phi) 0 to 2, r 0 to 1. Limits: all of it is yield; at speed zero it
+/// holds material driven by less; without support (g_n = 0) only the surface pressure acts; for d -> 0 the surface
+/// pressure holds all material. Sources: Savage and Hutter 1989 (friction); Hungr 1995, Can. Geotech. J. 32, 610 (r);
+/// p_A: Fois, de Falco, Formaggia 2024, equation 2.
 struct CoulombFriction {
     static constexpr const char* word = "coulomb";
-    struct Values {
+    struct Values : PoreValues {
         std::optional<double> friction_angle, friction_coefficient;
         double surface_pressure = 0;
-        std::optional<double> pore_pressure_ratio, pore_dissipation_time;
 
         /// Returns mu = tan(phi); 0 if neither is given, which is accepted only if no law reads it.
         [[nodiscard]] double bed_friction_coefficient() const {
             return friction_coefficient ? *friction_coefficient : tangent_of(friction_angle.value_or(0));
         }
-        [[nodiscard]] PorePressure pore_pressure() const {
-            const PorePressure none;
-            return {pore_pressure_ratio.value_or(none.initial), pore_dissipation_time.value_or(none.dissipation_time)};
-        }
     };
     static auto keys() {
-        return std::tuple{
-            law_key(&Values::friction_angle, "material.friction-angle", worded("friction angle"), "degrees", {0, 60},
-                    "Bed friction angle phi; this or friction-coefficient.", "required, or friction-coefficient"),
-            law_key(&Values::friction_coefficient, "material.friction-coefficient", worded("friction coefficient"), "",
-                    {0, 2}, "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
-                    "required, or friction-angle"),
-            law_key(
-                &Values::pore_pressure_ratio, "material.pore-pressure-ratio", worded("pore pressure ratio"), "", {0, 1},
-                "Pore pressure over total normal stress at the start, r_u; reduces friction by this fraction.", "0"),
-            law_key(&Values::pore_dissipation_time, "material.pore-dissipation-time", "", "s", {0, 1e9, true},
-                    "Time in which the pore pressure decreases to 1/e.", "no dissipation"),
-            law_key(&Values::surface_pressure, "material.surface-pressure", "", "Pa", {0, 1e6},
-                    "Gauge pressure on the free surface that adds to bed friction; 0 in open air.")};
+        return std::tuple_cat(
+            std::tuple{
+                law_key(&Values::friction_angle, "material.friction-angle", worded("friction angle"), "degrees",
+                        {0, 60}, "Bed friction angle phi; this or friction-coefficient.",
+                        "required, or friction-coefficient"),
+                law_key(&Values::friction_coefficient, "material.friction-coefficient", worded("friction coefficient"),
+                        "", {0, 2}, "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
+                        "required, or friction-angle")},
+            PoreValues::keys(),
+            std::tuple{law_key(&Values::surface_pressure, "material.surface-pressure", "", "Pa", {0, 1e6},
+                               "Gauge pressure on the free surface that adds to bed friction; 0 in open air.")});
     }
     static Law row() {
         return {.sentence = worded("Coulomb bed friction"),
@@ -58,17 +51,16 @@ struct CoulombFriction {
     }
     template <class Builder>
     static CoulombFriction build(Builder& b) {
-        return {b.friction_coefficient(), 1, b.material.surface_pressure / b.material.density};
+        return {b.friction_coefficient(), b.material.surface_pressure / b.material.density};
     }
     [[nodiscard]] static bool yields() noexcept { return true; }
 
     NodeValue friction_coefficient;    ///< tan(phi) [-]
-    double effective_fraction = 1;     ///< 1 - r_u [-]
     double pressure_over_density = 0;  ///< p_A / rho [m2/s2]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
         bed.yield += friction_coefficient.at(node) *
-                     (effective_fraction * bed.normal_gravity + pressure_over_density / bed.thickness);
+                     ((1 - bed.pore_pressure) * bed.normal_gravity + pressure_over_density / bed.thickness);
     }
 };
 

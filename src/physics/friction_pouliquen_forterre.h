@@ -7,16 +7,18 @@
 #include "core/default_values.h"
 #include "physics/friction_sum.h"
 #include "physics/law.h"
+#include "physics/pore_pressure.h"
 
 namespace frana {
 
 /// Friction of dry grains, increasing with the flow's inertia, mu(I) in its depth-averaged form:
 ///
-///     R(s) = (1 - r_u) g_n ( mu_1 + (mu_2 - mu_1) / (1 + beta d / (L Fr)) ),   Fr = s / sqrt(g_n d) [m/s2]
+///     R(s) = (1 - r) g_n ( mu_1 + (mu_2 - mu_1) / (1 + beta d / (L Fr)) ),   Fr = s / sqrt(g_n d) [m/s2]
 ///
-/// mu_1 = tan(zeta_1) friction of the slowest steady flow, mu_2 = tan(zeta_2) of the fastest [-], beta =
-/// 0.136 and L (of the order of a grain's diameter) [m] of the deposit h_stop, d thickness [m], g_n normal
-/// gravity [m/s2]. Range: mu_1 <= mu_2, L > 0; dry grains. Limits: mu_1 g_n is a bound at speed zero; for d
+/// r pore pressure over total normal stress (pore_pressure.h), mu_1 = tan(zeta_1) friction of the slowest steady flow,
+/// mu_2 = tan(zeta_2) of the fastest [-], beta = 0.136 and L (of the order of a grain's diameter) [m] of the deposit
+/// h_stop, d thickness [m], g_n normal gravity [m/s2]. Range: mu_1 <= mu_2, L > 0; dry grains. Limits: mu_1 g_n is a
+/// bound at speed zero; for d
 /// -> 0 or fast flow friction is mu_2; without support there is none. Sources: Pouliquen and Forterre 2002,
 /// J. Fluid Mech. 453, 133 (the dynamic branch, Fr > beta; continued here to Fr = 0, without their hysteresis at the
 /// start of motion); as mu(I): Jop, Forterre, Pouliquen 2006, Nature 441, 727.
@@ -36,8 +38,7 @@ struct PouliquenForterreExcess {
     }
     static Law row() {
         return {.sentence = worded("Pouliquen-Forterre bed friction"),
-                .reads = {"material.friction-angle", "material.friction-coefficient", "material.pore-pressure-ratio",
-                          "material.pore-dissipation-time"},
+                .reads = PoreValues::names({"material.friction-angle", "material.friction-coefficient"}),
                 .resists_alike = {"friction of the solid", "resistance of the fluid"},
                 .resists_with_friction = true,  // mu(I) is at least its value at rest
                 .angle_from_bed = "material.fast-friction-angle"};
@@ -53,17 +54,16 @@ struct PouliquenForterreExcess {
     double fast_coefficient = 0.6;  ///< mu_2 [-]
     double beta = 0.136;            ///< [-]
     double length = 1;              ///< L [m]
-    double effective_fraction = 1;  ///< 1 - r_u [-]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
-        bed.yield += effective_fraction * slow_coefficient.at(node) * bed.normal_gravity;
+        bed.yield += (1 - bed.pore_pressure) * slow_coefficient.at(node) * bed.normal_gravity;
     }
 
     /// Backward Euler with the polynomial parts. s / (s + s_c) is the fraction of mu_2 - mu_1 that acts, s_c =
     /// beta d sqrt(g_n d) / L.
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t node, double left, double dt) const noexcept {
         const double difference = std::max(0.0, fast_coefficient - slow_coefficient.at(node));
-        const double most = effective_fraction * bed.normal_gravity * difference;
+        const double most = (1 - bed.pore_pressure) * bed.normal_gravity * difference;
         const double s_c = beta * bed.thickness * std::sqrt(bed.normal_gravity * bed.thickness) / length;
         return place_of_value(
             [&](double s) {

@@ -124,6 +124,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
     if (transfer == Transfer::flip) stages.kept = 1;
     const bool summed = sums_friction(material, zones, entrainment);
     choose_node_stages(numerics, summed, stages);
+    choose_pore_pressure(material, numerics, stages);
     choose_exchange(entrainment, numerics, stages);
     const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
     if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
@@ -144,7 +145,7 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.minimum_depth = numerics.minimum_depth;
     laws.wall = numerics.boundary == Boundary::wall;
     laws.friction = make_friction(material, zones, entrainment, nodes, gravity);
-    laws.exchange = make_exchange(entrainment, material.density);
+    laws.exchange = make_exchange(entrainment, material);
     laws.jumps = {gravity,
                   laws.wall,
                   std::atan(tangent_of(numerics.flight_angle)),

@@ -33,12 +33,14 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
 void choose_node_stages(const Numerics& numerics, bool summed, voellmy_bingham::Stages& stages);
 /// With reference levels: sets the fast kernels, and replaces the stages by them where these compute the same.
 void use_fast_node_stages(const Numerics& numerics, bool summed, voellmy_bingham::Stages& stages);
+/// Sets the stage of the pore pressure and its fields, if any.
+void choose_pore_pressure(const Material& material, const Numerics& numerics, voellmy_bingham::Stages& stages);
 /// Sets the stages of erosion and deposition, if any.
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, voellmy_bingham::Stages& stages);
 
 voellmy_bingham::BedFriction make_friction(const Material& material, const MaterialZones& zones,
                                            const Entrainment& entrainment, NodeGrid& nodes, double gravity);
-voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, double density);
+voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, const Material& material);
 
 /// Returns a raster's value at a node of the terrain, rows from the south; NaN becomes `uniform`, ghosts have the value
 /// of the nearest cell.

@@ -39,10 +39,9 @@ template <class Slope>
 NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
                          BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
     return std::visit(
-        [&](auto excess) {
-            if constexpr (requires { excess.effective_fraction; })
-                excess.effective_fraction = update.effective_fraction;
-            return update_nodes<Slope>(range, update, SummedFriction<decltype(excess)>{excess, states, friction.yields},
+        [&](const auto& excess) {
+            return update_nodes<Slope>(range, update,
+                                       SummedFriction<std::decay_t<decltype(excess)>>{excess, states, friction.yields},
                                        time, nodes, maxima);
         },
         friction.excess);
@@ -147,8 +146,9 @@ class FrictionBuilder {
         } else {
             friction_.yields |= law.yields();
         }
-        friction_.sweeps.emplace_back([law](const NodeRange& range, const NodeUpdate& update, const NodeGrid& nodes,
-                                            BedState* states) { add_friction(range, update, law, nodes, states); });
+        friction_.sweeps.emplace_back([law](const NodeRange& range, const NodeGrid& nodes, BedState* states) {
+            add_friction(range, law, nodes, states);
+        });
     }
     template <class... Laws>
     void add(const std::variant<Laws...>& one) {
@@ -179,8 +179,8 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
     const bool by_place =
         std::any_of(std::begin(k_zone_rasters), std::end(k_zone_rasters),
                     [&](const ZoneRaster& zone) { return zone.of_bed_friction && (zones.*zone.raster).has_value(); });
-    return !only_voellmy || by_place || material.pore_pressure().active() || material.surface_pressure > 0 ||
-           entrainment.active();
+    return !only_voellmy || by_place || material.pore_pressure(material.density).active() ||
+           material.surface_pressure > 0 || entrainment.active();
 }
 
 void choose_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
@@ -201,6 +201,20 @@ void use_fast_node_stages(const Numerics& numerics, bool summed, Stages& stages)
     stages.update_nodes = summed ? fast_update_summed : fast_update_uniform;
 }
 
+void choose_pore_pressure(const Material& material, const Numerics& numerics, Stages& stages) {
+    const PorePressure law = material.pore_pressure(material.density);
+    if (!law.active()) return;
+    stages.fields = stages.fields | FieldMask{Field::pore_pressure};
+    if (law.dilates()) stages.fields = stages.fields | FieldMask{Field::solid_fraction};
+    const bool metric = slope_correction(numerics) != SlopeCorrection::none;
+    if (numerics.scheme == Scheme::paper)
+        stages.pore_pressure_to_nodes =
+            metric ? pore_pressure_to_nodes<HatShape, true> : pore_pressure_to_nodes<HatShape, false>;
+    else
+        stages.pore_pressure_to_nodes = metric ? pore_pressure_to_nodes<QuadraticSplineShape, true>
+                                               : pore_pressure_to_nodes<QuadraticSplineShape, false>;
+}
+
 void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, Stages& stages) {
     if (!entrainment.active()) return;
     stages.exchange_at_nodes =
@@ -217,13 +231,16 @@ BedFriction make_friction(const Material& material, const MaterialZones& zones, 
     if (has(CoulombFriction::word)) friction.voellmy.friction_coefficient = material.bed_friction_coefficient();
     if (has(TurbulentFriction::word)) friction.voellmy.inverse_turbulence = material.inverse_turbulence();
     if (!friction.summed) friction.coefficient = {friction.voellmy.friction_coefficient};
-    friction.pore_pressure = material.pore_pressure();
+    friction.pore_pressure = material.pore_pressure(material.density);
     return friction;
 }
 
-BedExchange make_exchange(const Entrainment& entrainment, double density) {
+BedExchange make_exchange(const Entrainment& entrainment, const Material& material) {
     BedExchange laws;
-    laws.density = density;
+    const double density = laws.density = material.density;
+    const PorePressure pores = material.pore_pressure(density);
+    const double at_rest = pores.dissipates() ? pores.hydrostatic : pores.initial.ratio;
+    laws.bed = {entrainment.bed_pore_pressure_ratio.value_or(at_rest), pores.initial.solid_fraction};
     set_exchange<ErosionLaws>(entrainment.erosion, entrainment, density, laws.erosion);
     set_exchange<DepositionLaws>(entrainment.deposition ? "on" : "off", entrainment, density, laws.deposition);
     return laws;

@@ -17,12 +17,14 @@ namespace frana {
 namespace {
 
 // Appends seeds; fields that they lack get their initial values.
-void append(const ParticleSet& seeds, ParticleSet& particles) {
+void append(const ParticleSet& seeds, const PorePressure& pores, ParticleSet& particles) {
     const std::size_t before = particles.size();
     particles.resize(before + seeds.size());
     for (std::size_t p = 0; p < seeds.size(); ++p) {
         ParticleRow row = seeds.row(p);
         if (!seeds.mask().has(Field::q_xx)) get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
+        if (!seeds.mask().has(Field::pore_pressure)) get(row, Field::pore_pressure) = pores.initial.ratio;
+        if (!seeds.mask().has(Field::solid_fraction)) get(row, Field::solid_fraction) = pores.initial.solid_fraction;
         particles.set_row(before + p, row);
     }
 }
@@ -48,9 +50,9 @@ void velocities_along_bed(const NodeGrid& nodes, std::size_t first, ParticleSet&
     }
 }
 
-ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
+ParticleSet with_fields(const ParticleSet& seeds, const PorePressure& pores, FieldMask fields) {
     ParticleSet particles(fields);
-    append(seeds, particles);
+    append(seeds, pores, particles);
     return particles;
 }
 
@@ -117,7 +119,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
       numerics_(numerics),
       pool_(threads),
       stages_(choose_stages(material, zones, entrainment, numerics, kernels)),
-      state_(initial_state(ground, with_fields(particles, stages_.fields))),
+      state_(initial_state(ground, with_fields(particles, material.pore_pressure(material.density), stages_.fields))),
       laws_(make_laws(material, zones, entrainment, numerics, state_.nodes, tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.size()) {
     // Without references the levels remain zero, and the pressure is relative to zero.
@@ -125,6 +127,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
     laws_.resample.edges = state_.nodes.bounds();
     laws_.resample.minimum_depth = 1e-3 * grid_.cell_size;
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.size());
+    if (stages_.pore_pressure_to_nodes != nullptr) state_.pore_sums = ZeroArray<double>(state_.nodes.size());
     if (stages_.flies) state_.flights = Flights(state_.nodes.size());
     if (entrainment.active()) {
         set_erodible_beds(entrainment, zones, state_.nodes, state_.erodible_beds);
@@ -148,7 +151,7 @@ void Flow::add_walls(const Raster& walls) {
 void Flow::add_particles(const ParticleSet& particles) {
     if (particles.size() == 0) return;
     const std::size_t before = state_.particles.size();
-    append(particles, state_.particles);
+    append(particles, laws_.friction.pore_pressure, state_.particles);
     if (stages_.follows_bed) velocities_along_bed(state_.nodes, before, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);
     gather();
@@ -224,6 +227,7 @@ std::size_t Flow::bytes_per_node() const noexcept {
     const std::size_t level = state_.nodes.levels.size() != 0 ? sizeof(NodeLevel) : 0;
     const std::size_t solid = state_.nodes.any_solid() ? 1 : 0;
     const std::size_t laws = (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
+                             (state_.pore_sums.size() != 0 ? sizeof(double) : 0) +
                              (state_.erodible_beds.size() != 0 ? sizeof(ErodibleBed) : 0) +
                              laws_.friction.node_values.size() * sizeof(double);
     return sizeof(double) + sizeof(NodeRecord) + level + solid + sizeof(std::uint8_t) + Maxima::k_bytes + laws;

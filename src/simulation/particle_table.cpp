@@ -80,13 +80,16 @@ double greatest_strain(const ParticleSet& particles, std::size_t p) {
 }
 
 PointTable Flow::particle_table() const {
-    return common_table(
+    PointTable table = common_table(
         particles(), grid_, nodes(), [&](std::size_t p) { return map_velocity(p); },
         [&](std::size_t p, Point v, Point slope) {
             // The stored speed along the bed: at an edge the velocity in map view and the slope there do not match.
             return follows_bed() ? std::hypot(particles()[Field::u][p], particles()[Field::v][p])
                                  : speed_on(slope, v, metric());
         });
+    if (const double* const pore = particles()[Field::pore_pressure])
+        std::copy_n(pore, particles().size(), table.add("pore_pressure_ratio").begin());
+    return table;
 }
 
 PointTable StructuredFlow::particle_table() const {

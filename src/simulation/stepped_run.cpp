@@ -177,6 +177,29 @@ double volume_of(const Raster& depth) {
     return sum * depth.grid.cell_area();
 }
 
+/// What lies at the end minus the release and erosion, plus deposition into the bed; NaN where nothing flowed. Where a
+/// fluid is computed beside them the solids lie as densely as they were released, since their fluid drains.
+Raster elevation_change(const RunResult& result, const Raster& release) {
+    const Raster* const solids = result.phases ? result.find_raster("solid_depth") : nullptr;
+    const Raster& left = solids != nullptr ? *solids : result.raster("final_depth");
+    double volume = 0;
+    for (const ReleasedArea& area : result.released) volume += area.failed ? area.volume : 0;
+    const double bulk =
+        solids != nullptr && result.phases->entered.solids > 0 ? volume / result.phases->entered.solids : 1;
+    const auto of = [](const Raster* raster, std::size_t cell) {
+        const double value = raster != nullptr ? raster->values[cell] : 0;
+        return std::isnan(value) ? 0 : value;
+    };
+    const Raster *const eroded = result.find_raster("eroded_depth"), *const deposited =
+                                                                         result.find_raster("deposited_depth");
+    Raster change(release.grid, k_no_data);
+    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+        if (std::isnan(depth)) return;
+        change.values[cell] = bulk * of(&left, cell) - of(&release, cell) - of(eroded, cell) + of(deposited, cell);
+    });
+    return change;
+}
+
 void make_normal(std::vector<NamedRaster>& rasters, const Raster& bed) {
     for (NamedRaster& raster : rasters)
         if (const ResultRaster& row = *find_result_raster(raster.name); row.is_flow_depth || row.unit == "m2/s")
@@ -379,6 +402,7 @@ RunResult SteppedRun::finish() {
         for (NamedRaster& raster : result.rasters) hide_non_finite(raster.values);
     read_ground_under(model_->nodes(), scene_.terrain, release_.bed);
     result.volume_shown = volume_of(result.raster("final_depth"));
+    result.add("elevation_change", elevation_change(result, release_.depth));
     result.depth_is_normal = scene_.recording.normal_depth;
     if (result.depth_is_normal) {
         make_normal(result.rasters, release_.bed);

@@ -28,9 +28,11 @@ void add_bed(const Scene& scene, Terms& terms) {
     }
     for (const ZoneRaster& zone : k_zone_rasters)
         if (zones.*zone.raster && zone.of_bed_friction) terms.push_back(zone.what + std::string(k_by_zones));
-    if (m.pore_pressure().active())
-        terms.emplace_back(std::isfinite(m.pore_pressure().dissipation_time) ? worded("pore pressure that dissipates")
-                                                                             : worded("constant pore pressure"));
+    const PorePressure pores = m.pore_pressure(m.density);
+    if (pores.active())
+        terms.emplace_back(pores.dissipates() ? worded("pore pressure that dissipates")
+                                              : worded("constant pore pressure"));
+    if (pores.dilates()) terms.emplace_back(worded("dilatancy"));
 }
 
 void add_exchange(const Entrainment& entrainment, Terms& terms) {

@@ -114,7 +114,12 @@ TEST(DepositScores, ByHand) {
     EXPECT_EQ(s.area_m2, 300);
     EXPECT_EQ(s.observed_volume_m3, 600);
     EXPECT_EQ(s.simulated_volume_m3, 300);
-    EXPECT_EQ(s.bias_m, -1);                               // (1 - 2 - 2) / 3
+    EXPECT_EQ(s.bias_m, -1);                        // (1 - 2 - 2) / 3
+    EXPECT_NEAR(s.observed_raised_m3, 620, 1e-12);  // 1 + 3 + 2 + 0.2
+    EXPECT_EQ(s.observed_lowered_m3, 400);
+    EXPECT_NEAR(s.simulated_raised_m3, 310, 1e-12);  // 2 + 1 + 0.1
+    EXPECT_EQ(s.simulated_raised_beyond_m3, 500);
+    EXPECT_NEAR(s.change_rmse_m, std::sqrt((1 + 4 + 4 + 16 + 0.01) / 5), 1e-12);
     EXPECT_NEAR(s.mean_absolute_error_m, 5.0 / 3, 1e-15);  // (1 + 2 + 2) / 3
     EXPECT_NEAR(s.rmse_m, std::sqrt(3.0), 1e-15);          // (1 + 4 + 4) / 3
     // Means 1 and 2: covariance (1)(-1) + (0)(1) + (-1)(0) = -1, variances 2 and 2.

@@ -40,8 +40,8 @@ struct Room {
 
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
-    {"src/core", 3350},         {"src/params", 4770},       {"src/physics", 1450},
-    {"src/particles", 1640},    {"src/mpm", 5000},          {"src/models", 4780},
+    {"src/core", 3350},         {"src/params", 4790},       {"src/physics", 1490},
+    {"src/particles", 1650},    {"src/mpm", 5000},          {"src/models", 4800},
     {"src/simulation", 6100},   {"src/analysis", 2900},     {"src/facade", 1300},
     {"src/python", 500},        {"src/bench", 5850},        {"src/app/process", 320},
     {"src/app/text", 680},      {"src/app/input", 4100},    {"src/app/store", 3900},
@@ -103,10 +103,12 @@ TEST(SourceFiles, ALawIsNamedInItsHeader) {
 TEST(SourceFiles, ARasterIsNamedInItsRowAndWhereItIsComputed) {
     // With which the program computes, compares or draws something else, and words that have other meanings.
     const std::set<std::string> used{
-        "arrival_time", "bed",         "cohesion_ratio",  "comparison",   "depth",       "dtm",
-        "final_depth",  "hazard",      "hazard_degree",   "hit_count",    "jump_height", "max_depth",
-        "max_flux",     "max_head",    "max_pressure",    "max_velocity", "release",     "sensitivity",
-        "strain",       "uncertainty", "union_max_depth", "velocity",     "worst_source"};
+        "arrival_time", "bed",           "cohesion_ratio",   "comparison",   "deposited_depth",
+        "depth",        "dtm",           "elevation_change", "eroded_depth", "final_depth",
+        "hazard",       "hazard_degree", "hit_count",        "jump_height",  "max_depth",
+        "max_flux",     "max_head",      "max_pressure",     "max_velocity", "release",
+        "sensitivity",  "solid_depth",   "strain",           "uncertainty",  "union_max_depth",
+        "velocity",     "worst_source"};
     std::string table;
     for (const std::string& line : lines_of("src/params/keys/result_rasters.cpp")) table += line;
     const std::regex row(R"re((?:\.flow|\.add|phase|probability|for_values|of_all|of_scenario)\( *"([a-z_]+)")re");

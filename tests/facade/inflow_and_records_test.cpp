@@ -199,12 +199,6 @@ TEST(InflowAndRecordsRefused, InWords) {
         EXPECT_EQ(problems[0].limit, limit) << where << value;
         EXPECT_FALSE(problems[0].remedy.empty()) << where << value;
     }
-    facade::Scene late = small_scene(z);
-    late.set("material.pore-pressure-ratio", 0.3);
-    late.set("material.pore-dissipation-time", 100);
-    EXPECT_TRUE(problems_of(late).empty());
-    late.add_inflow({.line = line, .hydrograph = {{0, 1}, {2, 1}}});
-    ASSERT_EQ(problems_of(late).size(), 1U) << "its pore pressure would be that of the start";
     facade::Scene marks = small_scene(z);
     marks.set("output.sample-interval", 1);
     EXPECT_TRUE(has_problem(problems_of(marks), "output.sample-interval", "1"));

@@ -47,7 +47,11 @@ Scene eventful_scene() {
     scene.entrainment.deposition_rate = 0.01;
     scene.entrainment.deposition_shear = 1000;
     scene.material.pore_pressure_ratio = 0.3;
-    scene.material.pore_dissipation_time = 5;
+    scene.material.pore_fluid_density = 500;
+    scene.material.hydraulic_diffusivity = 0.1;
+    scene.material.solid_fraction = 0.59;
+    scene.material.critical_solid_fraction = 0.6;
+    scene.material.compressibility = 1e-5;
     scene.recording.gauges = {{"a", {30, 24}}};
     scene.recording.sections = {{"s", {{40, 10}, {40, 50}}}};
     scene.recording.interval = 0.5;

@@ -348,7 +348,7 @@ TEST_P(VectorKernelsTest, UpdateNodesUnderASumOfLaws) {
     std::vector<BedState> states(size.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
         const auto x = static_cast<double>(i % 11);
-        states[i] = {0.1 + x, 9, 0.3 * x, 0.01 * x, 0.02 * x, 0};
+        states[i] = {0.1 + x, 9, 0.3 * x, 0.01 * x, 0.02 * x, 0, 0};
     }
     std::vector<BedState> plain_states = states;
     const NoExcess none;

@@ -12,7 +12,7 @@ namespace frana {
 namespace {
 
 struct Totals {
-    double volume = 0, area = 0, mx = 0, my = 0, moment_x = 0;
+    double volume = 0, area = 0, mx = 0, my = 0, moment_x = 0, pore = 0;
 
     explicit Totals(const ParticleSet& p) {
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -22,6 +22,7 @@ struct Totals {
             mx += v * p[Field::u][i];
             my += v * p[Field::v][i];
             moment_x += v * p[Field::x][i];
+            pore += v * (p[Field::pore_pressure][i] + 10 * p[Field::solid_fraction][i]);
         }
     }
 };
@@ -33,6 +34,8 @@ ParticleRow particle(double x, double y, double length, double width, double ang
     get(r, Field::u) = 3 + x;
     get(r, Field::v) = -1;
     get(r, Field::c_xx) = 0.5;
+    get(r, Field::pore_pressure) = 0.01 * x;
+    get(r, Field::solid_fraction) = 0.5 + 0.001 * y;
     get(r, Field::c_yx) = -0.2;
     get(r, Field::area) = length * width;
     get(r, Field::volume) = 0.7 * length * width;
@@ -43,7 +46,8 @@ ParticleRow particle(double x, double y, double length, double width, double ang
     return r;
 }
 
-constexpr FieldMask k_mask = k_basic_fields | k_affine_fields | k_shape_fields | FieldMask{Field::compression};
+constexpr FieldMask k_mask = k_basic_fields | k_affine_fields | k_shape_fields |
+                             FieldMask{Field::compression, Field::pore_pressure, Field::solid_fraction};
 
 ResampleCounts resample_with(ParticleSet& particles, ResampleLimits limits, const std::uint8_t* tail = nullptr) {
     ThreadPool pool(2);
@@ -124,6 +128,7 @@ TEST(Resample, SplitsALongParticleAlongItsAxisAndConservesTheBudgets) {
     EXPECT_NEAR(after.mx, before.mx, 1e-14);
     EXPECT_NEAR(after.my, before.my, 1e-14);
     EXPECT_NEAR(after.moment_x, before.moment_x, 1e-13);
+    EXPECT_NEAR(after.pore, before.pore, 1e-13);
     const double dx = particles[Field::x][1] - particles[Field::x][0];
     const double dy = particles[Field::y][1] - particles[Field::y][0];
     EXPECT_NEAR(std::atan2(dy, dx), angle, 1e-12);
@@ -159,6 +164,7 @@ TEST(Resample, MergesCrowdedCellsAndConservesTheBudgets) {
     EXPECT_NEAR(after.mx, before.mx, 1e-13);
     EXPECT_NEAR(after.my, before.my, 1e-13);
     EXPECT_NEAR(after.moment_x, before.moment_x, 1e-12);
+    EXPECT_NEAR(after.pore, before.pore, 1e-12);
 }
 
 // Positions, volumes and shapes of the remaining particles of a crowd the given number of cells to the east and north,
@@ -208,6 +214,7 @@ TEST(Resample, MergesACrowdInLinearTime) {
     EXPECT_NEAR(after.mx / before.mx, 1, 1e-12);
     EXPECT_NEAR(after.my / before.my, 1, 1e-12);
     EXPECT_NEAR(after.moment_x / before.moment_x, 1, 1e-12);
+    EXPECT_NEAR(after.pore / before.pore, 1, 1e-12);
 }
 
 TEST(Resample, DoesNotDependOnThePositionOfTheTiles) {

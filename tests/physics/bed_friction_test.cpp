@@ -24,8 +24,8 @@ namespace {
 constexpr double k_density = 1800, k_thickness = 1.7, k_normal = 8.5, k_gravity = 9.81;
 
 template <class Law>
-BedState bed_under(const Law& law, double thickness = k_thickness, double normal = k_normal) {
-    BedState bed{thickness, normal, 0, 0, 0, 0};
+BedState bed_under(const Law& law, double thickness = k_thickness, double normal = k_normal, double pore_pressure = 0) {
+    BedState bed{thickness, normal, 0, 0, 0, 0, pore_pressure};
     law(bed, 0);
     return bed;
 }
@@ -38,15 +38,16 @@ double resistance_met(const BedState& bed, const Excess& excess, double s0, doub
 }
 
 TEST(CoulombFriction, IsTheTangentTimesTheEffectiveNormalStress) {
-    const CoulombFriction law{{0.4}, 0.7, 300 / k_density};
-    EXPECT_DOUBLE_EQ(bed_under(law).yield, 0.4 * (0.7 * k_normal + 300 / (k_density * k_thickness)));
+    const CoulombFriction law{{0.4}, 300 / k_density};
+    EXPECT_DOUBLE_EQ(bed_under(law, k_thickness, k_normal, 0.3).yield,
+                     0.4 * (0.7 * k_normal + 300 / (k_density * k_thickness)));
     EXPECT_EQ(bed_under(CoulombFriction{{0.4}}, 1, 0).yield, 0) << "no support, no friction";
 }
 
 TEST(CoulombFriction, ReadsItsValueFromTheNode) {
     const std::vector<double> values{0.1, 0.5};
     const CoulombFriction law{{0.3, values.data()}};
-    BedState bed{1, 10, 0, 0, 0, 0};
+    BedState bed{1, 10, 0, 0, 0, 0, 0};
     law(bed, 1);
     EXPECT_DOUBLE_EQ(bed.yield, 5);
 }
@@ -120,7 +121,7 @@ void expect_second_order(const BedState& bed, const Excess& excess, double push,
 
 // ds/dt = f - y - l s - q s^2 from 0 to 30 m/s.
 TEST(PolynomialFriction, IsOfSecondOrder) {
-    const BedState bed{1, 9, 0.7, 0.3, 0.02, 0};
+    const BedState bed{1, 9, 0.7, 0.3, 0.02, 0, 0};
     for (const double start : {0.0, 2.0, 30.0}) expect_second_order(bed, NoExcess{}, 6, start, 2);
     EXPECT_EQ(speed_after_friction(bed, 0, NoExcess{}, 0.069, 0.069, 0.1), 0);
     const double terminal = (-0.3 + std::sqrt(0.3 * 0.3 + 4 * 0.02 * 5.3)) / (2 * 0.02);
@@ -254,7 +255,7 @@ TYPED_TEST(AnyExcess, StopsAndNeverReversesAndIsFinite) {
             }
         }
     }
-    BedState dry{0, 9, 0, 0, 0, 0};
+    BedState dry{0, 9, 0, 0, 0, 0, 0};
     EXPECT_EQ(speed_after_friction(dry, 0, law, 5, 5, 0.1), 0);
 }
 
@@ -269,11 +270,119 @@ TYPED_TEST(AnyExcess, IsOfSecondOrderAndKeepsTheTerminalSpeed) {
         EXPECT_NEAR(speed_after_friction(bed, 0, law, terminal, terminal + dt * push, dt), terminal, 1e-8 * terminal);
 }
 
+PorePressure dissipating(double ratio, double time) {
+    PorePressure pore{{ratio}};
+    pore.dissipation_time = time;
+    return pore;
+}
+
 TEST(PorePressure, DissipatesExponentially) {
-    const PorePressure pore{0.6, 20};
-    EXPECT_DOUBLE_EQ(pore.ratio(0), 0.6);
-    EXPECT_NEAR(pore.ratio(20 * std::log(2)), 0.3, 1e-15);
-    EXPECT_EQ((PorePressure{0.6, std::numeric_limits<double>::infinity()}.ratio(1e6)), 0.6);
+    EXPECT_NEAR(dissipating(0.6, 20).after({0.6}, 1, 0, k_gravity, 20 * std::log(2)).ratio, 0.3, 1e-15);
+    const double never = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(dissipating(0.6, never).after({0.6}, 1, 5, k_gravity, 1e6).ratio, 0.6);
+    PorePressure pore = dissipating(0.9, 20);
+    pore.hydrostatic = 0.5;
+    EXPECT_NEAR(pore.after({0.9}, 1, 0, k_gravity, 20 * std::log(2)).ratio, 0.7, 1e-15);
+    EXPECT_NEAR(pore.after({0}, 1, 0, k_gravity, 20 * std::log(2)).ratio, 0.25, 1e-15) << "from below";
+    pore.diffusivity = 1e-3;
+    for (const double dry : {0.0, 1e-300}) EXPECT_EQ(pore.after({0.9}, dry, 3, k_gravity, 0.01).ratio, 0.5);
+}
+
+// A layer of uniform excess pressure that drains at its surface, at the base: Terzaghi's series. From time factor 0.5
+// on its second term is exp(-2 pi^2 0.5) / 3 = 1.7e-5 of the first.
+TEST(PorePressure, DissipatesAsTerzaghisSeriesEnds) {
+    const double depth = 3, diffusivity = 0.02;
+    const auto series = [&](double time) {
+        double sum = 0;
+        for (int k = 0; k < 20; ++k) {
+            const double odd = 2 * k + 1;
+            sum += (k % 2 == 0 ? 1 : -1) / odd * std::exp(-std::pow(odd * M_PI / (2 * depth), 2) * diffusivity * time);
+        }
+        return 4 / M_PI * sum;
+    };
+    PorePressure pore{{0.9}};
+    pore.diffusivity = diffusivity;
+    const double from = 0.5 * depth * depth / diffusivity, to = 1.5 * from;
+    EXPECT_NEAR(pore.after({1}, depth, 0, k_gravity, to - from).ratio, series(to) / series(from), 2e-5);
+}
+
+PorePressure dilating(double diffusivity) {
+    PorePressure pore{{0.5, 0.6}, 0.5};
+    pore.diffusivity = diffusivity;
+    pore.critical_fraction = 0.56;
+    pore.compressibility = 1e-6;
+    pore.density = 2000;
+    return pore;
+}
+
+// Without drainage the solids stay: dr/dt = -3 s (m - m_c) / (alpha d sigma).
+TEST(PorePressure, DenseMaterialLosesAndLooseGainsItInUndrainedShear) {
+    const PorePressure pore = dilating(0);
+    const double per_second = 3 * 0.1 * 0.02 / (1e-6 * 2 * 2000 * k_gravity * 2);
+    for (const double m : {0.58, 0.54}) {
+        const auto after = pore.after({0.5, m}, 2, 0.1, k_gravity, 3);
+        EXPECT_NEAR(after.ratio, 0.5 - (m - 0.56) / 0.02 * 3 * per_second, 1e-12);
+        EXPECT_EQ(after.solid_fraction, m);
+    }
+    EXPECT_EQ(pore.after({0.5, 0.7}, 2, 10, k_gravity, 100).ratio, 0);
+    EXPECT_EQ(pore.after({0.5, 0.4}, 2, 10, k_gravity, 100).ratio, 1);
+}
+
+// While the solids hardly change, dr/dt = -(r - r_h) / T - S. They change by 2 s t m / d, 3.4e-5, of m - m_c.
+TEST(PorePressure, TendsToTheValueOfSlowSteadyShear) {
+    PorePressure pore = dilating(0);
+    pore.dissipation_time = 10;
+    pore.compressibility = 3e-11;
+    const double shear = 3 * 1e-6 * 0.01 / (3e-11 * 2000 * k_gravity);
+    const double exact = 0.5 - shear * 10 * (1 - std::exp(-3.0));
+    ASSERT_LT(exact, 0.1);
+    EXPECT_NEAR(pore.after({0.5, 0.57}, 1, 1e-6, k_gravity, 30).ratio, exact, 1e-4 * (0.5 - exact));
+}
+
+// Against the classical Runge-Kutta method with 1e5 steps, for slow dilation (overdamped) and fast shear (oscillating):
+// of first order, since the factor m is that before the step, which matters little.
+TEST(PorePressure, FollowsItsEquationsWithDilatancy) {
+    for (const double speed : {1e-3, 0.3}) {
+        const PorePressure pore = dilating(0.02);
+        const double d = 1, sigma = pore.density * k_gravity * d, time = 20;
+        const double rate = M_PI * M_PI / 4 * pore.diffusivity;
+        const auto slope = [&](PorePressure::State at) {
+            return PorePressure::State{
+                -rate * (at.ratio - 0.5) - 3 * speed * (at.solid_fraction - 0.56) / (pore.compressibility * d * sigma),
+                2.0 / 3 * pore.compressibility * at.solid_fraction * sigma * (at.ratio - 0.5) * rate};
+        };
+        const auto moved = [](PorePressure::State at, PorePressure::State by, double dt) {
+            return PorePressure::State{at.ratio + dt * by.ratio, at.solid_fraction + dt * by.solid_fraction};
+        };
+        const PorePressure::State start{0.5, speed > 0.1 ? 0.5601 : 0.562};
+        PorePressure::State exact = start;
+        const int n = 100000;
+        for (int i = 0; i < n; ++i) {
+            const double dt = time / n;
+            const auto a = slope(exact), b = slope(moved(exact, a, dt / 2)), c = slope(moved(exact, b, dt / 2)),
+                       e = slope(moved(exact, c, dt));
+            exact = moved(moved(moved(moved(exact, a, dt / 6), b, dt / 3), c, dt / 3), e, dt / 6);
+        }
+        ASSERT_GT(std::abs(exact.ratio - 0.5), 1e-4);
+        const auto error = [&](int steps) {
+            PorePressure::State at = start;
+            for (int i = 0; i < steps; ++i) at = pore.after(at, d, speed, k_gravity, time / steps);
+            return std::abs(at.ratio - exact.ratio);
+        };
+        EXPECT_LT(error(20), 1e-4 * std::abs(exact.ratio - 0.5));
+        EXPECT_NEAR(error(20) / error(40), 2, 0.1);
+    }
+}
+
+// Sheared for long it drains to hydrostatic pressure at the critical fraction, from either side.
+TEST(PorePressure, EndsInTheCriticalState) {
+    const PorePressure pore = dilating(0.01);
+    for (const double m : {0.54, 0.6}) {
+        PorePressure::State at{0.5, m};
+        for (int i = 0; i < 20000; ++i) at = pore.after(at, 0.5, 1, k_gravity, 0.1);
+        EXPECT_NEAR(at.ratio, 0.5, 1e-9);
+        EXPECT_NEAR(at.solid_fraction, 0.56, 1e-9);
+    }
 }
 
 }  // namespace

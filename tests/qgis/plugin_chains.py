@@ -2,12 +2,16 @@
 """Outputs, models, loading, keys that the plugin does not know: plugin_chains.py TESTS FRANA SAMPLE PLUGINS."""
 from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, drawn, folder, main, polygons, processing, provider, refusal,
                           run, scene, use_program)
+import ast
 import csv
 import json
 import os
+import pathlib
+import re
 import stat
 
 import numpy
+from frana import translation
 from osgeo import gdal
 from qgis.core import (QgsLayerTreeGroup, QgsProcessingFeatureSourceDefinition, QgsProcessingModelAlgorithm,
                        QgsProcessingModelChildAlgorithm, QgsProcessingModelChildParameterSource,
@@ -304,11 +308,42 @@ def test_language():
         assert algorithm.parameterDefinition("release_perimeter").description() == "Anrissgebiet"
         number = algorithm.parameterDefinition("numerics_cfl").description()
         assert number.startswith("Numerisches Verfahren: Courant-Zahl"), number
-        assert "Anrissgebiet: " in refusal("run", {"terrain_dtm": scene("x")["terrain_dtm"], "material_preset": "debris-flow",
-                                                   "release_thickness": "2", "OUTPUT": os.path.join(folder, "x")})
+        assert (algorithm.displayName(), algorithm.group(), algorithm.groupId()) == ("Eine Szene rechnen", "Ein Lauf", "one_run")
+        assert algorithm.parameterDefinition("RESUME").description() == "Abgebrochenen Lauf fortsetzen"
+        assert "Zahl der Auflösungen: liegt außerhalb" in refusal("converge", scene("few", LEVELS=2))
+        said = refusal("run", {"terrain_dtm": scene("x")["terrain_dtm"], "material_preset": "debris-flow",
+                               "release_thickness": "2", "OUTPUT": os.path.join(folder, "x")})
+        assert said.startswith("Anrissgebiet: "), said
     finally:
         settings.setValue("locale/userLocale", "en")
         provider.refreshAlgorithms()
+
+
+def test_every_text_is_translated():
+    """The catalogues have what the algorithms declare and what the sources translate, no more and no less."""
+    shown, catalogue = set(), translation.catalogue
+    translation.catalogue = lambda language: type("Asked", (), {"get": staticmethod(shown.add)})
+    try:
+        provider.refreshAlgorithms()
+        for algorithm in provider.algorithms():
+            algorithm.displayName(), algorithm.group(), algorithm.shortHelpString()
+            shown.update(algorithm.NAMES.values())
+    finally:
+        translation.catalogue = catalogue
+        provider.refreshAlgorithms()
+    package = pathlib.Path(translation.__file__).parent
+    for source in package.rglob("*.py"):
+        for call in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+            if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "tr":
+                shown.update(one.value for one in ast.walk(call.args[0]) if isinstance(one, ast.Constant))
+    assert len(shown) > 250, "the search has found the texts"
+    languages = sorted(file.stem for file in package.glob("po/*.po"))
+    assert languages == ["de", "es", "fr", "it"], languages
+    for language in languages:
+        texts = {english: text for english, text in catalogue(language).items() if english}
+        assert set(texts) == shown, (language, sorted(set(texts) ^ shown))
+        for english, text in texts.items():
+            assert text and sorted(re.findall("{.*?}", text)) == sorted(re.findall("{.*?}", english)), (language, text)
 
 
 def test_new_key():

@@ -52,7 +52,11 @@ inline Scene eventful() {
     scene.material.bed_friction = {"coulomb", "turbulence", "cohesion"};
     scene.material.cohesion = 200;
     scene.material.pore_pressure_ratio = 0.3;
-    scene.material.pore_dissipation_time = 5;
+    scene.material.pore_fluid_density = 500;
+    scene.material.hydraulic_diffusivity = 0.1;
+    scene.material.solid_fraction = 0.59;
+    scene.material.critical_solid_fraction = 0.6;
+    scene.material.compressibility = 1e-5;
     scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;

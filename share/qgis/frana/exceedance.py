@@ -8,6 +8,8 @@ from typing import Callable
 import numpy
 from osgeo import gdal, osr
 
+from .translation import tr
+
 NODATA = -9999.0
 _ROWS = 256  # of a block
 _ALIGNED = 1e-3  # of a cell: rasters of one map have the same cells to the last digits
@@ -24,17 +26,18 @@ class Grid:
         self.path = path
         self.data = gdal.Open(path)
         if self.data is None:
-            raise GridError(f"{path} is not a raster that GDAL reads")
+            raise GridError(tr("{0} is not a raster that GDAL reads", path))
         self.west, self.cell, turn_x, self.north, turn_y, step = self.data.GetGeoTransform()
         if turn_x or turn_y or not math.isclose(step, -self.cell, rel_tol=1e-9):
-            raise GridError(f"{path} is turned or has cells that are not square. Use rasters of frana's results")
+            raise GridError(tr("{0} is turned or has cells that are not square. Use rasters of frana's results", path))
         self.columns, self.rows = self.data.RasterXSize, self.data.RasterYSize
 
     def offset(self, west: float, north: float) -> tuple[int, int]:
         """Columns and rows from a corner of the lattice."""
         column, row = (self.west - west) / self.cell, (north - self.north) / self.cell
         if abs(column - round(column)) > _ALIGNED or abs(row - round(row)) > _ALIGNED:
-            raise GridError(f"{self.path} has cells that lie between those of the first raster. Use results on the same cells")
+            raise GridError(tr("{0} has cells that lie between those of the first raster. Use results on the same cells",
+                               self.path))
         return round(column), round(row)
 
 
@@ -43,11 +46,11 @@ def _check_alike(grids: list[Grid]) -> None:
     crs = osr.SpatialReference(first.data.GetProjection())
     for grid in grids[1:]:
         if not math.isclose(grid.cell, first.cell, rel_tol=1e-9):
-            raise GridError(f"{grid.path} has cells of {grid.cell:g}, the first raster of {first.cell:g}. Use results on the "
-                            "same cells")
+            raise GridError(tr("{0} has cells of {1:g}, the first raster of {2:g}. Use results on the same cells", grid.path,
+                               grid.cell, first.cell))
         other = osr.SpatialReference(grid.data.GetProjection())
         if bool(first.data.GetProjection()) != bool(grid.data.GetProjection()) or not crs.IsSame(other):
-            raise GridError(f"{grid.path} has another CRS than the first raster. Use results in the same CRS")
+            raise GridError(tr("{0} has another CRS than the first raster. Use results in the same CRS", grid.path))
 
 
 def write_exceedance(paths: list[str], threshold: float, quantity: str, target: str,
@@ -66,7 +69,7 @@ def write_exceedance(paths: list[str], threshold: float, quantity: str, target: 
     options = ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "BIGTIFF=IF_SAFER"]
     result = driver.Create(target, columns, rows, 2, gdal.GDT_Float32, options)
     if result is None:
-        raise GridError(f"{target} could not be written: {gdal.GetLastErrorMsg()}")
+        raise GridError(tr("{0} could not be written: {1}", target, gdal.GetLastErrorMsg()))
     result.SetGeoTransform((west, first.cell, 0, north, 0, -first.cell))
     result.SetProjection(first.data.GetProjection())
     text = f"the {quantity} exceeds {threshold:g}"
@@ -99,7 +102,7 @@ def _count(grid: Grid, place: tuple[int, int], top: int, height: int, threshold:
     band = grid.data.GetRasterBand(1)
     values = band.ReadAsArray(0, begin - place[1], grid.columns, end - begin)
     if values is None:
-        raise GridError(f"{grid.path} could not be read: {gdal.GetLastErrorMsg()}")
+        raise GridError(tr("{0} could not be read: {1}", grid.path, gdal.GetLastErrorMsg()))
     nodata = band.GetNoDataValue()
     over = values > threshold
     if nodata is not None:

@@ -15,6 +15,7 @@ from qgis.PyQt.QtCore import QVariant
 
 from .keys import Key
 from .layers import Layer, RasterSource, VectorSource
+from .translation import tr
 
 _GEOMETRY = {"polygons": [QgsProcessing.TypeVectorPolygon], "lines": [QgsProcessing.TypeVectorLine],
              "points": [QgsProcessing.TypeVectorPoint],
@@ -121,7 +122,7 @@ class Field:
         title = self.key.short_title() if is_within_section else self.key.title()
         if name == self.name:
             return title if self.is_switch else self.key.label(title)
-        return title + (", from a column" if name == self.column_name else ", from a raster layer")
+        return tr("{0}, from a column" if name == self.column_name else "{0}, from a raster layer", title)
 
     def parameters(self, is_first: bool) -> list[QgsProcessingParameterDefinition]:
         made = [self._own()]
@@ -189,8 +190,8 @@ class Field:
 
     def _needed(self, layer: Layer | None) -> Layer:
         if layer is None:
-            raise QgsProcessingException(f"{self.key.title()}: the layer could not be opened. Choose one that is in the "
-                                         "project, or a file")
+            raise QgsProcessingException(tr("{0}: the layer could not be opened. Choose one that is in the project, or a "
+                                            "file", self.key.title()))
         return layer
 
 

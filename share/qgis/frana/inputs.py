@@ -9,6 +9,7 @@ from qgis.core import QgsProcessingException
 
 from .fields import Field, Values
 from .layers import Layer
+from .translation import tr
 
 _ENDING = "-inputs"
 
@@ -45,8 +46,8 @@ def make_folder(folder: str) -> None:
     try:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:
-        raise QgsProcessingException(f"Folder of the result: {folder} cannot be made ({error.strerror}). Choose another "
-                                     "place") from error
+        raise QgsProcessingException(tr("Folder of the result: {0} cannot be made ({1}). Choose another place", folder,
+                                        error.strerror)) from error
 
 
 def write_scene(folder: str, given: Given, title: str, name: str, layers: str = "",

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from .translation import tr
+
 _LONGEST_LABEL = 64  # letters; longer ones would widen the dialogue
 
 
@@ -50,8 +52,8 @@ class Key:
 
     def help(self) -> str:
         """Everything about it."""
-        facts = [f"Allowed: {self.limits}" if self.limits else "", f"Empty: {self.otherwise()}" if self.otherwise() else "",
-                 f"Key: {self.name}"]
+        facts = [tr("Allowed: {0}", self.limits) if self.limits else "",
+                 tr("Empty: {0}", self.otherwise()) if self.otherwise() else "", tr("Key: {0}", self.name)]
         return "\n".join([self.meaning, "", *(fact for fact in facts if fact)])
 
     def range(self) -> tuple[float, float] | None:

@@ -12,6 +12,8 @@ from qgis.core import (QgsCoordinateReferenceSystem, QgsCoordinateTransformConte
                        QgsRasterLayer, QgsRasterPipe, QgsVectorFileWriter, QgsWkbTypes)
 from qgis.PyQt.QtCore import QVariant
 
+from .translation import tr
+
 VECTOR_DRIVER = "GPKG"
 
 
@@ -45,9 +47,9 @@ class VectorSource:
     def __init__(self, source: QgsProcessingFeatureSource, title: str) -> None:
         self.source, self.title, self.name = source, title, source.sourceName()
         if source.featureCount() == 0:
-            raise QgsProcessingException(f"{title}: the layer {source.sourceName()} has no features, or only its selected "
-                                         "features are asked for and none is selected. Select features, or untick "
-                                         "“Selected features only”")
+            raise QgsProcessingException(tr("{0}: the layer {1} has no features, or only its selected features are asked "
+                                            "for and none is selected. Select features, or untick “Selected "
+                                            "features only”", title, source.sourceName()))
 
     def has(self, column: str) -> bool:
         return self.source.fields().lookupField(column) >= 0
@@ -72,7 +74,7 @@ class VectorSource:
             writer = QgsVectorFileWriter.create(aside, self.source.fields(), kind, self.source.sourceCrs(),
                                                 QgsCoordinateTransformContext(), options)
             if writer.hasError() != QgsVectorFileWriter.NoError:
-                raise QgsProcessingException(f"{self.title}: {aside} could not be written: {writer.errorMessage()}")
+                raise QgsProcessingException(tr("{0}: {1} could not be written: {2}", self.title, aside, writer.errorMessage()))
             # The program judges geometries, and its messages say which.
             for feature in self.source.getFeatures(QgsFeatureRequest(),
                                                    QgsProcessingFeatureSource.FlagSkipGeometryValidityChecks):
@@ -81,8 +83,8 @@ class VectorSource:
                     area.convertToMultiType()
                     feature.setGeometry(area)
                 if not writer.addFeature(feature, QgsFeatureSink.FastInsert):
-                    raise QgsProcessingException(f"{self.title}: feature {feature.id()} could not be written: "
-                                                 f"{writer.errorMessage()}")
+                    raise QgsProcessingException(tr("{0}: feature {1} could not be written: {2}", self.title, feature.id(),
+                                                    writer.errorMessage()))
             del writer  # writes the end of the file
         os.replace(aside, os.path.join(folder, name))
         return name
@@ -116,22 +118,22 @@ class RasterSource:
         crs = self.crs.toWkt(QgsCoordinateReferenceSystem.WKT2_2019) if self.other_crs else None
         copy = gdal.Translate(path, self.path, format="GTiff", outputSRS=crs, creationOptions=["COMPRESS=DEFLATE"])
         if copy is None:
-            raise QgsProcessingException(f"{self.title}: {self.name} could not be copied to {path}: "
-                                         f"{gdal.GetLastErrorMsg()}")
+            raise QgsProcessingException(tr("{0}: {1} could not be copied to {2}: {3}", self.title, self.name, path,
+                                            gdal.GetLastErrorMsg()))
         copy.FlushCache()
 
     def _copy_from_provider(self, path: str) -> None:
         provider = self.provider
         if not provider.isValid() or provider.xSize() <= 0:
-            raise QgsProcessingException(f"{self.title}: {self.name} has no cells that could be read. Save it as a GeoTIFF "
-                                         "and use that layer")
+            raise QgsProcessingException(tr("{0}: {1} has no cells that could be read. Save it as a GeoTIFF and use that "
+                                            "layer", self.title, self.name))
         pipe = QgsRasterPipe()
         pipe.set(provider.clone())
         writer = QgsRasterFileWriter(path)
         done = writer.writeRaster(pipe, provider.xSize(), provider.ySize(), provider.extent(), self.crs,
                                   QgsCoordinateTransformContext())
         if done != QgsRasterFileWriter.NoError:
-            raise QgsProcessingException(f"{self.title}: {self.name} could not be copied to {path}")
+            raise QgsProcessingException(tr("{0}: {1} could not be copied to {2}", self.title, self.name, path))
 
 
 def _is_awkward(path: str) -> bool:

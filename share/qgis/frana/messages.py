@@ -5,15 +5,15 @@ from __future__ import annotations
 import re
 
 from .fields import Field
+from .translation import tr
 
 _BEFORE_SENTENCE = re.compile(r"^frana: (?!warning: )|^ +- ")
 _RUN = re.compile(r"([\d.]+(?:e[-+]?\d+)?) of at most ([\d.]+(?:e[-+]?\d+)?) s simulated")
 _MEMBERS = re.compile(r"member (\d+) of at most (\d+)")
 _WARNING = "frana: warning: "
-_REMEDIES = (("Choose another folder with --out, or add --overwrite",
-              "Choose another folder, or tick “Replace an existing result”"),
-             ("add --overwrite", "tick “Replace an existing result”"), ("add --resume", "tick “Resume a stopped run”"),
-             ("see `frana materials`", "the field lists them"))
+_REMEDIES = (("Choose another folder with --out, or add --overwrite", "Choose another folder, or tick “{0}”"),
+             ("add --overwrite", "tick “{0}”"), ("add --resume", "tick “{1}”"),
+             ("see `frana materials`", "the field lists them"))  # {0}, {1}: the boxes, as the dialogue calls them
 
 
 def progress_of(line: str) -> float | None:
@@ -41,8 +41,9 @@ def problems_of(lines: list[str], fields: list[Field], names: dict[str, str]) ->
 
 def _in_dialogue(sentence: str, fields: list[Field]) -> str:
     """Remedies of the terminal as what a dialogue has."""
-    for words, instead in _REMEDIES:
-        sentence = sentence.replace(words, instead)
+    boxes = tr("Replace an existing result"), tr("Resume a stopped run")
+    for text, instead in _REMEDIES:
+        sentence = sentence.replace(text, instead.format(*boxes))
     titles = {field.key.name: field.key.title() for field in fields}
     return re.sub(r"[a-z]+\.[a-z][a-z-]+(?!\.?\w)", lambda match: titles.get(match.group(), match.group()), sentence)
 
@@ -53,6 +54,7 @@ def _at_field(sentence: str, fields: list[Field], names: dict[str, str]) -> str:
         match = re.match(rf"(?:--set |\S.*?: )?{re.escape(field.key.name)}: (.*)$", sentence)
         if match:
             return f"{field.key.title()}: {match.group(1)}"
+    names = {word: tr(title) for word, title in names.items()}
     files = {field.name: field.key.title() for field in fields}
     for stem, title in {**files, **names}.items():  # a message that names the file which the field's layer became
         match = re.match(rf"(?:--\w+: )?(?:\S.*/)?{re.escape(stem)}\.(?:gpkg|tif): (.*)$", sentence)

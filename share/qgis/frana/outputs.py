@@ -171,5 +171,5 @@ CALIBRATE = (
     Output("file", "CALIBRATION", "Calibration (JSON)", "calibration.json"),
     Output("rasters", "POSTERIOR_MAPS", "Posterior probability of each event", "posterior_*.tif"),
     Output("number", "BEST_SCORE", "Best score", "calibration.json|best_score"),
-    Output("text", "WARNINGS", "Warnings", "calibration.json|warnings"),
+    Output("text", "WARNINGS", "Warnings", "summary.json|warnings"),
 )

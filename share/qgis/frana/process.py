@@ -18,6 +18,7 @@ from qgis.core import QgsProcessingException, QgsProcessingFeedback
 
 from .fields import Field
 from .messages import problems_of, progress_of, warning_of
+from .translation import tr
 
 STOPPED = 128 + signal.SIGINT
 _INTERVAL = 0.1  # seconds between looks at the cancel button
@@ -86,7 +87,7 @@ def run_program(words: list[str], feedback: QgsProcessingFeedback) -> Finished:
             process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=output, stderr=slave)
         except OSError as error:
             os.close(master)
-            raise QgsProcessingException(f"{words[0]} could not be started: {error.strerror}") from error
+            raise QgsProcessingException(tr("{0} could not be started: {1}", words[0], error.strerror)) from error
         finally:
             os.close(slave)
         try:
@@ -120,7 +121,7 @@ def _follow(process: subprocess.Popen, master: int, lines: _Lines, reader: _Read
             return
         if feedback.isCanceled() and not asked_to_stop:
             asked_to_stop = True
-            feedback.setProgressText("Stopping: the program writes what it has")
+            feedback.setProgressText(tr("Stopping: the program writes what it has"))
             process.send_signal(signal.SIGINT)
 
 
@@ -132,6 +133,6 @@ def run_or_refuse(words: list[str], feedback: QgsProcessingFeedback, fields: lis
     if done.code == 0:
         return done
     if done.was_stopped:
-        raise QgsProcessingException("Stopped. " + resume_hint if resume_hint else "Stopped")
+        raise QgsProcessingException(tr("Stopped") + (". " + resume_hint if resume_hint else ""))
     problems = problems_of(done.lines, fields, names)
-    raise QgsProcessingException("\n".join(problems) or f"frana ended with exit code {done.code}")
+    raise QgsProcessingException("\n".join(problems) or tr("{0} ended with exit code {1}", "frana", done.code))

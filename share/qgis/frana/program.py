@@ -12,13 +12,11 @@ from dataclasses import dataclass, field
 from qgis.core import QgsApplication, QgsSettings
 
 from .keys import Key, key_from_json
+from .translation import tr
 
 SETTING = "FRANA_PROGRAM"  # of Processing's options
 _INSTALLED_BY = os.path.join(os.path.dirname(__file__), "program.txt")  # written by `frana qgis-plugin --install`
 _LIMIT = 60  # seconds for an answer, which takes a tenth of one
-
-MISSING = ("The program frana was not found. Install it, or give its path under Settings, Options, Processing, "
-           "Providers, frana")
 
 
 class ProgramError(Exception):
@@ -46,8 +44,8 @@ def find_program() -> str:
     setting = QgsSettings().value("Processing/Configuration/" + SETTING, "") or ""
     if setting:
         if not _is_program(setting):
-            raise ProgramError(f"{setting} is not a program that can be run. Correct the path under Settings, Options, "
-                               "Processing, Providers, frana, or empty it")
+            raise ProgramError(tr("{0} is not a program that can be run. Correct the path under Settings, Options, "
+                                  "Processing, Providers, frana, or empty it", setting))
         return setting
     found = shutil.which("frana")
     if found:
@@ -57,14 +55,15 @@ def find_program() -> str:
             path = file.read().strip()
         if _is_program(path):
             return path
-    raise ProgramError(MISSING)
+    raise ProgramError(tr("The program frana was not found. Install it, or give its path under Settings, Options, "
+                          "Processing, Providers, frana"))
 
 
 def _answer(path: str, *words: str) -> str:
     try:
         done = subprocess.run([path, *words], stdin=subprocess.DEVNULL, capture_output=True, timeout=_LIMIT, check=True)
     except (OSError, subprocess.SubprocessError) as error:
-        raise ProgramError(f"{path} {' '.join(words)} does not answer: {error}") from error
+        raise ProgramError(tr("{0} does not answer: {1}", " ".join([path, *words]), error)) from error
     return done.stdout.decode("utf-8", "replace")
 
 
@@ -74,12 +73,12 @@ def ask_program() -> Program:
     commands = set(re.findall(r"^ {1,8}([a-z][a-z-]*)\b", _answer(path, "--help"), re.MULTILINE))
     version = _answer(path, "--version").split("\n", 1)[0]
     if not version.startswith("frana "):
-        raise ProgramError(f"{path} is not frana: it says it is {version!r}")
+        raise ProgramError(tr("{0} is not frana: it says it is {1}", path, repr(version)))
     try:
         rows = json.loads(_answer(path, "params", "--json", "--language", QgsApplication.locale()))
         keys = [key_from_json(row) for row in rows]
     except (ValueError, KeyError, TypeError) as error:
-        raise ProgramError(f"{path} params --json is not understood: {error}") from error
+        raise ProgramError(tr("{0} params --json is not understood: {1}", path, error)) from error
     presets = {key: re.findall(r"^([a-z][\w-]*)$", _answer(path, command), re.MULTILINE)
                for key, command in (("material.preset", "materials"), ("hazard.scheme", "schemes")) if command in commands}
     if "hazard.scheme" in presets:

@@ -11,6 +11,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from .algorithms import algorithms_of
 from .program import SETTING, ProgramError, ask_program
+from .translation import tr
 
 ICON = os.path.join(os.path.dirname(__file__), "icon.svg")
 
@@ -37,15 +38,15 @@ class FranaProvider(QgsProcessingProvider):
         return "frana"
 
     def longName(self) -> str:  # noqa: N802
-        return "frana – run-out of landslides"
+        return tr("frana – run-out of landslides")
 
     def icon(self) -> QIcon:
         return QIcon(ICON)
 
     def load(self) -> bool:
         ProcessingConfig.settingIcons[self.name()] = self.icon()
-        ProcessingConfig.addSetting(Setting(self.name(), SETTING, "Path of the program frana (empty: the one in PATH)", "",
-                                            valuetype=Setting.FILE))
+        ProcessingConfig.addSetting(Setting(self.name(), SETTING, tr("Path of the program frana (empty: the one in PATH)"),
+                                            "", valuetype=Setting.FILE))
         ProcessingConfig.readSettings()
         self.refreshAlgorithms()
         return True

@@ -9,6 +9,8 @@ from typing import Any
 from qgis.core import (QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterEnum,
                        QgsProcessingParameterNumber)
 
+from .translation import tr
+
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 _WHOLE = re.compile(r"[-+]?\d+(\.0*)?")
 _SWITCH = ("true", "false", "1", "0")
@@ -24,11 +26,12 @@ def problem_of(parameter: QgsProcessingParameterDefinition, value: Any) -> str |
     if isinstance(parameter, QgsProcessingParameterNumber):
         if not _NUMBER.fullmatch(text):
             comma = _NUMBER.fullmatch(text.replace(",", ".", 1))
-            return f"is not a number (value {text})." + (" Write a point before the decimals" if comma else " Give a number")
+            return (tr("is not a number (value {0}). Write a point before the decimals", text) if comma else
+                    tr("is not a number (value {0}). Give a number", text))
         if parameter.dataType() == QgsProcessingParameterNumber.Integer and not _WHOLE.fullmatch(text):
-            return f"is not a whole number (value {text}). Give one without decimals"
+            return tr("is not a whole number (value {0}). Give one without decimals", text)
     if isinstance(parameter, QgsProcessingParameterBoolean) and text.lower() not in _SWITCH:
-        return f"is neither true nor false (value {text}). Give one of the two"
+        return tr("is neither true nor false (value {0}). Give one of the two", text)
     return None
 
 
@@ -39,7 +42,7 @@ def _choice_problem(parameter: QgsProcessingParameterEnum, value: Any) -> str | 
     wrong = [str(one) for one in chosen if str(one).strip() not in parameter.options()]
     if not wrong:
         return None
-    return f"is not one of the choices (value {', '.join(wrong)}; allowed {', '.join(parameter.options())})"
+    return tr("is not one of the choices (value {0}; allowed {1})", ", ".join(wrong), ", ".join(parameter.options()))
 
 
 def range_problem(parameter: QgsProcessingParameterDefinition, value: Any) -> str | None:
@@ -52,4 +55,4 @@ def range_problem(parameter: QgsProcessingParameterDefinition, value: Any) -> st
         return None
     if parameter.minimum() <= number <= parameter.maximum():
         return None
-    return f"is out of range (value {number:g}; allowed {parameter.minimum():g} to {parameter.maximum():g})"
+    return tr("is out of range (value {0:g}; allowed {1:g} to {2:g})", number, parameter.minimum(), parameter.maximum())

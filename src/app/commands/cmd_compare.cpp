@@ -223,6 +223,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
             input.inflows = flow_tops(read_main_statistics(result.directory()));
         }
         if (result.has("final_depth.tif")) input.final_depth = result.vertical_raster("final_depth");
+        if (result.has("elevation_change.tif")) input.elevation_change = result.raster("elevation_change");
         simulated.source = result.map_source();
         usual_threshold =
             result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", usual_threshold));

@@ -121,7 +121,7 @@ void read_style(const boost::program_options::variables_map& values, MapStyle& s
 /// The other sheets of paper, from small to large.
 std::string sheets_that_fit(const MapSource& source, const MapLayer& layer, double scale) {
     std::string fitting;
-    for (const char* sheet : {"A4", "A4-portrait", "A3", "A3-portrait"}) {
+    for (const char* sheet : {"A4-landscape", "A4-portrait", "A3-landscape", "A3-portrait"}) {
         MapSource other = source;
         const auto size = size_from_text(std::string(sheet) + "@" + number_text(source.style.size.dots_per_inch));
         if (!size || sheet == source.style.size.paper) continue;

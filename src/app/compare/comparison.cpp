@@ -145,7 +145,7 @@ void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log
 void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& log, Comparison& comparison) {
     const Survey& survey = input.survey;
     if (survey.deposit.empty() && !survey.elevation_change) return;
-    if (!input.final_depth) {
+    if (!(survey.deposit.empty() ? input.elevation_change : input.final_depth)) {
         log.warn(worded("there is no depth at the end to compare with the surveyed deposit"));
         return;
     }
@@ -154,8 +154,8 @@ void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& l
         comparison.deposit_overlap = compare(depth, gis::coverage(survey.deposit, depth.grid), input.threshold);
     } else {
         comparison.deposit_overlap =
-            compare(*input.final_depth, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
-        comparison.deposit_depth = compare_deposit(*input.final_depth, *survey.elevation_change, input.threshold);
+            compare(*input.elevation_change, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
+        comparison.deposit_depth = compare_deposit(*input.elevation_change, *survey.elevation_change, input.threshold);
     }
 }
 
@@ -291,7 +291,13 @@ void add_deposit(Json& json, const Comparison& comparison, const Survey& survey)
                                   {"bias_m", depth->bias_m},
                                   {"mean_absolute_error_m", depth->mean_absolute_error_m},
                                   {"rmse_m", depth->rmse_m},
-                                  {"correlation", depth->correlation}};
+                                  {"correlation", depth->correlation},
+                                  {"observed_raised_m3", depth->observed_raised_m3},
+                                  {"observed_lowered_m3", depth->observed_lowered_m3},
+                                  {"simulated_raised_m3", depth->simulated_raised_m3},
+                                  {"simulated_lowered_m3", depth->simulated_lowered_m3},
+                                  {"simulated_raised_beyond_m3", depth->simulated_raised_beyond_m3},
+                                  {"change_rmse_m", depth->change_rmse_m}};
 }
 
 }  // namespace

@@ -23,8 +23,9 @@ struct ComparisonInput {
     std::string depth_label;    ///< for the file: name of the simulated data
     std::optional<Raster> bed;  ///< for the run-outs; none: not compared
     std::optional<Raster> release;
-    std::vector<Point> inflows;         ///< places where material flows in, or of flows that have such a place
-    std::optional<Raster> final_depth;  ///< vertical, for the deposit; none: not compared
+    std::vector<Point> inflows;              ///< places where material flows in, or of flows that have such a place
+    std::optional<Raster> final_depth;       ///< vertical, for a deposit's outline; none: not compared
+    std::optional<Raster> elevation_change;  ///< for a surveyed one; likewise
     std::map<std::string, std::string> metadata;
     Words words{};  ///< of the style
 };

@@ -52,7 +52,8 @@ double sure_friction(const SceneSpec& scene) {
     const bool resists =
         std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
     if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
-    return scene.material.bed_friction_coefficient() * (1 - scene.material.pore_pressure_ratio.value_or(0));
+    return scene.material.bed_friction_coefficient() *
+           (1 - scene.material.pore_pressure(scene.material.density).greatest());
 }
 
 namespace {

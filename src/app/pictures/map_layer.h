@@ -54,8 +54,8 @@ struct MapLayer {
 /// another program, in which a value of 0 means no flow. Throws Error(input).
 MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign = false);
 
-/// Returns what a map of a result's own raster must say itself, since maps are passed on without the log: the meaning of
-/// a scheme's classes and the source of their limits; that high flights are not shown.
+/// Returns what a map of a result's own raster must say itself, since maps are passed on without the log: the meaning
+/// of a scheme's classes and the source of their limits; that high flights are not shown.
 std::vector<std::string> needed_notes(const std::string& path, const Words& words);
 
 /// Returns the name of the map of probability that a file contains, whatever the file's own name; none for others.

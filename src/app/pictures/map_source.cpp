@@ -20,6 +20,7 @@
 #include "gis/raster/picture_file.h"
 #include "params/grammar/value_text.h"
 #include "render/canvas/lettering.h"
+#include "render/map/map_ground.h"
 
 namespace frana::app {
 
@@ -283,6 +284,13 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     spec.block = title_block(source.style);
     spec.series = render::SeriesText{own_title(source), scenario_line(source), source.notes};
     spec.longitude_latitude = source.longitude_latitude;
+    // From this shape on the frame of an upright page shows it at the greater scale.
+    constexpr double k_upright = 1.25;
+    if (const Bounds shown = render::required_window(spec);
+        source.style.size.turns && shown.height() > k_upright * shown.width()) {
+        std::swap(spec.width, spec.height);
+        if (!spec.print.sheet.empty()) spec.print.sheet += "-portrait";
+    }
     return spec;
 }
 

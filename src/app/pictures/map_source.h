@@ -37,7 +37,7 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words);
 
 /// Appearance of pictures: the keys output.map-... of a scene, or the options of `frana render`.
 struct MapStyle {
-    Size size{1600, 1200};
+    Size size = *size_from_text("auto");
     std::vector<std::string> formats{"png"};       ///< of png, pdf, svg, tif
     bool continuous = false;                       ///< legend
     std::string background;                        ///< orthophoto or topographic raster; empty: the relief

@@ -45,6 +45,7 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
     input.release = result.raster("release");
     input.inflows = flow_tops(read_main_statistics(directory));
     input.final_depth = result.vertical_raster("final_depth");
+    if (result.has(raster_file("elevation_change"))) input.elevation_change = result.raster("elevation_change");
     return compare_with_survey(input, log);
 }
 

@@ -132,6 +132,7 @@ ComparisonInput comparison_input(const Finished& run) {
     input.final_depth = run.result.depth_is_normal
                             ? vertical_depth(run.result.raster("final_depth"), run.result.raster("bed"))
                             : run.result.raster("final_depth");
+    input.elevation_change = run.result.raster("elevation_change");
     return input;
 }
 

@@ -86,8 +86,8 @@ const std::vector<float>& MemberRecord::of(Quantity quantity) const noexcept {
             return pressure;
         case Quantity::intensity:
             return intensity;
-        case Quantity::final_depth:
-            return final_depth;
+        case Quantity::deposit:
+            return deposit;
         case Quantity::depth:
             break;
     }
@@ -165,10 +165,12 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     add_cells(reached, record);
     if (extras.pressure) record.pressure = values_at(record, reached("max_pressure"));
     if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
-    if (extras.final_depth)
-        record.final_depth = values_at(record, result.depth_is_normal
-                                                   ? vertical_depth(result.raster("final_depth"), result.raster("bed"))
-                                                   : result.raster("final_depth"));
+    if (extras.deposit == Deposit::elevation_change)
+        record.deposit = values_at(record, result.raster("elevation_change"));
+    if (extras.deposit == Deposit::final_depth)
+        record.deposit = values_at(record, result.depth_is_normal
+                                               ? vertical_depth(result.raster("final_depth"), result.raster("bed"))
+                                               : result.raster("final_depth"));
     return record;
 }
 
@@ -220,7 +222,7 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
                              cells == record.arrival.size() &&
                              (record.pressure.empty() || cells == record.pressure.size()) &&
                              (record.intensity.empty() || cells == record.intensity.size()) &&
-                             (record.final_depth.empty() || cells == record.final_depth.size()));
+                             (record.deposit.empty() || cells == record.deposit.size()));
     } catch (const Error&) {
         return std::nullopt;
     }

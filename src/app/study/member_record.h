@@ -41,8 +41,8 @@ void serialise(Archive& archive, CellRun& run) {
 }
 
 /// What a member's flow left behind, where it came; as in the Float32 rasters of a run: maxima, the class of intensity,
-/// and the depth at the end.
-enum class Quantity { depth, velocity, arrival, pressure, intensity, final_depth };
+/// and what a surveyed deposit is compared with.
+enum class Quantity { depth, velocity, arrival, pressure, intensity, deposit };
 
 /// Columns of a table of members with what MemberEnd holds, its number of warnings the last.
 inline constexpr const char* k_end_columns[] = {"stop_reason",     "moving_fraction", "left_domain_fraction",
@@ -81,13 +81,13 @@ struct MemberRecord {
     std::int64_t particle_steps = 0;            ///< work of the engine, the same in every run
     double west = 0, north = 0, cell_size = 1;  ///< of its working grid
     std::int64_t columns = 0, rows = 0;
-    std::vector<CellRun> runs;       ///< cells of that grid that the flow reached, in order
-    std::vector<float> depth;        ///< of these cells: maximum, vertical [m]
-    std::vector<float> velocity;     ///< maximum, along the bed [m/s]
-    std::vector<float> arrival;      ///< [s]
-    std::vector<float> pressure;     ///< maximum [kPa]; empty unless asked for
-    std::vector<float> intensity;    ///< class; likewise
-    std::vector<float> final_depth;  ///< at the end, vertical [m]; likewise
+    std::vector<CellRun> runs;     ///< cells of that grid that the flow reached, in order
+    std::vector<float> depth;      ///< of these cells: maximum, vertical [m]
+    std::vector<float> velocity;   ///< maximum, along the bed [m/s]
+    std::vector<float> arrival;    ///< [s]
+    std::vector<float> pressure;   ///< maximum [kPa]; empty unless asked for
+    std::vector<float> intensity;  ///< class; likewise
+    std::vector<float> deposit;    ///< what RecordExtras::deposit names, vertical [m]; likewise
 
     /// Its grid, without CRS.
     [[nodiscard]] GridSpec grid() const { return {west, north, cell_size, columns, rows, {}}; }
@@ -125,16 +125,20 @@ void serialise(Archive& archive, MemberRecord& record) {
     archive(record.member, record.key_values, record.end, record.failure, record.figures, record.engine_seconds,
             record.particle_steps, record.west, record.north, record.cell_size, record.columns, record.rows,
             record.runs, record.depth, record.velocity, record.arrival, record.pressure, record.intensity,
-            record.final_depth);
+            record.deposit);
 }
 
 /// Returns a record without figures and cells, of a member on a grid.
 MemberRecord empty_record(std::uint64_t member, const GridSpec& grid);
+/// What a surveyed deposit is compared with: an outline with the depth at the end, a change of elevation with the
+/// run's.
+enum class Deposit { none, final_depth, elevation_change };
+
 /// What a record contains only if something is made of it.
 struct RecordExtras {
     bool pressure = false;
     std::optional<HazardScheme> scheme = {};  ///< of the classes of intensity
-    bool final_depth = false;
+    Deposit deposit = Deposit::none;
 };
 /// Returns the record of a run.
 /// @param threshold depth from which a cell belongs to the covered area [m]

@@ -12,7 +12,7 @@
 namespace frana::voellmy_bingham {
 
 /// A law's sweep over the nodes of a tile; called once per tile and step.
-using FrictionSweep = std::function<void(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*)>;
+using FrictionSweep = std::function<void(const NodeRange&, const NodeGrid&, BedState*)>;
 
 /// Bed friction of a scene: Voellmy with uniform parameters, or a sum of laws, of which one may be non-polynomial.
 struct BedFriction {

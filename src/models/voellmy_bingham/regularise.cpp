@@ -161,8 +161,7 @@ void regularise(Step& now) {
 void leave_and_land(Step& now) {
     if (!now.stages.flies) return;
     State& state = now.state;
-    JumpRules rules = now.laws.jumps;
-    rules.bearing = 1 - now.laws.friction.pore_pressure.ratio(state.time);
+    const JumpRules& rules = now.laws.jumps;
     state.flights.advance_to(state.time, rules);
     now.report.aloft = state.flights.volume();
     now.report.aloft_kinetic = state.flights.kinetic();

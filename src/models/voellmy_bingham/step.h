@@ -16,6 +16,7 @@ inline void kick_and_drift(Step& now) {
     particles_to_nodes(now);   // m = sum w V, p = sum w V (v + C (x_i - x_p)), area claimed = sum w A
     reference_levels(now);     // still level or mean depth r, support s; force of the state held on the grid
     forces_to_nodes(now);      // f = sum A [g/2 (h^2 - s r^2) grad w - g (h - s r) w grad Z] - V sigma : grad w
+    pore_pressure(now);        // dr = -dt (r - r_h) / T, if the scene has it; its means at the nodes
     bed_resistance(now);       // the sum of the scene's laws; where it holds slow material
     update_nodes(now);         // v = cap(p/m + dt a; resistance), held nodes stay at rest; maxima
     exchange_with_bed(now);    // erosion and deposition, if the scene has them

@@ -43,15 +43,16 @@ void sweep_nodes(Step& now, const std::vector<std::int64_t>& tiles, VectorNodeKe
 // Whether material at rest stays unchanged while nothing near it moves: with friction that holds it, and without terms
 // that change with time or act across the edges.
 bool may_rest(const Laws& laws, const Stages& stages) {
-    return laws.skips_rest && laws.friction.keeps_rest() && !laws.friction.pore_pressure.active() && !laws.wall &&
+    return laws.skips_rest && laws.friction.keeps_rest() && stages.pore_pressure_to_nodes == nullptr && !laws.wall &&
            stages.exchange_at_nodes == nullptr;
 }
 
-void slow_down(State& state, ThreadPool& pool) {
+void mix_with_bed(State& state, const PorePressure::State& bed, ThreadPool& pool) {
     const auto& tiles = state.order.tiles();
     std::vector<ExchangeReport> reports(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
-        slow_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), state.particles, reports[t]);
+        mix_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), bed, state.particles,
+                      reports[t]);
     });
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);
 }
@@ -120,6 +121,22 @@ void forces_to_nodes(Step& now) {
     now.watch.ends(Stage::pressure);
 }
 
+void pore_pressure(Step& now) {
+    if (now.stages.pore_pressure_to_nodes == nullptr) return;
+    State& state = now.state;
+    double* const sums = state.pore_sums.data();
+    for_node_tiles(state, state.active.cleared(), now.pool, [&](const NodeRange& range) {
+        range.for_each(state.nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) { sums[i] = 0; });
+    });
+    const BedSlopes slopes{state.slope_x.data(), state.slope_y.data()};
+    for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
+        now.stages.pore_pressure_to_nodes(tile, now.laws.friction.pore_pressure, now.kick, now.laws.gravity, slopes,
+                                          now.stages.follows_bed, state.nodes, state.particles, sums);
+    });
+    if (now.laws.wall) mirror_scalar(state.nodes, sums);
+    now.watch.ends(Stage::pressure);
+}
+
 void bed_resistance(Step& now) {
     State& state = now.state;
     const Laws& laws = now.laws;
@@ -129,13 +146,12 @@ void bed_resistance(Step& now) {
     now.nodes.wall = laws.wall;
     now.nodes.drift = now.drift;
     if (state.gathered.size() != 0) now.nodes.gathered = state.gathered.data();
-    if (laws.friction.pore_pressure.active())
-        now.nodes.effective_fraction = 1 - laws.friction.pore_pressure.ratio(state.time);
+    if (now.stages.pore_pressure_to_nodes != nullptr) now.nodes.pore_sums = state.pore_sums.data();
     BedState* const bed_states = state.bed_states.data();
     if (now.stages.fill_bed_states != nullptr) {
         for_node_tiles(state, state.active.updated(), now.pool, [&](const NodeRange& range) {
             now.stages.fill_bed_states(range, now.nodes, state.nodes, bed_states);
-            for (const FrictionSweep& sweep : laws.friction.sweeps) sweep(range, now.nodes, state.nodes, bed_states);
+            for (const FrictionSweep& sweep : laws.friction.sweeps) sweep(range, state.nodes, bed_states);
         });
     }
     if (laws.friction.keeps_rest()) {
@@ -213,7 +229,7 @@ void nodes_to_particles(Step& now) {
     }
     for (const ParticleTile& tile : tiles)
         now.report.particles.merge(state.particle_reports[static_cast<std::size_t>(tile.tile)]);
-    if (now.exchanges()) slow_down(state, now.pool);
+    if (now.exchanges()) mix_with_bed(state, laws.exchange.bed, now.pool);
     now.watch.ends(Stage::nodes_to_particles);
 }
 

@@ -42,6 +42,8 @@ void particles_to_nodes(Step& now);
 void reference_levels(Step& now);
 /// Reads particles and NodeLevel; adds NodeForces fx, fy.
 void forces_to_nodes(Step& now);
+/// Pore pressure of the particles over the kick, and State::pore_sums.
+void pore_pressure(Step& now);
 /// Reads NodeForces; writes BedState, and NodeForces::held. Whether a node is held depends on its neighbours, so it is
 /// decided before any node is updated.
 void bed_resistance(Step& now);

@@ -98,21 +98,29 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     }
 }
 
-void check_rest(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
-                Problems& problems) {
-    if (scene.material.pore_dissipation_time && !(scene.material.pore_pressure_ratio.value_or(0) > 0)) {
-        problems.add({"is given without a pore pressure", file + ": material.pore-dissipation-time", "", "",
-                      "Set material.pore-pressure-ratio, or remove it"});
+void check_rest(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    const Material& m = scene.material;
+    const char* const time =
+        m.pore_dissipation_time ? "material.pore-dissipation-time" : "material.hydraulic-diffusivity";
+    if (m.pore_dissipation_time && m.hydraulic_diffusivity) {
+        problems.add({"contradicts material.hydraulic-diffusivity: both give the time of dissipation",
+                      file + ": material.pore-dissipation-time", shortest_text(*m.pore_dissipation_time) + " s", "",
+                      "Keep one of the two"});
     }
-    // One time for all particles: material that enters later would start with pore pressure already dissipated.
-    const auto& start = scene.release.start;
-    const bool fails_late = start && (start->kind != SourceSpec::Kind::number || start->number > 0);
-    if (scene.material.pore_dissipation_time && (fails_late || given.count("inflow.line") > 0)) {
-        problems.add({std::string("counts from the start of the run, but ") +
-                          (fails_late ? "areas fail later (release.start)" : "material flows in later (inflow.line)"),
-                      file + ": material.pore-dissipation-time",
-                      shortest_text(*scene.material.pore_dissipation_time) + " s", "",
-                      "Remove it (the pore pressure then stays constant), or compute each failure in a separate run"});
+    const PorePressure pores = m.pore_pressure(m.density);
+    if (pores.dissipates() && !pores.active()) {
+        problems.add({"is given without a pore pressure", std::string(file).append(": ").append(time), "", "",
+                      "Set material.pore-pressure-ratio or material.pore-fluid-density, or remove it"});
+    }
+    if (m.pore_fluid_density > 0 && !pores.dissipates()) {
+        problems.add({"needs a time of dissipation", file + ": material.pore-fluid-density",
+                      shortest_text(m.pore_fluid_density) + " kg/m3", "",
+                      "Set material.hydraulic-diffusivity or material.pore-dissipation-time, or remove it"});
+    }
+    if (!(pores.hydrostatic < 1)) {
+        problems.add({"is not less than that of the flow", file + ": material.pore-fluid-density",
+                      shortest_text(m.pore_fluid_density) + " kg/m3",
+                      "less than material.density, " + shortest_text(m.density) + " kg/m3", "Lower it"});
     }
     if (scene.numerics.curvature.value_or(false) && slope_correction(scene.numerics) == SlopeCorrection::none) {
         problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
@@ -131,7 +139,7 @@ void check_laws(const SceneSpec& scene, const std::set<std::string>& given, cons
     check_keys(scene, given, file, problems);
     check_friction(scene, given, file, problems);
     check_angles(scene, file, problems);
-    check_rest(scene, given, file, problems);
+    check_rest(scene, file, problems);
 }
 
 void check_required(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
@@ -164,6 +172,7 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
     const TerrainSpec& terrain = scene.terrain;
     const ReleaseSpec& release = scene.release;
     const ZonesSpec& zones = scene.zones;
+    const Material& material = scene.material;
     const auto by_attribute = [](const std::optional<SourceSpec>& source) {
         return source && source->kind == SourceSpec::Kind::attribute;
     };
@@ -182,6 +191,12 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
          "Name the line, or remove the key"},
         {"release.direction", release.direction.has_value(), "release.velocity", release.velocity.has_value(),
          "Give the speed as well, or remove the key"},
+        {"material.compressibility", material.compressibility.has_value(), "material.solid-fraction",
+         material.solid_fraction.has_value(), "Give the solid fraction at the start"},
+        {"material.solid-fraction", material.solid_fraction.has_value(), "material.critical-solid-fraction",
+         material.critical_solid_fraction.has_value(), "Give the solid fraction of steady shear"},
+        {"material.critical-solid-fraction", material.critical_solid_fraction.has_value(), "material.compressibility",
+         material.compressibility.has_value(), "Give it, or remove the key"},
         {"release.volume", by_attribute(release.volume), "release.perimeter", outlined, outline_remedy},
         {"release.start", by_attribute(release.start), "release.perimeter", outlined, outline_remedy},
         {"release.velocity", by_attribute(release.velocity), "release.perimeter", outlined, outline_remedy},

@@ -121,19 +121,20 @@ std::optional<Size> page_from_text(const std::string& text) {
     constexpr double k_inch = 25.4;  // mm
     const auto at = text.find('@');
     const std::string page = text.substr(0, at);
-    const bool portrait = page.ends_with("-portrait");
-    const std::string name = portrait ? page.substr(0, page.size() - std::string("-portrait").size()) : page;
+    const std::string name = page.substr(0, page.find('-')), direction = page.substr(name.size());
     const auto dots = at == std::string::npos ? std::optional<double>(150) : number_from_text(text.substr(at + 1));
     if ((name != "A4" && name != "A3") || !dots || *dots < 150 || *dots > 300) return std::nullopt;
+    if (!direction.empty() && direction != "-portrait" && direction != "-landscape") return std::nullopt;
     const auto pixels = [&](double mm) { return static_cast<int>(std::lround(mm / k_inch * *dots)); };
-    Size size{pixels(name == "A4" ? 297 : 420), pixels(name == "A4" ? 210 : 297), *dots, page};
-    if (portrait) std::swap(size.width, size.height);
+    Size size{pixels(name == "A4" ? 297 : 420), pixels(name == "A4" ? 210 : 297), *dots, page, direction.empty()};
+    if (direction == "-portrait") std::swap(size.width, size.height);
     return size;
 }
 
 }  // namespace
 
 std::optional<Size> size_from_text(const std::string& text) {
+    if (text == "auto") return Size{1600, 1200, 150, "", true};
     if (text.starts_with("A")) return page_from_text(text);
     const auto cross = text.find('x');
     if (cross == std::string::npos) return std::nullopt;

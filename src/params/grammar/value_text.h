@@ -36,6 +36,7 @@ struct Size {
     int height = 0;
     double dots_per_inch = 150;  ///< of the printed picture
     std::string paper{};         ///< "A4-portrait"; empty: a size in pixels
+    bool turns = false;          ///< upright where the flow of a map is taller than wide
 };
 /// Whether the size is that of a sheet of paper, on which a map has a scale.
 inline bool is_paper(const Size& size) {
@@ -43,9 +44,10 @@ inline bool is_paper(const Size& size) {
 }
 /// The sizes that size_from_text accepts, for messages.
 inline constexpr const char* k_sizes =
-    "WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A3-portrait, with "
+    "auto, WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape, with "
     "@DPI (150 to 300; 150 where absent)";
 /// Reads a picture's size in pixels: "1600x1200", or an ISO 216 page with its resolution: "A4", "A3-portrait@300".
+/// "auto" is 1600x1200; it and pages without a direction turn with the flow.
 std::optional<Size> size_from_text(const std::string& text);
 
 /// Viewing direction, in degrees.

@@ -171,11 +171,13 @@ void set_classes_by_unit(std::vector<ResultRaster>& rows) {
                 row.classes = quantity.name;
 }
 
-/// The flow's depths, whose direction output.depth chooses; what is released, eroded and deposited stays vertical.
+/// The flow's depths, whose direction output.depth chooses; what is released, eroded, deposited and changed
+/// stays vertical.
 void set_flow_depths(std::vector<ResultRaster>& rows) {
     for (ResultRaster& row : rows)
         row.is_flow_depth = row.kind != RasterKind::given && !depth_direction(row.description).empty() &&
-                            !row.name.starts_with("eroded") && !row.name.starts_with("deposited");
+                            !row.name.starts_with("eroded") && !row.name.starts_with("deposited") &&
+                            row.name != "elevation_change";
 }
 
 std::vector<ResultRaster> make_table() {
@@ -198,6 +200,13 @@ std::vector<ResultRaster> make_table() {
         .is_surface = true;
     table.add("dtm", RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
     table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
+
+    table.when("at the end of a run", nullptr);
+    constexpr double k_infinity = std::numeric_limits<double>::infinity();
+    table
+        .flow("elevation_change", "Change of elevation", "Deposit minus release and erosion, vertical", "m",
+              "difference", k_even)
+        .bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);

@@ -113,7 +113,7 @@ struct OutputSpec {
     double checkpoint_interval = 600;
     double trace_threshold = k_trace_threshold;
     std::string depth = "vertical";  ///< or "normal" to the bed: of rasters, maps and classes
-    std::string map_size = "1600x1200";
+    std::string map_size = "auto";
     std::vector<std::string> map_formats{"png"};
     std::string map_legend = "classed";
     ClassSpec classes;

@@ -192,10 +192,13 @@ TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
 TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
-    // The survey is the result's own deposit, half as deep: depths are twice the survey's, and at this low threshold
-    // both cover the same cells.
-    const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
-    write_dtm([&](int row, int column) { return depth.has_data(row, column) ? depth.at(row, column) / 2 : 0.0; }, true,
+    // The survey is half of the result's own change: at this low threshold both rise on the same cells.
+    const Raster left = gis::read_result_raster(path("result/final_depth.tif")),
+                 gone = gis::read_result_raster(path("result/release.tif"));
+    const auto or_zero = [](const Raster& raster, int row, int column) {
+        return raster.has_data(row, column) ? raster.at(row, column) : 0.0;
+    };
+    write_dtm([&](int row, int column) { return (or_zero(left, row, column) - or_zero(gone, row, column)) / 2; }, true,
               "change.asc");
     const Outcome outcome =
         frana({"compare", "--json", "result", "--deposit", "change.asc", "--threshold", "0.004", "--out", "d"});
@@ -206,6 +209,8 @@ TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     };
     EXPECT_NEAR(depth_error("simulated_volume_m3"), 2 * depth_error("observed_volume_m3"), 0.1);
     EXPECT_NEAR(depth_error("correlation"), 1, 1e-6);
+    EXPECT_NEAR(depth_error("simulated_lowered_m3"), 2 * depth_error("observed_lowered_m3"), 0.1);
+    EXPECT_GT(depth_error("observed_lowered_m3"), 0);
     EXPECT_NEAR(depth_error("bias_m"), depth_error("mean_absolute_error_m"), 1e-6);
 }
 

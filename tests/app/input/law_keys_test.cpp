@@ -21,6 +21,11 @@ const std::map<std::string, std::pair<std::string, std::string>> k_values{
     {"material.friction-coefficient", {"0.2", "0.3"}},
     {"material.pore-pressure-ratio", {"0.2", "0.4"}},
     {"material.pore-dissipation-time", {"1", "5"}},
+    {"material.hydraulic-diffusivity", {"0.1", "1"}},
+    {"material.pore-fluid-density", {"200", "900"}},
+    {"material.compressibility", {"1e-6", "1e-4"}},
+    {"material.solid-fraction", {"0.5", "0.55"}},
+    {"material.critical-solid-fraction", {"0.51", "0.54"}},
     {"material.surface-pressure", {"1000", "3000"}},
     {"material.turbulence", {"500", "1000"}},
     {"material.cohesion", {"500", "1000"}},
@@ -72,13 +77,19 @@ Sets scene_with(const Law& law, const std::string& key) {
     for (const std::string& needed : law.needs)
         if (needed != key) sets.push_back(needed + "=" + k_values.at(needed).first);
     // What the key acts on.
-    static const std::map<std::string, std::string> k_with{
-        {"material.pore-dissipation-time", "material.pore-pressure-ratio=0.4"},
-        {"material.yield-ratio", "material.yield-stress=1000"},
-        {"material.yield-regularisation", "material.yield-stress=1000"},
-        {"material.laminar-resistance", "material.viscosity=200"},
-        {"entrainment.critical-shear-stress", "entrainment.erosion-depth-per-stress=0.005"}};
-    if (const auto with = k_with.find(key); with != k_with.end()) sets.push_back(with->second);
+    static const std::map<std::string, Sets> k_with{
+        {"material.pore-dissipation-time", {"material.pore-pressure-ratio=0.4"}},
+        {"material.hydraulic-diffusivity", {"material.pore-pressure-ratio=0.4"}},
+        {"material.pore-fluid-density", {"material.pore-dissipation-time=1"}},
+        {"material.compressibility", {"material.solid-fraction=0.5", "material.critical-solid-fraction=0.51"}},
+        {"material.solid-fraction", {"material.compressibility=1e-4", "material.critical-solid-fraction=0.51"}},
+        {"material.critical-solid-fraction", {"material.compressibility=1e-4", "material.solid-fraction=0.5"}},
+        {"material.yield-ratio", {"material.yield-stress=1000"}},
+        {"material.yield-regularisation", {"material.yield-stress=1000"}},
+        {"material.laminar-resistance", {"material.viscosity=200"}},
+        {"entrainment.critical-shear-stress", {"entrainment.erosion-depth-per-stress=0.005"}}};
+    if (const auto with = k_with.find(key); with != k_with.end())
+        sets.insert(sets.end(), with->second.begin(), with->second.end());
     if (law.kind == LawKind::in_plane_stress && key == "material.yield-ratio")
         sets.emplace_back("material.viscosity=50");
     return sets;

@@ -62,6 +62,14 @@ TEST_F(ParticleFiles, OfTheFirstModel) {
         mean += end.columns.at("velocity_x_ms")[p] * end.columns.at("volume_m3")[p] / (4000 * std::cos(angle));
     EXPECT_LT(mean, most);
     EXPECT_GT(mean, 0.8 * most);
+    const Outcome wet = frana({"run", "scene.ini", "--out", "wet", "--quiet", "--set", "time.end=1", "--set",
+                               "material.pore-pressure-ratio=0.4", "--set", "material.pore-dissipation-time=2"});
+    ASSERT_EQ(wet.exit_code, 0) << wet.err;
+    // As velocities, the ratio of a frame is up to half a step old.
+    for (const double ratio : points("wet/frames/particles_0001.gpkg").columns.at("pore_pressure_ratio")) {
+        EXPECT_GE(ratio, 0.4 * std::exp(-0.5) * (1 - 1e-9));
+        EXPECT_LT(ratio, 0.4 * std::exp(-0.4));
+    }
 }
 
 TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {

@@ -169,6 +169,27 @@ TEST(BedLaws, PorePressureThatDissipates) {
     expect_block(m, [](double, double t) { return 0.3 * k_normal * (1 - 0.8 * std::exp(-t / 4)); });
 }
 
+// A block whose friction recovers as the layer, 1 m thick, consolidates: closed form.
+TEST(BedLaws, PorePressureOfALayerThatConsolidatesIsOfSecondOrderInTime) {
+    Material m = material_of({"coulomb"});
+    m.friction_coefficient = 0.3;
+    m.pore_pressure_ratio = 0.9;
+    m.pore_fluid_density = 800;
+    m.hydraulic_diffusivity = 0.2;
+    const double T = 4 / (M_PI * M_PI * 0.2), time = 4, yield = 0.3 * k_normal;
+    const auto motion = [&](double t) {  // speed, way
+        const double e = std::exp(-t / T), push = k_along - yield * (1 - 0.4);
+        return std::pair{push * t + yield * 0.5 * T * (1 - e), push * t * t / 2 + yield * 0.5 * T * (t - T * (1 - e))};
+    };
+    const auto [speed, way] = motion(time);
+    const auto error = [&, speed = speed, way = way](double step) {
+        return std::abs(slab_speed(m, time, way, {}, 0, 4, step) - speed);
+    };
+    const double coarse = error(0.1), fine = error(0.05);
+    EXPECT_LT(coarse, 1e-4 * speed);
+    EXPECT_NEAR(coarse / fine, 4, 0.4);
+}
+
 TEST(BedLaws, SumOfThree) {
     Material m = material_of({"coulomb", "turbulence", "bingham"});
     m.friction_coefficient = 0.05;

@@ -14,15 +14,26 @@ struct EndState {
     ParticleSet particles;
 };
 
-// A flow that spreads, splits, merges, meets a slope and leaves through an edge; with or without stress in the plane.
-EndState end_state(int threads, bool mud) {
+enum class Kind { slide, mud, debris };
+
+// A flow that spreads, splits, merges, meets a slope and leaves through an edge; with stress in the plane, or pore
+// pressure.
+EndState end_state(int threads, Kind kind) {
     const GridSpec grid = bench::plain_grid(120, 90, 2);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.3 * (240 - p.x) + 2 * std::sin(0.1 * p.y); });
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0.5, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(10);
     material.turbulence = 500;
-    if (mud) {
+    if (kind == Kind::debris) {
+        material.pore_pressure_ratio = 0.7;
+        material.pore_fluid_density = 400;
+        material.hydraulic_diffusivity = 0.2;
+        material.solid_fraction = 0.59;
+        material.critical_solid_fraction = 0.6;
+        material.compressibility = 1e-5;
+    }
+    if (kind == Kind::mud) {
         material.viscosity = 500;
         material.yield_stress = 50;
     }
@@ -31,7 +42,7 @@ EndState end_state(int threads, bool mud) {
     return {flow.nodal_fields(), flow.particles()};
 }
 
-class Determinism : public testing::TestWithParam<bool> {};
+class Determinism : public testing::TestWithParam<Kind> {};
 
 TEST_P(Determinism, SameBitsForAnyNumberOfThreads) {
     const EndState one = end_state(1, GetParam());
@@ -54,8 +65,12 @@ TEST_P(Determinism, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Flows, Determinism, testing::Bool(),
-                         [](const auto& tested) { return tested.param ? "Mud" : "Slide"; });
+INSTANTIATE_TEST_SUITE_P(Flows, Determinism, testing::Values(Kind::slide, Kind::mud, Kind::debris),
+                         [](const auto& tested) {
+                             return tested.param == Kind::slide ? "Slide"
+                                    : tested.param == Kind::mud ? "Mud"
+                                                                : "Debris";
+                         });
 
 }  // namespace
 }  // namespace frana::test

@@ -59,6 +59,8 @@ TEST(PictureText, PagesOfIso216) {
     EXPECT_EQ(size_from_text("A4")->width, 1754);
     EXPECT_EQ(size_from_text("A4")->height, 1240);
     EXPECT_EQ(size_from_text("A4-portrait")->height, 1754);
+    EXPECT_TRUE(size_from_text("A4")->turns && size_from_text("auto")->turns);
+    EXPECT_FALSE(size_from_text("A4-landscape")->turns || size_from_text("1600x1200")->turns);
     EXPECT_EQ(size_from_text("A3@300")->width, 4961);
     EXPECT_EQ(size_from_text("A3@300")->height, 3508);
     EXPECT_EQ(size_from_text("A3@300")->dots_per_inch, 300);

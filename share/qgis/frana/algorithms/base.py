@@ -5,13 +5,15 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingParameterBoolean,
-                       QgsProcessingParameterDefinition, QgsProcessingParameterFolderDestination)
+from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingOutputDefinition,
+                       QgsProcessingParameterBoolean, QgsProcessingParameterDefinition,
+                       QgsProcessingParameterFolderDestination, QgsProcessingParameterMatrix)
 from qgis.PyQt.QtGui import QIcon
 
 from ..fields import Values, number_parameter
 from ..inputs import inputs_folder
 from ..program import Program
+from ..translation import tr
 from ..written_values import problem_of, range_problem
 
 _ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "icon.svg")
@@ -40,16 +42,16 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
         return self.NAME
 
     def displayName(self) -> str:  # noqa: N802
-        return self.TITLE
+        return tr(self.TITLE)
 
     def group(self) -> str:
-        return self.GROUP
+        return tr(self.GROUP)
 
     def groupId(self) -> str:  # noqa: N802
         return self.GROUP.lower().replace(" ", "_")
 
     def shortHelpString(self) -> str:  # noqa: N802
-        return self.HELP
+        return tr(self.HELP)
 
     def tags(self) -> list[str]:
         return ["frana", "landslide", "run-out", *self.TAGS]
@@ -60,7 +62,7 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
     def canExecute(self) -> tuple[bool, str]:  # noqa: N802
         if os.access(self.program.path, os.X_OK):
             return True, ""
-        return False, f"The program {self.program.path} is not there any more. Install frana again, or correct its path"
+        return False, tr("The program {0} is not there any more. Install frana again, or correct its path", self.program.path)
 
     def values(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Values:
         return Values(self, parameters, context)
@@ -87,6 +89,20 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
                              context: QgsProcessingContext) -> tuple[bool, str]:
         problems = self.written_problems(parameters)
         return (False, "\n".join(problems)) if problems else super().checkParameterValues(parameters, context)
+
+    # What an algorithm declares is shown in the language of QGIS.
+
+    def addParameter(self, parameter: QgsProcessingParameterDefinition, *more: Any) -> bool:  # noqa: N802
+        if self.is_own(parameter):  # of the others the program tells the texts
+            parameter.setDescription(tr(parameter.description()))
+            parameter.setHelp(tr(parameter.help()) if parameter.help() else "")
+            if isinstance(parameter, QgsProcessingParameterMatrix):
+                parameter.setHeaders([tr(one) for one in parameter.headers()])
+        return super().addParameter(parameter, *more)
+
+    def addOutput(self, output: QgsProcessingOutputDefinition) -> bool:  # noqa: N802
+        output.setDescription(tr(output.description()))
+        return super().addOutput(output)
 
     # Parameters that several algorithms have.
 
@@ -132,5 +148,5 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
 
     @staticmethod
     def resume_hint(folder: str) -> str:
-        return (f"What was computed so far is in {folder}. To continue, run again with the same values and this folder, and "
-                f"tick “Resume a stopped run”. The inputs are kept in {inputs_folder(folder)}")
+        return tr("What was computed so far is in {0}. To continue, run again with the same values and this folder, and "
+                  "tick “Resume a stopped run”. The inputs are kept in {1}", folder, inputs_folder(folder))

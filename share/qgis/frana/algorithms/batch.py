@@ -11,6 +11,7 @@ from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessi
 from ..fields import Values
 from ..loading import load_result
 from ..outputs import BATCH, declare
+from ..translation import tr
 from .study import StudyAlgorithm, by_key, section, table
 
 _KEEP = ["none", "failed", "all"]
@@ -65,7 +66,7 @@ class BatchAlgorithm(StudyAlgorithm):
     def sections(self, values: Values, folder: str) -> list[str]:
         scene, changed = self.scene(values, folder)
         if not values.has("SCENE") and self.given.layer_of("release.perimeter") is None:
-            raise QgsProcessingException("Release area: is missing. Choose a layer of polygons, one for each slope")
+            raise QgsProcessingException(tr("Release area: is missing. Choose a layer of polygons, one for each slope"))
         given = [(name, values.column(parameter)) for name, parameter, _, _ in _COLUMNS if values.has(parameter)]
         region = [("scene", scene), *((name, column) for name, column in given if "." not in name)]
         region += [("window", values.text("WINDOW"))] if values.has("WINDOW") else []

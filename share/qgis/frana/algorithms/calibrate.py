@@ -12,6 +12,7 @@ from qgis.core import (QgsProcessing, QgsProcessingContext, QgsProcessingExcepti
 from ..fields import Values, number_parameter, number_text
 from ..inputs import settings, write_scene
 from ..outputs import CALIBRATE, declare
+from ..translation import tr
 from .study import StudyAlgorithm, by_key, rows, section, table, vary_parameter
 
 _RELEASE, _SURVEY = "release.perimeter", "observed.perimeter"
@@ -62,8 +63,8 @@ class CalibrateAlgorithm(StudyAlgorithm):
                 write_scene(folder, self.given, f"{self.TITLE}, from QGIS", self.scene_name(folder))))]
         surveyed = values.column("SURVEYED_EVENT") or (column if survey is not None and survey.has(column) else "")
         if survey is not None and not surveyed:
-            raise QgsProcessingException("Events: column of the surveyed outline: is missing. Choose the one that has the "
-                                         "event's value")
+            raise QgsProcessingException(tr("Events: column of the surveyed outline: is missing. Choose the one that has the "
+                                            "event's value"))
         written: dict[str, str] = {}
         for value in release.values_of(column):
             label = number_text(value) if isinstance(value, float) else str(value)
@@ -85,9 +86,10 @@ class CalibrateAlgorithm(StudyAlgorithm):
         events = self.events(values, folder)
         objective = rows(values, "OBJECTIVE", "Measures")
         vary = by_key(values, self.program.keys, "VARY", "Uncertain values")
-        needed = (("Events", events or files, "Choose layers, or scene files"), ("Measures", objective, "Add one"),
-                  ("Uncertain values", vary, "Add one"))
-        missing = [f"{title}: none is given. {remedy}, or a study file" for title, there, remedy in needed if not there]
+        needed = ((events or files, tr("Events: none is given. Choose layers, or scene files, or a study file")),
+                  (objective, tr("Measures: none is given. Add one, or a study file")),
+                  (vary, tr("Uncertain values: none is given. Add one, or a study file")))
+        missing = [sentence for there, sentence in needed if not there]
         if missing:
             raise QgsProcessingException("\n".join(missing))
         entries = [("samples", str(values.whole("SAMPLES")))]

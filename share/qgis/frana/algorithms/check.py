@@ -10,6 +10,7 @@ from qgis.core import (QgsProcessingContext, QgsProcessingFeedback, QgsProcessin
                        QgsProcessingOutputString, QgsProcessingParameterFileDestination)
 
 from ..process import run_or_refuse
+from ..translation import tr
 from .scene_algorithm import SceneAlgorithm
 
 
@@ -24,7 +25,7 @@ class CheckAlgorithm(SceneAlgorithm):
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.add_scene()
         self.add_threads()
-        self.addParameter(QgsProcessingParameterFileDestination("OUTPUT", "Report of the check", "Text (*.txt)", None, True))
+        self.addParameter(QgsProcessingParameterFileDestination("OUTPUT", "Report of the check", tr("Text (*.txt)"), None, True))
         self.addOutput(QgsProcessingOutputString("TEXT", "Report as text"))
         self.addOutput(QgsProcessingOutputString("WARNINGS", "Warnings"))
         self.addOutput(QgsProcessingOutputNumber("WARNING_COUNT", "Number of warnings"))
@@ -43,6 +44,6 @@ class CheckAlgorithm(SceneAlgorithm):
         page = self.parameterAsFileOutput(parameters, "OUTPUT", context)
         if page:
             with open(page, "w", encoding="utf-8") as file:
-                file.write("".join(f"Warning: {warning}\n" for warning in done.warnings) + text)
+                file.write("".join(tr("Warning: {0}", warning) + "\n" for warning in done.warnings) + text)
             found["OUTPUT"] = page
         return found

@@ -15,6 +15,7 @@ from ..inputs import inputs_folder
 from ..loading import load_layer
 from ..outputs import COMPARISON, collect, declare
 from ..process import run_or_refuse
+from ..translation import tr
 from .base import FranaAlgorithm
 
 
@@ -52,17 +53,17 @@ class CompareAlgorithm(FranaAlgorithm):
         good, message = super().checkParameterValues(parameters, context)
         values = self.values(parameters, context)
         if good and values.has("RESULT") == values.has("RASTER"):
-            return False, "Folder of a result, or a raster: give one of the two"
+            return False, tr("Folder of a result, or a raster: give one of the two")
         return good, message
 
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> bool:
         values = self.values(parameters, context)
-        self.observed = values.vector("OBSERVED", "Surveyed areas")
-        self.deposit = values.layer("DEPOSIT", "Surveyed deposit") if values.has("DEPOSIT") else None
-        self.raster = values.raster("RASTER", "Raster") if values.has("RASTER") else None
+        self.observed = values.vector("OBSERVED", tr("Surveyed areas"))
+        self.deposit = values.layer("DEPOSIT", tr("Surveyed deposit")) if values.has("DEPOSIT") else None
+        self.raster = values.raster("RASTER", tr("Raster")) if values.has("RASTER") else None
         if self.observed is None:
-            raise QgsProcessingException("Surveyed areas: the layer could not be opened")
+            raise QgsProcessingException(tr("Surveyed areas: the layer could not be opened"))
         return True
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
@@ -85,5 +86,5 @@ class CompareAlgorithm(FranaAlgorithm):
         feedback.pushConsoleInfo(done.output)
         found = {"OUTPUT": folder, **collect(folder, COMPARISON)}
         if values.is_on("LOAD") and "COMPARISON" in found:
-            load_layer(found["COMPARISON"], "Comparison", context)
+            load_layer(found["COMPARISON"], tr("Comparison"), context)
         return found

@@ -11,6 +11,7 @@ from ..inputs import inputs_folder
 from ..loading import load_layer
 from ..outputs import CONVERGE, collect, declare
 from ..process import run_or_refuse
+from ..translation import tr
 from .scene_algorithm import SceneAlgorithm
 
 
@@ -41,5 +42,5 @@ class ConvergeAlgorithm(SceneAlgorithm):
                               str(values.whole("LEVELS")), *self.options(values)], feedback, self.fields, self.NAMES)
         feedback.pushConsoleInfo(done.output)
         if values.is_on("LOAD"):
-            load_layer(os.path.join(folder, "uncertainty.tif"), "Estimated error of the depth", context)
+            load_layer(os.path.join(folder, "uncertainty.tif"), tr("Estimated error of the depth"), context)
         return {"OUTPUT": folder, **collect(folder, CONVERGE)}

@@ -11,6 +11,7 @@ from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessi
 from ..fields import Values, number_parameter, number_text
 from ..loading import load_result
 from ..outputs import ENSEMBLE, declare
+from ..translation import tr
 from .study import StudyAlgorithm, by_key, section, vary_parameter
 
 _SAMPLINGS = ["sobol", "latin-hypercube", "random", "grid", "saltelli", "morris"]
@@ -51,7 +52,8 @@ class EnsembleAlgorithm(StudyAlgorithm):
         scene, changed = self.scene(values, folder)
         pairs = by_key(values, self.program.keys, "VARY", "Uncertain values")
         if not pairs:
-            raise QgsProcessingException("Uncertain values: no row is given. Add a key and its distribution, or a study file")
+            raise QgsProcessingException(tr("Uncertain values: no row is given. Add a key and its distribution, or a "
+                                            "study file"))
         entries = [("scene", scene), ("samples", str(values.whole("SAMPLES")))]
         entries += [("sampling", values.word("SAMPLING"))] if values.has("SAMPLING") else []
         entries += [("seed", str(values.whole("SEED")))] if values.has("SEED") else []

@@ -10,6 +10,7 @@ from qgis.core import (QgsProcessingContext, QgsProcessingFeedback, QgsProcessin
 
 from ..inputs import inputs_folder, write_scene
 from ..process import run_or_refuse
+from ..translation import tr
 from .scene_algorithm import SceneAlgorithm
 
 
@@ -24,7 +25,7 @@ class NewSceneAlgorithm(SceneAlgorithm):
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.add_scene()
-        self.addParameter(QgsProcessingParameterFileDestination("OUTPUT", "Scene file", "Scene (*.ini)"))
+        self.addParameter(QgsProcessingParameterFileDestination("OUTPUT", "Scene file", tr("Scene (*.ini)")))
         self.addOutput(QgsProcessingOutputFolder("FOLDER", "Folder of the scene and its layers"))
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802

@@ -13,6 +13,7 @@ from qgis.PyQt.QtGui import QColor
 
 from ..exceedance import GridError, write_exceedance
 from ..loading import After
+from ..translation import tr
 from .base import FranaAlgorithm
 
 # The classes of maps of probability, as in the program's own; a test compares.
@@ -62,7 +63,7 @@ class ProbabilityAlgorithm(FranaAlgorithm):
         layers = self.parameterAsLayerList(parameters, "RASTERS", context)
         self.paths = [layer.source() for layer in layers]
         if len(self.paths) < 2:
-            raise QgsProcessingException("Rasters of the results: choose at least two that can be opened")
+            raise QgsProcessingException(tr("Rasters of the results: choose at least two that can be opened"))
         return True
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
@@ -71,7 +72,7 @@ class ProbabilityAlgorithm(FranaAlgorithm):
         target = self.parameterAsOutputLayer(parameters, "OUTPUT", context)
         doubled = sorted({path for path in self.paths if self.paths.count(path) > 1})
         if doubled:
-            raise QgsProcessingException(f"Rasters of the results: {doubled[0]} is chosen twice")
+            raise QgsProcessingException(tr("Rasters of the results: {0} is chosen twice", doubled[0]))
 
         def advance(done: float) -> bool:
             feedback.setProgress(100 * done)
@@ -80,7 +81,7 @@ class ProbabilityAlgorithm(FranaAlgorithm):
         try:
             area, error = write_exceedance(self.paths, threshold, _quantity(self.paths), target, advance)
         except GridError as problem:
-            raise QgsProcessingException(f"Rasters of the results: {problem}") from problem
+            raise QgsProcessingException(tr("Rasters of the results: {0}", problem)) from problem
         if context.willLoadLayerOnCompletion(target):
             style = After(lambda layer, at: style_probability(layer))
             context.layerToLoadOnCompletionDetails(target).setPostProcessor(style)

@@ -12,12 +12,13 @@ from qgis.core import (QgsProcessingContext, QgsProcessingFeedback, QgsProcessin
 
 from ..inputs import inputs_folder
 from ..process import run_or_refuse
+from ..translation import tr
 from .base import FranaAlgorithm
 
 _TEXTS = (("MAPS", "--map", "Rasters to draw, separated by commas (otherwise all)",
            "For example max_depth, max_velocity; depth@12.5 is the frame nearest to 12.5 s."),
           ("SIZE", "--size", "Size (otherwise the scene's)",
-           "WIDTHxHEIGHT in pixels, or A4, A3, A4-portrait, A3-portrait, with @DPI: A4@300."),
+           "auto, WIDTHxHEIGHT in pixels, or A4, A3, A4-portrait, A4-landscape, with @DPI: A4@300."),
           ("TITLE", "--title", "Title of the maps (otherwise the scene's)", "A text."),
           ("ATTRIBUTION", "--attribution", "Sources of the data and author, at the foot", "A text."),
           ("CAMERA", "--camera", "Camera of 3-D views: azimuth, elevation[, zoom]", "For example 220, 35."))
@@ -56,7 +57,7 @@ class RenderAlgorithm(FranaAlgorithm):
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> bool:
         values = self.values(parameters, context)
-        self.background = values.raster("BACKGROUND", "Background") if values.has("BACKGROUND") else None
+        self.background = values.raster("BACKGROUND", tr("Background")) if values.has("BACKGROUND") else None
         return True
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802

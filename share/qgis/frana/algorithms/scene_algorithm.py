@@ -16,6 +16,7 @@ from ..fields import Field, Values, fields_of
 from ..inputs import Given, result_of, settings, write_scene
 from ..messages import problems_of
 from ..process import run_program
+from ..translation import tr
 from .base import FranaAlgorithm
 
 
@@ -99,7 +100,7 @@ class SceneAlgorithm(FranaAlgorithm):
                 continue
             value = text.get(key.section, key.key)
             if value != key.default:
-                feedback.pushInfo(f"{key.title()}: {value}, as in the scene file")
+                feedback.pushInfo(tr("{0}: {1}, as in the scene file", key.title(), value))
 
     def checkParameterValues(self, parameters: dict[str, Any],  # noqa: N802
                              context: QgsProcessingContext) -> tuple[bool, str]:
@@ -127,5 +128,5 @@ class SceneAlgorithm(FranaAlgorithm):
         done = run_program(words, QgsProcessingFeedback(False))
         if done.code == 0:
             return []
-        found = problems_of(done.lines, self.fields, self.NAMES) or [f"frana check ended with exit code {done.code}"]
+        found = problems_of(done.lines, self.fields, self.NAMES) or [tr("{0} ended with exit code {1}", "frana check", done.code)]
         return [problem.replace(folder + os.sep, "") for problem in found]

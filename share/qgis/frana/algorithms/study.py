@@ -13,6 +13,7 @@ from ..inputs import inputs_folder, make_folder, settings, write_scene
 from ..keys import Key
 from ..outputs import Output, collect
 from ..process import run_or_refuse
+from ..translation import tr
 from .scene_algorithm import SceneAlgorithm
 
 
@@ -36,8 +37,8 @@ def rows(values: Values, name: str, title: str) -> list[tuple[str, str]]:
     pairs = [pair for pair in zip(texts[0::2], texts[1::2]) if any(pair)]
     for key, text in pairs:
         if not key or not text:
-            raise QgsProcessingException(f"{title}: a row has only one of its two cells ({key or text}). Fill the other one, "
-                                         "or remove the row")
+            raise QgsProcessingException(tr("{0}: a row has only one of its two cells ({1}). Fill the other one, or "
+                                            "remove the row", tr(title), key or text))
     return pairs
 
 

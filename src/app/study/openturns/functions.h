@@ -44,8 +44,9 @@ struct DesignPoints {
 struct Chaos {
     double q2 = 0;  ///< 1 - mean square of the errors at members left out, one by one, over the variance; NaN: none
     std::vector<double> first_order, total;  ///< by key: sums of its c_a^2, alone and with others, over the variance
-    std::vector<double> left_out;            ///< by member: what is predicted of it from the others; empty without points elsewhere
-    std::vector<double> elsewhere;           ///< what is predicted at other points
+    std::vector<double>
+        left_out;  ///< by member: what is predicted of it from the others; empty without points elsewhere
+    std::vector<double> elsewhere;  ///< what is predicted at other points
 };
 
 /// Members drawn near others that explain the surveys, with the density from which they were drawn.

@@ -186,13 +186,13 @@ double EventSurvey::outline_misfit(const Raster& depth) const {
     return mean / (mean + std::sqrt(scar_area_ / std::numbers::pi));
 }
 
-bool EventSurvey::has_no_deposit(const Raster& final_depth) const {
-    return is_empty(deposit_) && is_empty(trace_mask(final_depth, threshold_));
+bool EventSurvey::has_no_deposit(const Raster& change) const {
+    return is_empty(deposit_) && is_empty(trace_mask(change, threshold_));
 }
 
-double EventSurvey::deposit_depth_misfit(const Raster& final_depth) const {
-    if (has_no_deposit(final_depth)) return 0;
-    const DepositScores scores = compare_deposit(final_depth, elevation_change_, threshold_);
+double EventSurvey::deposit_depth_misfit(const Raster& change) const {
+    if (has_no_deposit(change)) return 0;
+    const DepositScores scores = compare_deposit(change, elevation_change_, threshold_);
     const double sum = scores.simulated_volume_m3 + scores.observed_volume_m3;
     return sum > 0 ? scores.mean_absolute_error_m * scores.area_m2 / sum : 0;
 }
@@ -235,9 +235,9 @@ double EventSurvey::outline_mean_square(const Raster& depth) const {
     return (mean_square(trace, *outline_) + mean_square(*outline_, trace)) / 2;
 }
 
-double EventSurvey::deposit_mean_square(const Raster& final_depth) const {
-    if (has_no_deposit(final_depth)) return 0;
-    return std::pow(compare_deposit(final_depth, elevation_change_, threshold_).rmse_m, 2);
+double EventSurvey::deposit_mean_square(const Raster& change) const {
+    if (has_no_deposit(change)) return 0;
+    return std::pow(compare_deposit(change, elevation_change_, threshold_).rmse_m, 2);
 }
 
 double EventSurvey::chi_square(const MemberRecord& record) const {
@@ -245,7 +245,7 @@ double EventSurvey::chi_square(const MemberRecord& record) const {
     if (outline_pieces_ > 0)
         sum += outline_pieces_ * outline_mean_square(record.raster(Quantity::depth, grid_)) / outline_variance_;
     if (deposit_pieces_ > 0)
-        sum += deposit_pieces_ * deposit_mean_square(record.raster(Quantity::final_depth, grid_)) / deposit_variance_;
+        sum += deposit_pieces_ * deposit_mean_square(record.raster(Quantity::deposit, grid_)) / deposit_variance_;
     for (const Evidence evidence : k_single_values) {
         if (!measures_by(evidence)) continue;
         const std::vector<double> values = values_of(evidence, record);
@@ -284,9 +284,9 @@ double EventSurvey::misfit(Measure measure, const MemberRecord& record) const {
         case Measure::outline:
             return outline_misfit(record.raster(Quantity::depth, grid_));
         case Measure::deposit:
-            return 1 - frana::compare(record.raster(Quantity::final_depth, grid_), deposit_, threshold_).jaccard;
+            return 1 - frana::compare(record.raster(Quantity::deposit, grid_), deposit_, threshold_).jaccard;
         case Measure::deposit_depth:
-            return deposit_depth_misfit(record.raster(Quantity::final_depth, grid_));
+            return deposit_depth_misfit(record.raster(Quantity::deposit, grid_));
         case Measure::arrival:
         case Measure::speed:
         case Measure::depth:
@@ -378,9 +378,10 @@ void check_survey(const CalibrationSpec& calibration, std::size_t event, const P
 void compare_by_survey(const CalibrationSpec& calibration, StudyInput& input) {
     input.base.spec.output.trace_threshold = observed_threshold(input.base.spec);
     const Survey& survey = input.base.extra.survey;
-    const bool has_deposit = survey.elevation_change || !survey.deposit.empty();
-    input.keeps_final_depth =
-        has_deposit && (weighs(calibration, Evidence::deposit) || weighs(calibration, Evidence::elevation_change));
+    if (weighs(calibration, Evidence::deposit) || weighs(calibration, Evidence::elevation_change))
+        input.kept_deposit = survey.elevation_change   ? Deposit::elevation_change
+                             : !survey.deposit.empty() ? Deposit::final_depth
+                                                       : Deposit::none;
 }
 
 }  // namespace

@@ -65,12 +65,12 @@ class EventSurvey {
   private:
     [[nodiscard]] double misfit(Measure measure, const MemberRecord& record) const;
     [[nodiscard]] double outline_misfit(const Raster& depth) const;
-    [[nodiscard]] bool has_no_deposit(const Raster& final_depth) const;
-    [[nodiscard]] double deposit_depth_misfit(const Raster& final_depth) const;
+    [[nodiscard]] bool has_no_deposit(const Raster& change) const;
+    [[nodiscard]] double deposit_depth_misfit(const Raster& change) const;
     [[nodiscard]] std::vector<double> values_of(Evidence evidence, const MemberRecord& record) const;
     [[nodiscard]] double chi_square(const MemberRecord& record) const;
     [[nodiscard]] double outline_mean_square(const Raster& depth) const;
-    [[nodiscard]] double deposit_mean_square(const Raster& final_depth) const;
+    [[nodiscard]] double deposit_mean_square(const Raster& change) const;
     [[nodiscard]] bool measures_by(Evidence evidence) const;
 
     const EventSpec& event_;

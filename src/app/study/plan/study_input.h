@@ -53,8 +53,8 @@ struct StudyInput {
     /// One fact per line: the study, every member's values, the scenes and their data. Two studies with the same
     /// identity give the same bits.
     std::string identity;
-    std::vector<LevelCells> levels;  ///< of a multilevel study, the coarsest first
-    bool keeps_final_depth = false;  ///< of the members' records
+    std::vector<LevelCells> levels;        ///< of a multilevel study, the coarsest first
+    Deposit kept_deposit = Deposit::none;  ///< of the members' records
 
     /// Returns the scene of a member, as `frana run` with its values reads it.
     [[nodiscard]] SceneReading member(std::size_t index) const;

@@ -66,7 +66,7 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
         if (result.stop_reason == StopReason::requested) return std::nullopt;
         RecordExtras extras = record_extras(input.base.spec);
         extras.pressure = extras.pressure || input.reading.study.per_polygon() || input.base.extra.exposure;
-        extras.final_depth = input.keeps_final_depth;
+        extras.deposit = input.kept_deposit;
         MemberRecord record = record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
         warn_without_pages(prepared, result, log);
         record.end.warnings = log.warnings();
