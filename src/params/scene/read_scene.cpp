@@ -106,7 +106,9 @@ std::optional<Problem> read_value(const Parameter& parameter, const std::string&
     const auto refusal = parameter.read(scene, value);
     if (!refusal) return std::nullopt;
     const std::string unit = parameter.unit.empty() || parameter.limits.empty() ? "" : " [" + parameter.unit + "]";
-    return Problem{refusal->what, where, value, parameter.limits + unit, refusal->remedy};
+    const std::string remedy =
+        refusal->remedy.empty() && !parameter.absent.empty() ? "Without the key: " + parameter.absent : refusal->remedy;
+    return Problem{refusal->what, where, value, parameter.limits + unit, remedy};
 }
 
 bool has_control_characters(const std::string& text) {

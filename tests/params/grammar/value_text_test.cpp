@@ -64,7 +64,7 @@ TEST(PictureText, PagesOfIso216) {
     EXPECT_EQ(size_from_text("A3@300")->width, 4961);
     EXPECT_EQ(size_from_text("A3@300")->height, 3508);
     EXPECT_EQ(size_from_text("A3@300")->dots_per_inch, 300);
-    for (const std::string bad : {"A5", "A4@", "A4@72", "A4@600", "A4@x", "A4-landscape", "A", "a4"})
+    for (const std::string bad : {"A5", "A4@", "A4@72", "A4@600", "A4@x", "A4-square", "A", "a4"})
         EXPECT_FALSE(size_from_text(bad)) << bad;
 }
 

@@ -41,6 +41,13 @@ TEST_F(ReadScene, EveryProblemInOnePass) {
     EXPECT_EQ(all.size(), 8U);
 }
 
+TEST_F(ReadScene, AKeyThatMayBeMissingSaysWhatThenIs) {
+    const std::vector<Problem> all = problems(k_least + "[observed]\nperimeter = a.shp\nperimeter-error = 0\n");
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_TRUE(has_problem(all, "observed.perimeter-error", "0", "0.001 to 1e+05 [m]"));
+    EXPECT_EQ(all.front().remedy, "Without the key: the best agreement sets the scale");
+}
+
 TEST_F(ReadScene, FrictionIsRequired) {
     EXPECT_TRUE(has_problem(problems("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n"),
                             "material.friction-angle"));

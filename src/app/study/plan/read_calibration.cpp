@@ -183,7 +183,8 @@ void CalibrationReader::add_weight(const std::string& name, const IniEntry& entr
 void CalibrationReader::add_observation(const std::string& event, const std::string& key, const IniEntry& entry) {
     EventSpec* const spec = event_of(event);
     if (spec == nullptr) return refuse_event(event, entry);
-    const std::size_t sign = entry.value.find("+-");
+    // As many bytes in ASCII as in UTF-8.
+    const std::size_t sign = std::min(entry.value.find("+-"), entry.value.find("\u00b1"));
     const auto value = number_from_text(trimmed(entry.value.substr(0, sign))),
                error = sign == std::string::npos ? std::optional(0.0)
                                                  : number_from_text(trimmed(entry.value.substr(sign + 2)));
@@ -196,7 +197,8 @@ void CalibrationReader::add_observation(const std::string& event, const std::str
         refuse("unknown key", entry, "",
                "An event has scene, runout, and at gauges of its scene arrival GAUGE, speed GAUGE, depth GAUGE");
     else if (!value || !(*value > 0 && *value < 1e9))
-        refuse("is not a number greater than 0", entry, at_gauge ? std::string("in ") + kind->unit : "in m", "");
+        refuse("is not a number greater than 0", entry, at_gauge ? std::string("in ") + kind->unit : "in m",
+               "Write for example 35, or 35 +- 5 with its standard deviation");
     else if (!error || !(*error < 1e9) || (sign != std::string::npos && !(*error > 0)))
         refuse("has an error that is not a number greater than 0", entry, "", "Write for example 35 +- 5");
     else if (at_gauge)
@@ -213,11 +215,15 @@ void CalibrationReader::add_entry(const IniEntry& entry) {
     const auto space = head.find(' ');
     const std::string section = head.substr(0, space),
                       event = space == std::string::npos ? "" : trimmed(head.substr(space));
-    static const std::set<std::string> k_without_effect{"study.until", "study.keep", "study.levels", "study.refine",
-                                                        "study.coarse"};
+    static const std::set<std::string> k_without_effect{"study.until", "study.keep", "study.levels"},
+        k_gone{"study.refine", "study.coarse"};
     if (rest.empty()) return refuse("unknown key", entry, "", k_sections);
     if (event.empty() && k_without_effect.count(entry.name) > 0)
         return refuse("has no effect in a calibration", entry, "", "Remove it");
+    if (event.empty() && k_gone.count(entry.name) > 0)
+        return refuse("is no longer a key", entry, "",
+                      "Remove it: after the design, runs are chosen one batch after the other until the posterior has "
+                      "settled; study.samples is the most there may be");
     if (entry.name == "study.scene") return add_scenes(entry);
     if (read(calibration_keys(), entry, reading_.calibration)) return;
     if (section == "objective" && event.empty()) return add_weight(rest, entry);

@@ -43,7 +43,7 @@ exponent = 8
 [event south]
 scene = a.ini
 runout = 786 +- 20
-arrival bridge = 35 +- 2.5
+arrival bridge = 35 ± 2.5
 speed bridge = 12
 depth church = 0.5
 [event north]
@@ -159,6 +159,8 @@ key = 1
     EXPECT_TRUE(has_problem(all, "study.samples", "1", "2 to 1000000"));
     EXPECT_TRUE(has_problem(all, "study.refine", "100"));
     EXPECT_TRUE(has_problem(all, "study.coarse", "2"));
+    const auto refine = std::find_if(all.begin(), all.end(), [](const Problem& one) { return one.value == "100"; });
+    EXPECT_NE(refine->remedy.find("study.samples"), std::string::npos) << refine->remedy;  // what replaced it
     EXPECT_TRUE(has_problem(all, "study.until", "0.02"));
     EXPECT_TRUE(has_problem(all, "study.sampling", "grid", "sobol, latin-hypercube, random"));
     EXPECT_TRUE(has_problem(all, "objective.jacard", "1"));
