@@ -212,8 +212,10 @@ std::vector<ResultRaster> make_table() {
                [](const SceneSpec& scene) { return scene.friction_table.name.has_value(); });
     table.add("mu", RasterKind::given, "Bed friction coefficient", "Bed friction coefficient mu", "-", "velocity",
               k_even);
-    table.add("xi", RasterKind::given, "Turbulence coefficient", "Voellmy turbulence coefficient xi", "m/s2", "depth",
-              k_even);
+    table
+        .add("xi", RasterKind::given, "Turbulence coefficient", "Voellmy turbulence coefficient xi", "m/s2", "depth",
+             k_even)
+        .bounds = {0, 500, 1000, 1500, 2000, 2500, 3000, 3500, k_infinity};
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
