@@ -85,18 +85,18 @@ void check_friction_table(const SceneSpec& scene, const std::set<std::string>& g
     const std::string table_key = "material.friction-table";
     const SceneSpec usual;
     for (const Parameter& key : scene_parameters()) {
+        // A key given with its default value requests nothing: every echo has those.
+        if (given.count(key.name()) == 0 || key.write(scene) == key.write(usual)) continue;
         const bool reads_table =
             std::find(std::begin(k_table_keys), std::end(k_table_keys), key.name()) != std::end(k_table_keys);
-        // A key given with its default value requests nothing.
-        if (reads_table && !spec.name && given.count(key.name()) > 0 && key.write(scene) != key.write(usual))
+        if (reads_table && !spec.name)
             problems.add({"needs " + table_key, file + ": " + key.name(), key.write(scene).value_or(""), "",
                           "Name the table, or remove the key"});
+        if (gives_by_table(key.name()) && spec.name)
+            problems.add({"contradicts " + table_key + ", which gives it by place", file + ": " + key.name(),
+                          key.write(scene).value_or(""), "", "Keep one of the two"});
     }
     if (!spec.name) return;
-    for (const std::string& key : given)
-        if (gives_by_table(key))
-            problems.add({"contradicts " + table_key + ", which gives it by place", file + ": " + key, "", "",
-                          "Keep one of the two"});
     const std::vector<const Law*> selected = laws_of(scene);
     for (const char* const key : {"material.friction-coefficient", "material.turbulence"})
         if (readers_of(key, selected).empty())

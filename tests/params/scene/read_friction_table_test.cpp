@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "params/scene/write_scene.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -139,6 +140,8 @@ TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_TRUE(has_problem(problems(k_least + "table-volume = 1000\n"), "material.table-volume"));
     EXPECT_TRUE(has_problem(problems(k_least + "table-friction-factor = 2\n"), "material.table-friction-factor", "2"));
     EXPECT_TRUE(problems(k_least + "table-friction-factor = 1\n").empty()) << "as the echo of every scene has it";
+    const SceneReading table = read(k_table + "return-period = 30\n");
+    EXPECT_TRUE(problems(scene_text(table.scene, {})).empty()) << "its echo";
     // It replaces what a preset, or an earlier source, gives.
     const SceneReading preset = read(k_table + "preset = snow-avalanche\nreturn-period = 30\n");
     EXPECT_TRUE(preset.problems.empty());
