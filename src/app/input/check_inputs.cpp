@@ -193,10 +193,11 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
 /// The least that a map shows is the release; the flow, of which nothing is known yet, needs more.
 void check_map_scale(const SceneReading& reading, const MultiPolygon& outlines, Problems& problems) {
     const OutputSpec& output = reading.scene.output;
-    const std::optional<Size> page = size_from_text(output.map_size);
+    std::optional<Size> page = size_from_text(output.map_size);
     if (!output.map_scale || !page || !is_paper(*page) || output.maps == std::vector<std::string>{"off"}) return;
     constexpr double k_inch = 0.0254;
     const Bounds box = bounds(outlines);
+    page = size_for_ground(*page, box.width(), box.height());
     const double metre = page->dots_per_inch / k_inch;  // pixels on paper
     const double least = metre * std::max((box.east - box.west) / page->width, (box.north - box.south) / page->height);
     if (least <= *output.map_scale) return;

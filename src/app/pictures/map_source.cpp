@@ -284,13 +284,11 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     spec.block = title_block(source.style);
     spec.series = render::SeriesText{own_title(source), scenario_line(source), source.notes};
     spec.longitude_latitude = source.longitude_latitude;
-    // From this shape on the frame of an upright page shows it at the greater scale.
-    constexpr double k_upright = 1.25;
-    if (const Bounds shown = render::required_window(spec);
-        source.style.size.turns && shown.height() > k_upright * shown.width()) {
-        std::swap(spec.width, spec.height);
-        if (!spec.print.sheet.empty()) spec.print.sheet += "-portrait";
-    }
+    const Bounds shown = render::required_window(spec);
+    const Size size = size_for_ground(source.style.size, shown.width(), shown.height());
+    spec.width = size.width;
+    spec.height = size.height;
+    spec.print.sheet = size.paper;
     return spec;
 }
 

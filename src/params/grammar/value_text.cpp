@@ -146,6 +146,14 @@ std::optional<Size> size_from_text(const std::string& text) {
     return Size{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
+Size size_for_ground(Size size, double width, double height) {
+    constexpr double k_upright = 1.25;
+    if (!size.turns || !(height > k_upright * width)) return size;
+    std::swap(size.width, size.height);
+    if (is_paper(size)) size.paper += "-portrait";
+    return size;
+}
+
 std::optional<CameraText> camera_from_text(const std::string& text) {
     const std::vector<std::string> words = words_of(text);
     if (words.size() < 2 || words.size() > 3) return std::nullopt;

@@ -42,6 +42,9 @@ struct Size {
 inline bool is_paper(const Size& size) {
     return !size.paper.empty();
 }
+/// Returns the size of a map of ground this wide and high: one that turns is upright from the shape on at which an
+/// upright page's frame shows the ground at the greater scale.
+Size size_for_ground(Size size, double width, double height);
 /// The sizes that size_from_text accepts, for messages.
 inline constexpr const char* k_sizes =
     "auto, WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape, with "

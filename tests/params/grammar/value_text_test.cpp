@@ -61,6 +61,10 @@ TEST(PictureText, PagesOfIso216) {
     EXPECT_EQ(size_from_text("A4-portrait")->height, 1754);
     EXPECT_TRUE(size_from_text("A4")->turns && size_from_text("auto")->turns);
     EXPECT_FALSE(size_from_text("A4-landscape")->turns || size_from_text("1600x1200")->turns);
+    const Size upright = size_for_ground(*size_from_text("A4"), 1, 2);
+    EXPECT_TRUE(upright.height == 1754 && upright.paper == "A4-portrait");
+    EXPECT_EQ(size_for_ground(*size_from_text("A4-landscape"), 1, 2).height, 1240);
+    EXPECT_EQ(size_for_ground(*size_from_text("auto"), 1, 1.2).height, 1200);
     EXPECT_EQ(size_from_text("A3@300")->width, 4961);
     EXPECT_EQ(size_from_text("A3@300")->height, 3508);
     EXPECT_EQ(size_from_text("A3@300")->dots_per_inch, 300);
