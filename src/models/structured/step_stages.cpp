@@ -110,6 +110,7 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
         const double du = u - solid.mean.x, dv = v - solid.mean.y;
         solid.last.apart2 = std::max(solid.last.apart2, du * du + dv * dv);
     }
+    solid.last.opening = 2 * std::sqrt(solid.last.apart2) / laws.solid.side;  // the most that neighbours can
     StepReport now;
     observe_particles(state, laws, now, pool);
     keep_for_next_step(state, laws, now);

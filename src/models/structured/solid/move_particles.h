@@ -31,6 +31,10 @@ struct Obstacles {
 /// substep, rounding included.
 inline constexpr double k_static_margin = 1e-9;
 
+/// Greatest logarithm by which a particle's area changes in a substep; substeps are four times shorter
+/// (stable_substep), but what meets within one is seen after it.
+inline constexpr double k_greatest_growth = 2;
+
 /// New velocities and places after dt: accelerations, then bed friction, which can stop but not reverse a particle. It
 /// takes over the nodes' velocity while a wave crosses their spacing, as in the first model whatever the substep, and
 /// moves with the very field whose gradients strained it: where particles moved with their own velocities instead, what
@@ -77,10 +81,10 @@ inline SolidReport move_particles(ParticleRun run, double dt, double wave_cfl, c
         }
         // Non-finite particles keep their place for the report; the run ends after this step.
         const bool finite = std::isfinite(x + y + u * u + v * v);
-        const double half = 0.5 * dt * w[SolidWork::opening][p];
-        const bool sane = std::abs(half) < 0.5;
+        const double opening = w[SolidWork::opening][p], growth = dt * opening;
+        const bool sane = std::abs(growth) < k_greatest_growth;
         double& area = particles[Field::area][p];
-        if (sane) area = std::min(area * ((1 + half) / (1 - half)), std::max(area, widest));
+        if (sane) area = std::min(area * std::exp(growth), std::max(area, widest));
         report.clamped += sane ? 0 : 1;
         particles[Field::x][p] = finite ? x : x0;
         particles[Field::y][p] = finite ? y : y0;
@@ -94,6 +98,7 @@ inline SolidReport move_particles(ParticleRun run, double dt, double wave_cfl, c
         report.speed2 = std::max(report.speed2, speed2);
         report.apart2 = std::max({report.apart2, apart2(u, v), apart2(motion.u, motion.v)});
         report.acceleration2 = std::max(report.acceleration2, acceleration2);
+        report.opening = std::max(report.opening, std::abs(opening));
         report.non_finite += finite ? 0 : 1;
         report.rests = report.rests && speed2 == 0 && acceleration2 <= holds * holds;
     }

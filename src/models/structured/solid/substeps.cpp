@@ -84,7 +84,8 @@ double stable_substep(const SolidState& state, const SolidLaws& laws) {
     const bool fast = state.elastic || laws.earth_pressure == EarthPressure::passive;
     const double wave = fast ? std::max(laws.wave_speed, state.sound) : state.sound;
     const double acceleration = std::max(std::sqrt(state.last.acceleration2), laws.gravity);
-    return std::min(laws.wave_cfl * laws.side / wave, k_force * std::sqrt(laws.side / acceleration));
+    return std::min({laws.wave_cfl * laws.side / wave, k_force * std::sqrt(laws.side / acceleration),
+                     0.25 * k_greatest_growth / state.last.opening});
 }
 
 int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,

@@ -117,6 +117,17 @@ TEST(Thrust, PassiveActsOnMotion) {
     EXPECT_LT(less, 0.7 * left);
 }
 
+// However fast loose columns meet, a substep changes no area by so much that it would be left as it is.
+TEST(Column, SubstepsAreShortWhereColumnsMeet) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.cohesion = 0;
+    c.laws.solid.gravity = 1e-3;
+    c.fill(30, 40, 6, 1, [](Point p) { return bench::Seed{1, p.x < 32 ? 8.0 : -8.0, 0}; });
+    State state = c.start(flat(40, 40, 2), pool);
+    for (int i = 0; i < 40; ++i) EXPECT_EQ(step(state, c.laws, 0.05, pool).solids.clamped, 0);
+}
+
 // A column that spreads on and on gets no wider than the nodes see a lone particle.
 TEST(Column, GetsNoWiderThanTheNodesSeeIt) {
     ThreadPool pool(1);
