@@ -38,9 +38,8 @@ TEST(PressureWave, Speed) {
     EXPECT_NEAR((centre() - first) / 0.04, exact, 0.03 * exact);
 }
 
-// What the pulse looks like after four of its lengths, without artificial viscosity, which would take from its height
-// with first order: half of it runs each way. The sums err with second order, the substeps with first: they are
-// shortened for the order.
+// What the pulse looks like after four of its lengths: half of it runs each way. The nodes err with second order, the
+// substeps with first: they are shortened for the order.
 TEST(PressureWave, ProfileConvergesWithSecondOrder) {
     const auto error = [](double cell, double substep) {
         constexpr double k_wave_length = 20, k_middle = 45, k_time = 0.08, k_speed = 0.01;
