@@ -96,12 +96,14 @@ std::string by_place(const ReportInput& input, const std::string& key, const Wor
         };
         const auto& source = spec.zones.*(zone.source);
         const bool is_raster = source && source->kind == SourceSpec::Kind::raster;
+        const std::string value =
+            value_with_unit(least == greatest ? shown(least) : shown(least) + " – " + shown(greatest), zone.unit);
+        if (input.prepared.friction && gives_by_table(key))
+            return words("{1} {2} by place, after {3}",
+                         {name_of(key, words), value, words(input.prepared.friction->choice().table.called)});
         const std::string file = is_raster ? source->name : spec.terrain.friction_zones.value_or("");
-        return words(
-            "{1} {2} by place (zones of {3})",
-            {name_of(key, words),
-             value_with_unit(least == greatest ? shown(least) : shown(least) + " – " + shown(greatest), zone.unit),
-             fs::path(file).filename().string()});
+        return words("{1} {2} by place (zones of {3})",
+                     {name_of(key, words), value, fs::path(file).filename().string()});
     }
     return "";
 }

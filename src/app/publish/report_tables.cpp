@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "app/input/prepare_zones.h"
 #include "app/input/used_file.h"
 #include "app/pictures/map_layer.h"
 #include "app/publish/html_page.h"
@@ -268,6 +269,34 @@ Document release_table(const RunResult& result, const Words& words) {
                    n.grouped(area.volume)});
     }
     return table;
+}
+
+Document friction_table(const SummaryFacts& facts, const Words& words) {
+    const ReportNumbers n(words);
+    const FrictionChoice& choice = facts.friction->choice();
+    const FrictionTable& source = choice.table;
+    Table table({words("terrain"), words("elevation"), "μ", "ξ [m/s²]", words("area [m²]")});
+    for (const FrictionArea& area : facts.friction_areas) {
+        const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
+        table.row({words(source.terrain[area.kind].name) + (area.forest ? ", " + words("forest") : ""),
+                   class_text(source.altitudes, area.band, "m").in(words),
+                   n(pair.coefficient, 3),
+                   n.rounded(pair.turbulence, 4),
+                   {n.grouped(area.area_m2), "n"}});
+    }
+    Document told;
+    told.paragraph(friction_text(choice).in(words)).add(table);
+    if (source.terrain.size() > 1)
+        told.small(
+            words("Of the area reached, by the nearest class. Between two classes of terrain the values are "
+                  "interpolated by the curvature across the slope; mu.tif and xi.tif have those used."));
+    for (const FrictionStep& step : friction_steps(choice, facts.friction_areas))
+        told.small(
+            words("At {1} m the flow crosses two bands of altitude: from one cell to the next μ changes by up to "
+                  "{2} and ξ by up to {3} m/s².",
+                  {n.grouped(step.altitude), n(step.change.coefficient, 3), n.rounded(step.change.turbulence, 4)}));
+    if (!source.note.empty()) told.small(source.note);
+    return told;
 }
 
 Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {

@@ -152,6 +152,8 @@ constexpr Condition k_conditions[] = {
          return s.zones.friction_angle || s.zones.friction_coefficient || s.zones.turbulence || s.zones.cohesion ||
                 s.zones.erodible_depth;
      }},
+    {"material.table-friction-factor", [](const SceneSpec& s) { return s.friction_table.name.has_value(); }},
+    {"material.table-turbulence-factor", [](const SceneSpec& s) { return s.friction_table.name.has_value(); }},
     {"numerics.flight-angle", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"numerics.flight-clearance", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"numerics.flight-drag", [](const SceneSpec& s) { return flight(s.numerics); }},
