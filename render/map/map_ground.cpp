@@ -141,7 +141,7 @@ const GridSpec& map_grid(const MapSpec& spec) {
 std::optional<Bounds> content(const MapSpec& spec) {
     std::optional<Bounds> shown;
     for (const Raster* raster : {spec.extent, spec.layer}) {
-        if (raster == nullptr) continue;
+        if (raster == nullptr || (raster == spec.layer && !spec.layer_frames_map)) continue;
         if (const auto data = data_bounds(*raster)) include(shown, *data);
     }
     for (const Outline& outline : spec.outlines) {

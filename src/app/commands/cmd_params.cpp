@@ -10,6 +10,7 @@
 #include "app/text/text_table.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "params/grammar/data_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/materials.h"
 #include "params/scene/read_friction_table.h"
@@ -188,7 +189,7 @@ int cmd_schemes(const Arguments& arguments) {
     if (values->count("operand") > 0)
         files = {(*values)["operand"].as<std::string>()};
     else
-        files = friction ? friction_table_files(share_directory()) : scheme_files(share_directory());
+        files = data_files(share_directory(), friction ? k_friction_folder : k_scheme_folder);
     if (friction)
         print_files(files, read_friction_table, "friction_tables", as_json);
     else

@@ -224,7 +224,10 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     // A frame's name is that of its raster and its number: depth_0012.
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
-    if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
+    if (const ResultRaster* const row = find_result_raster(kind)) {
+        layer.is_surface = row->is_surface;
+        layer.is_ground = row->kind == ResultRaster::Kind::given && row->is_produced_by != nullptr;
+    }
     const auto probability = probability_of(text);
     const std::string direction = depth_direction(text.description);
     const bool is_known = probability ? set_from_table(*probability, classes, words, direction, layer)

@@ -19,6 +19,8 @@
 #include "gis/raster/styles.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/zone_keys.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
@@ -102,7 +104,7 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
 
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
     std::map<std::string, std::string> origin = provenance(prepared);
-    const auto write_one = [&](const char* name, const Raster& raster) {
+    const auto write_one = [&](const std::string& name, const Raster& raster) {
         write(directory, *find_result_raster(name), raster, origin, prepared.spec.output, words_of(prepared.spec));
     };
     write_one("dtm", prepared.scene.terrain);
@@ -112,8 +114,9 @@ void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
     origin[k_friction_source_item] = table.named_source;
     if (table.is_source_read()) origin[k_friction_read_item] = table.read_at;
     if (!table.texts.empty()) origin[k_scheme_words_item] = Json(table.texts).dump();
-    write_one("mu", *prepared.scene.zones.friction_coefficient);
-    write_one("xi", *prepared.scene.zones.turbulence);
+    for (const ZoneKey& key : zone_keys())  // named as their columns
+        if (find_result_raster(key.columns.back()) != nullptr)
+            write_one(key.columns.back(), *(prepared.scene.zones.*raster_of(key)));
 }
 
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {

@@ -131,7 +131,10 @@ std::vector<std::string> values_told(const ReportInput& input, const Words& word
         const Parameter& key = *find_parameter(parameters, name);
         const std::string text = key.write(spec).value_or("");
         const bool is_default = spec.origin_of(name) == Origin::default_value;
-        if (const std::string zones = by_place(input, name, words); !zones.empty()) told.push_back(zones);
+        // A table gives one bed friction, which two keys may name.
+        const bool is_other_name = input.prepared.friction && name == "material.friction-angle";
+        if (const std::string zones = by_place(input, name, words); !zones.empty() && !is_other_name)
+            told.push_back(zones);
         // An assumed density is worth knowing; other defaults are in the table of the keys.
         if (text.empty() || (is_default && name != "material.density")) continue;
         std::string value = name_of(name, words) + " " + value_of(key, spec, words);

@@ -91,23 +91,36 @@ void DataFile::refuse_rest() {
                                                  : "Did you mean " + nearest_name(key, known_) + "?");
 }
 
-std::vector<std::string> data_files(const std::string& share, const std::string& folder, const std::string& what) {
-    const fs::path place = fs::path(share) / folder;
+std::vector<std::string> data_files(const std::string& share, const DataFolder& of) {
+    const fs::path place = fs::path(share) / of.folder;
     std::error_code error;
     std::vector<std::string> files;
     for (const fs::directory_entry& entry : fs::directory_iterator(place, error))
         if (entry.path().extension() == ".ini") files.push_back(entry.path().string());
     if (error)
-        throw Error(ErrorKind::environment, Problem{"the folder of " + what + " cannot be read", place.string(), "", "",
-                                                    "Set FRANA_SHARE to frana's share folder"});
+        throw Error(ErrorKind::environment, Problem{std::string("the folder of ") + of.what + "s cannot be read",
+                                                    place.string(), "", "", "Set FRANA_SHARE to frana's share folder"});
     std::sort(files.begin(), files.end());
     return files;
 }
 
-std::vector<std::string> names_of(const std::vector<std::string>& data_files) {
+std::vector<std::string> data_names(const std::string& share, const DataFolder& of) {
     std::vector<std::string> names;
-    for (const std::string& file : data_files) names.push_back(fs::path(file).stem().string());
+    for (const std::string& file : data_files(share, of)) names.push_back(fs::path(file).stem().string());
     return names;
+}
+
+std::optional<std::string> data_file_of(const std::string& value, const std::string& share, const DataFolder& of,
+                                        const std::vector<std::string>& more, const std::string& where,
+                                        Problems& problems) {
+    if (is_own_file(value)) return value;
+    std::vector<std::string> names = data_names(share, of);
+    if (std::find(names.begin(), names.end(), value) != names.end())
+        return (fs::path(share) / of.folder / (value + ".ini")).string();
+    names.insert(names.end(), more.begin(), more.end());
+    problems.add(
+        {std::string("is not a ") + of.what, where, value, joined(names, ", ") + ", or a file FILE.ini", of.lists});
+    return std::nullopt;
 }
 
 }  // namespace frana

@@ -52,15 +52,28 @@ class DataFile {
     std::vector<std::string> known_;
 };
 
-/// Returns the data files of a folder of the share folder, in alphabetical order. `what` names them: "hazard schemes".
-/// Throws Error(environment) if it is missing.
-std::vector<std::string> data_files(const std::string& share, const std::string& folder, const std::string& what);
+/// A folder of data files in the share folder.
+struct DataFolder {
+    const char *folder, *what;  ///< "schemes", "hazard scheme"
+    const char* lists;          ///< "`frana schemes` lists them"
+};
+inline constexpr DataFolder k_scheme_folder{"schemes", "hazard scheme", "`frana schemes` lists them"};
+inline constexpr DataFolder k_friction_folder{"friction", "friction table", "`frana schemes --friction` lists them"};
+
+/// Returns its files, in alphabetical order. Throws Error(environment) if it is missing.
+std::vector<std::string> data_files(const std::string& share, const DataFolder& of);
 /// Returns their names, without .ini.
-std::vector<std::string> names_of(const std::vector<std::string>& data_files);
+std::vector<std::string> data_names(const std::string& share, const DataFolder& of);
 
 /// Whether a key names a data file of one's own, not one of the share folder.
 inline bool is_own_file(const std::string& value) {
     return value.ends_with(".ini");
 }
+
+/// Returns the file that a key names; none, with a problem, if there is none of this name. `more`: what it may be
+/// besides.
+std::optional<std::string> data_file_of(const std::string& value, const std::string& share, const DataFolder& of,
+                                        const std::vector<std::string>& more, const std::string& where,
+                                        Problems& problems);
 
 }  // namespace frana

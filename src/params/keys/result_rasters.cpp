@@ -210,8 +210,10 @@ std::vector<ResultRaster> make_table() {
 
     table.when("with `material.friction-table`",
                [](const SceneSpec& scene) { return scene.friction_table.name.has_value(); });
-    table.add("mu", RasterKind::given, "Bed friction coefficient", "Bed friction coefficient mu", "-", "velocity",
-              k_even);
+    table
+        .add("mu", RasterKind::given, "Bed friction coefficient", "Bed friction coefficient mu", "-", "velocity",
+             k_even)
+        .bounds = {0, 0.15, 0.175, 0.2, 0.225, 0.25, 0.3, 0.35, 0.4, k_infinity};
     table
         .add("xi", RasterKind::given, "Turbulence coefficient", "Voellmy turbulence coefficient xi", "m/s2", "depth",
              k_even)

@@ -110,26 +110,14 @@ FrictionTable read_friction_table(const std::string& path, const std::string& la
     return TableReader(path, label, problems).read(fs::path(path).stem().string());
 }
 
-std::vector<std::string> friction_table_files(const std::string& share) {
-    return data_files(share, "friction", "friction tables");
-}
-
 std::optional<FrictionTable> resolved_friction_table(const FrictionTableSpec& spec, const std::string& share,
                                                      const std::string& where, Problems& problems) {
     if (!spec.name) return std::nullopt;
-    std::string file = *spec.name;
-    if (!is_own_file(file)) {
-        const std::vector<std::string> names = names_of(friction_table_files(share));
-        if (std::find(names.begin(), names.end(), file) == names.end()) {
-            problems.add({"is not a friction table", where, file, joined(names, ", ") + ", or a file FILE.ini",
-                          "share/doc/input.md describes them"});
-            return std::nullopt;
-        }
-        file = (fs::path(share) / "friction" / (file + ".ini")).string();
-    }
+    const auto file = data_file_of(*spec.name, share, k_friction_folder, {}, where, problems);
+    if (!file) return std::nullopt;
     return attempt(problems, [&]() -> std::optional<FrictionTable> {
         Problems of_file;
-        FrictionTable table = read_friction_table(file, file, of_file);
+        FrictionTable table = read_friction_table(*file, *file, of_file);
         of_file.throw_if_any();
         return table;
     });

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "analysis/friction_table.h"
 #include "core/error.h"
@@ -14,9 +13,6 @@ namespace frana {
 /// Returns the table of a file; share/doc/input.md describes its keys. Every problem is collected, with `label` for the
 /// file; the table is then incomplete. Throws Error(input) if the file cannot be read as INI.
 FrictionTable read_friction_table(const std::string& path, const std::string& label, Problems& problems);
-
-/// Returns the files of the folder `friction` of a share folder, as data_files does.
-std::vector<std::string> friction_table_files(const std::string& share);
 
 /// Returns the table that a scene names; none without one, and with a problem. `where` is where it is named.
 std::optional<FrictionTable> resolved_friction_table(const FrictionTableSpec& spec, const std::string& share,

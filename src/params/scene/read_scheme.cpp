@@ -146,32 +146,14 @@ HazardScheme read_scheme(const std::string& path, const std::string& label, Prob
     return SchemeReader(path, label, problems).read(fs::path(path).stem().string());
 }
 
-std::vector<std::string> scheme_files(const std::string& share) {
-    return data_files(share, "schemes", "hazard schemes");
-}
-
-std::vector<std::string> scheme_names(const std::string& share) {
-    std::vector<std::string> names = names_of(scheme_files(share));
-    names.emplace_back(k_custom_scheme);
-    return names;
-}
-
 std::optional<HazardScheme> resolved_scheme(const HazardSpec& spec, const std::string& share, const std::string& where,
                                             Problems& problems) {
     if (!spec.scheme) return std::nullopt;
     if (*spec.scheme == k_custom_scheme)
         return custom_scheme({spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
-    std::string file = *spec.scheme;
-    if (!is_own_file(file)) {
-        const std::vector<std::string> names = scheme_names(share);
-        if (std::find(names.begin(), names.end(), file) == names.end()) {
-            problems.add({"is not a hazard scheme", where, file, joined(names, ", ") + ", or a file FILE.ini",
-                          "`frana schemes` lists them"});
-            return std::nullopt;
-        }
-        file = (fs::path(share) / "schemes" / (file + ".ini")).string();
-    }
-    return attempt(problems, [&] { return std::optional(read_scheme(file, file, problems)); });
+    const auto file = data_file_of(*spec.scheme, share, k_scheme_folder, {k_custom_scheme}, where, problems);
+    if (!file) return std::nullopt;
+    return attempt(problems, [&] { return std::optional(read_scheme(*file, *file, problems)); });
 }
 
 }  // namespace frana
