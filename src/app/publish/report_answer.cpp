@@ -45,10 +45,6 @@ constexpr const char* k_structured_keys[] = {"structured.internal-friction-angle
                                              "structured.fluid-density",
                                              "structured.manning"};
 
-std::string name_of(const std::string& key, const Words& words) {
-    return words(title_of(*find_parameter(scene_parameters(), key)));
-}
-
 std::string value_with_unit(const std::string& value, const std::string& unit) {
     static const std::map<std::string, std::string> k_units{
         {"degrees", "°"}, {"m/s2", " m/s²"}, {"kg/m3", " kg/m³"}, {"m3", " m³"}};
@@ -100,10 +96,10 @@ std::string by_place(const ReportInput& input, const std::string& key, const Wor
             value_with_unit(least == greatest ? shown(least) : shown(least) + " – " + shown(greatest), zone.unit);
         if (input.prepared.friction && gives_by_table(key))
             return words("{1} {2} by place, after {3}",
-                         {name_of(key, words), value, words(input.prepared.friction->choice().table.called)});
+                         {title_in(key, words), value, words(input.prepared.friction->choice().table.called)});
         const std::string file = is_raster ? source->name : spec.terrain.friction_zones.value_or("");
         return words("{1} {2} by place (zones of {3})",
-                     {name_of(key, words), value, fs::path(file).filename().string()});
+                     {title_in(key, words), value, fs::path(file).filename().string()});
     }
     return "";
 }
@@ -137,7 +133,7 @@ std::vector<std::string> values_told(const ReportInput& input, const Words& word
             told.push_back(zones);
         // An assumed density is worth knowing; other defaults are in the table of the keys.
         if (text.empty() || (is_default && name != "material.density")) continue;
-        std::string value = name_of(name, words) + " " + value_of(key, spec, words);
+        std::string value = title_in(name, words) + " " + value_of(key, spec, words);
         if (name == "material.friction-angle")
             value += " (μ = " + words.number(number_text(spec.material.bed_friction_coefficient(), 3)) + ")";
         told.push_back(value + " (" + origin_text(spec, name, words) + ")");

@@ -352,8 +352,7 @@ Document parameters_table(const Prepared& p, bool only_used, const Words& words)
         if (value.empty()) value = "(" + absent_in(parameter, words) + ")";
         if (chosen != p.resolved.end() && chosen->second != value)
             value += " → " + (name == "terrain.bounds" ? extent_in(p.scene.grid.bounds(), words) : chosen->second);
-        if (!parameter.unit.empty()) value += " [" + unit_sign(parameter.unit) + "]";
-        table.row({name, value, origin_text(p.spec, name, words), meaning_in(parameter, words)},
+        table.row({name, with_unit(value, parameter.unit), origin_text(p.spec, name, words), meaning_in(parameter, words)},
                   p.spec.origin_of(name) == Origin::default_value ? "" : "given");
     }
     return table;

@@ -6,6 +6,7 @@
 
 #include "core/words/words.h"
 #include "params/keys/laws.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana {
 namespace {
@@ -83,6 +84,11 @@ std::string title_of(const Parameter& key) {
     std::string title = key.key;
     std::replace(title.begin(), title.end(), '-', ' ');
     return title;
+}
+
+std::string title_in(const std::string& name, const Words& words) {
+    const Parameter* const key = find_parameter(scene_parameters(), name);
+    return key == nullptr ? name : words(title_of(*key));
 }
 
 namespace {

@@ -81,6 +81,21 @@ TEST_F(Languages, AMapOfFrictionNamesItsTableAndItsSource) {
         EXPECT_TRUE(has("result/maps/mu.svg", text)) << text;
 }
 
+TEST_F(Languages, ChartsOfAStudyNameKeysAndUnitsAsPrintDoes) {
+    write_scene("[output]\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nframes = off\nlanguage = de\n");
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 8\n[vary]\nmaterial.friction-angle = uniform(10, 26)\n"
+          "material.turbulence = log-uniform(200, 2000)\n");
+    const Outcome outcome = frana({"ensemble", "study.ini", "--out", "result"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const auto& [chart, text] :
+         {std::pair{"exceedance", "bedeckte Fläche [m²]"}, std::pair{"sensitivity", "Reibungswinkel"}}) {
+        const std::string file = std::string("result/charts/") + chart + ".svg";
+        EXPECT_TRUE(has(file, text)) << chart << ": " << text;
+        EXPECT_FALSE(has(file, "material.friction-angle")) << chart;
+    }
+}
+
 TEST_F(Languages, TheLocaleOfTheRunIsKeptInTheResult) {
     ::setenv("LC_ALL", "it_IT.UTF-8", 1);
     run("");
