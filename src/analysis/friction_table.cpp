@@ -104,25 +104,4 @@ std::vector<FrictionArea> friction_areas(const FrictionByPlace& friction, const 
     return list;
 }
 
-std::vector<FrictionStep> friction_steps(const FrictionChoice& choice, const std::vector<FrictionArea>& areas) {
-    std::vector<FrictionStep> steps;
-    for (std::size_t band = 1; band <= choice.table.altitudes.size(); ++band) {
-        FrictionStep step{choice.table.altitudes[band - 1], {}};
-        bool is_crossed = false;
-        for (const FrictionArea& below : areas)
-            for (const FrictionArea& above : areas) {
-                if (below.band + 1 != band || above.band != band || below.kind != above.kind ||
-                    below.forest != above.forest)
-                    continue;
-                is_crossed = true;
-                const FrictionPair a = choice.at(below.kind, below.band, below.forest),
-                                   b = choice.at(above.kind, above.band, below.forest);
-                step.change.coefficient = std::max(step.change.coefficient, std::abs(a.coefficient - b.coefficient));
-                step.change.turbulence = std::max(step.change.turbulence, std::abs(a.turbulence - b.turbulence));
-            }
-        if (is_crossed) steps.push_back(step);
-    }
-    return steps;
-}
-
 }  // namespace frana

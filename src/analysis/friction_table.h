@@ -116,12 +116,4 @@ struct FrictionArea {
 /// is empty.
 std::vector<FrictionArea> friction_areas(const FrictionByPlace& friction, const Raster& mask);
 
-/// A limit of altitude where the values of a table change from one cell to the next.
-struct FrictionStep {
-    double altitude = 0;    ///< [m]
-    FrictionPair change{};  ///< greatest of any terrain, without sign
-};
-/// Returns those with areas of the same terrain on both sides, from the lowest; `areas` as friction_areas gives them.
-std::vector<FrictionStep> friction_steps(const FrictionChoice& choice, const std::vector<FrictionArea>& areas);
-
 }  // namespace frana

@@ -276,6 +276,14 @@ Document friction_table(const SummaryFacts& facts, const Words& words) {
     const FrictionChoice& choice = facts.friction->choice();
     const FrictionTable& source = choice.table;
     Table table({words("terrain"), words("elevation"), "μ", "ξ [m/s²]", words("area [m²]")});
+    std::vector<std::string> crossed;
+    for (std::size_t band = 1; band <= source.altitudes.size(); ++band) {
+        const auto is_at = [&](std::size_t of) {
+            return std::any_of(facts.friction_areas.begin(), facts.friction_areas.end(),
+                               [&](const FrictionArea& area) { return area.band == of; });
+        };
+        if (is_at(band - 1) && is_at(band)) crossed.push_back(n.grouped(source.altitudes[band - 1]));
+    }
     for (const FrictionArea& area : facts.friction_areas) {
         const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
         table.row({words(source.terrain[area.kind].name) + (area.forest ? ", " + words("forest") : ""),
@@ -290,11 +298,9 @@ Document friction_table(const SummaryFacts& facts, const Words& words) {
         told.small(
             words("Of the area reached, by the nearest class. Between two classes of terrain the values are "
                   "interpolated by the curvature across the slope; mu.tif and xi.tif have those used."));
-    for (const FrictionStep& step : friction_steps(choice, facts.friction_areas))
-        told.small(
-            words("At {1} m the flow crosses two bands of altitude: from one cell to the next μ changes by up to "
-                  "{2} and ξ by up to {3} m/s².",
-                  {n.grouped(step.altitude), n(step.change.coefficient, 3), n.rounded(step.change.turbulence, 4)}));
+    if (!crossed.empty())
+        told.small(words("At {1} m the flow comes into another band of altitude: there μ and ξ change in a step.",
+                         {joined(crossed, ", ")}));
     if (!source.note.empty()) told.small(source.note);
     return told;
 }
@@ -352,8 +358,9 @@ Document parameters_table(const Prepared& p, bool only_used, const Words& words)
         if (value.empty()) value = "(" + absent_in(parameter, words) + ")";
         if (chosen != p.resolved.end() && chosen->second != value)
             value += " → " + (name == "terrain.bounds" ? extent_in(p.scene.grid.bounds(), words) : chosen->second);
-        table.row({name, with_unit(value, parameter.unit), origin_text(p.spec, name, words), meaning_in(parameter, words)},
-                  p.spec.origin_of(name) == Origin::default_value ? "" : "given");
+        table.row(
+            {name, with_unit(value, parameter.unit), origin_text(p.spec, name, words), meaning_in(parameter, words)},
+            p.spec.origin_of(name) == Origin::default_value ? "" : "given");
     }
     return table;
 }
