@@ -235,6 +235,31 @@ void name_laws(std::vector<Parameter>& list, std::size_t first) {
     }
 }
 
+/// Bed friction by place after a published table.
+void add_friction_table(std::vector<Parameter>& list) {
+    list.push_back(declare::data_file(
+        "material.friction-table", FRANA_MEMBER(friction_table.name), "a file of share/friction, or FILE.ini",
+        "Published table from which every cell gets mu and xi, by return period, volume, terrain and altitude.",
+        "none"));
+    list.push_back(number("material.return-period", FRANA_MEMBER(friction_table.return_period), "years",
+                          Range{0, 1e5, true}, "Return period by which the friction table is read.",
+                          "required with material.friction-table"));
+    list.push_back(number("material.table-volume", FRANA_MEMBER(friction_table.volume), "m3", Range{0, 1e12, true},
+                          "Volume by which the friction table is read.", "the release's"));
+    list.push_back(declare::rising_numbers("material.altitude-limits", FRANA_MEMBER(friction_table.altitude_limits),
+                                           "m", "Elevations that separate the friction table's bands of altitude."));
+    list.back().absent = "the table's";
+    list.push_back(holds("polygons", text("material.forest", FRANA_MEMBER(friction_table.forest), "file",
+                                          "Polygons of forest, in their own CRS, where the friction table's values "
+                                          "for forest apply.",
+                                          "none")));
+    const Range factors{0.1, 10};
+    list.push_back(number("material.table-friction-factor", FRANA_MEMBER(friction_table.friction_factor), "", factors,
+                          "Factor of every mu of the friction table, for studies."));
+    list.push_back(number("material.table-turbulence-factor", FRANA_MEMBER(friction_table.turbulence_factor), "",
+                          factors, "Factor of every xi of the friction table, for studies."));
+}
+
 }  // namespace
 
 void add_material(std::vector<Parameter>& list) {
@@ -255,6 +280,7 @@ void add_material(std::vector<Parameter>& list) {
                           "no law of bed-friction uses them, otherwise none."));
     add_keys_of<StressLaws>(list, FRANA_MEMBER(material));
     name_laws(list, first);
+    add_friction_table(list);
 }
 
 void add_entrainment(std::vector<Parameter>& list) {

@@ -399,10 +399,11 @@ TEST_F(Calibrate, ChartsAndReportAreDrawn) {
     write("slope.ini", [&] {
         std::string text = read_text(path("slope.ini"));
         for (const std::string off : {"maps = off\n", "charts = off\n"}) text.erase(text.find(off), off.size());
-        return text.insert(text.find("[output]\n") + 9, "map-size = 640x480\n");
+        return text.insert(text.find("[output]\n") + 9, "map-size = 640x480\nmap-formats = png, svg\n");
     }());
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(read_text(path("out/charts/posterior.svg")).find("friction angle [°]"), std::string::npos);
     for (const std::string name : {"maps/posterior_slope.png", "charts/response.png", "charts/posterior.png",
                                    "report.html", "log.txt", "summary.json"})
         EXPECT_TRUE(fs::exists(path("out/" + name))) << name;

@@ -87,10 +87,10 @@ bool film_member(const StudyInput& input, const StudyResult& result, const Media
         MapSource source = written.map_source();
         source.title = output.title.value_or(scene_name(input.base.spec));
         const Words& words = source.style.words;
-        source.subtitle = words(
-            "member {1}, {2} {3} {4} (median of all {5})",
-            {std::to_string(median.member), figure_title(median.figure, words),
-             words.number(grouped(median.figure.value)), median.figure.unit, words.number(grouped(median.median))});
+        source.subtitle = words("member {1}, {2} {3} {4} (median of all {5})",
+                                {std::to_string(median.member), figure_title(median.figure, words),
+                                 words.number(grouped(median.figure.value)), unit_sign(median.figure.unit),
+                                 words.number(grouped(median.median))});
         AnimationRequest film{
             animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
         film.stop_requested = [] { return stop_signal() != 0; };
