@@ -19,8 +19,8 @@
 #include "app/study/plan/read_study.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/calibration_runs.h"
-#include "app/study/pool/level_rounds.h"
 #include "app/study/pool/member_runs.h"
+#include "app/study/pool/rounds.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/publish_calibration.h"
 #include "app/study/publish/publish_study.h"
@@ -266,7 +266,12 @@ struct ManyRuns {
     static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
 
     static MembersRun run(Input& input, const study::RunSetting& setting, RunLog& log) {
-        return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting, log);
+        if (input.table.parts.empty())
+            return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting, log);
+        MembersRun ran;
+        study::run_importance(input, setting.folder,
+                              [&](std::size_t end) { return run_until(input, setting, end, ran); });
+        return ran;
     }
     static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
                                        ResultDirectory& directory, RunLog& log) {

@@ -400,7 +400,7 @@ MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int thre
       threads_(static_cast<std::size_t>(threads)),
       ranks_(ranks),
       study_(study),
-      progress_(records_in(folder_).size(), input.table.size(), quiet),
+      progress_(records_in(folder_).size(), std::max(input.members(), input.table.size()), quiet),
       members_(std::vector<const StudyInput*>(study + 1, &input), threads) {}
 
 int MemberRunner::stopped_by() const {

@@ -302,6 +302,21 @@ Emulation emulation_of(const StudyInput& input, const StudyResult& result) {
     return emulation;
 }
 
+std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResult& result) {
+    if (!input.reading.study.rare_place) return std::nullopt;
+    RarePlace rare{rare_event(input), {}, 0};
+    const auto cell = cell_at(result.grid, rare.event.place);
+    // The maps of a large terrain may end before a place that nothing reaches.
+    for_each_feature(result.finished, Quantity::depth, result.grid,
+                     {cell ? std::vector{*cell} : std::vector<std::size_t>{}},
+                     [&](std::size_t, std::span<const float> depths) {
+                         rare.probability = MeanEstimate(result.finished).probability(depths, rare.event.threshold);
+                         for (const float depth : depths)
+                             rare.hits += static_cast<double>(depth) > rare.event.threshold ? 1 : 0;
+                     });
+    return rare;
+}
+
 double largest_error(const StudyInput& input, const StudyResult& result) {
     std::optional<Emulation> emulation;
     double largest = 0;

@@ -307,6 +307,11 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
              percent(facts.error.largest()) + " at most, " + percent(facts.error.mean()) +
              " on average where it is not 0; where all or none came, up to " + percent(facts.least_margin) +
              " away are still likely (95 %)");
+    if (const auto& rare = facts.rare_place)
+        log.info(rare->event.gauge + " is deeper than " + shortest_text(rare->event.threshold) +
+                 " m with a probability of " + number_text(rare->probability.value, 3) +
+                 " (95 %: " + number_text(rare->probability.low(), 2) + " to " +
+                 number_text(rare->probability.high(), 2) + "); " + std::to_string(rare->hits) + " members came there");
     for (const StudyFacts::EmulatedMap& one : facts.emulated)
         log.note(one.raster +
                  (one.is_used ? ": with polynomials of the keys beside the members, standard error "
@@ -396,6 +401,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             figures = sensitivities(input, result);
             tell_sensitivities(input, figures, log);
             publish_study_maps(input, result, directory, facts);
+            facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
             facts.median = median_member(input, result);
             if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);

@@ -173,7 +173,7 @@ std::string figure_title(const Figure& figure, const Words& words) {
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
     constexpr std::size_t k_first = 8;
     std::vector<ErrorAt> all;
-    if (!input.levels.empty()) return all;  // its members are not exchangeable
+    if (!input.levels.empty() || !input.table.parts.empty()) return all;  // its members are not exchangeable
     const FinishedMembers& members = result.finished;
     for (std::size_t count = k_first;; count *= 2) {
         const std::size_t some = std::min(count, members.size());

@@ -173,6 +173,18 @@ std::vector<EmulatedProbability> emulated_probabilities(const Emulation& emulati
     return all;
 }
 
+std::vector<double> distances_from_outline(const FinishedMembers& members, Quantity quantity, double threshold,
+                                           const GridSpec& grid, std::size_t cell) {
+    const auto at = static_cast<std::int64_t>(cell);
+    const CellWindow window =
+        window_of_both(reached_window(members, grid), {at / grid.columns, at % grid.columns, 1, 1});
+    std::vector<double> all;
+    for (const std::string& file : members.records)
+        all.push_back(
+            places_in_outline(require_record(file), grid, window, quantity, threshold, {cell}).front().distance);
+    return all;
+}
+
 bool OutlineMaps::pays() const noexcept {
     return error_ratio < k_least_gain;
 }
