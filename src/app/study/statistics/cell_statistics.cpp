@@ -40,7 +40,7 @@ FinishedMembers FinishedMembers::first(std::size_t count) const {
 
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) {
     CellWindow all;
-    for (const std::string& file : members.records) all = window_of_both(all, require_record(file).reached(grid));
+    for (const RecordPlace& record : members.records) all = window_of_both(all, require_record(record).reached(grid));
     return all;
 }
 

@@ -22,9 +22,9 @@ namespace frana::app::study {
 /// Number of members with equal weights that would tell as much: (sum w)^2 / sum w^2; 0 without weight.
 double effective_count(const std::vector<double>& weights);
 
-/// The finished members of a study, in the order of their numbers, as files.
+/// The finished members of a study, in the order of their numbers.
 struct FinishedMembers {
-    std::vector<std::string> records;  ///< their files
+    std::vector<RecordPlace> records;
     /// As many; their sum is 1. In a multilevel study the coarser run of a pair has the negative weight of its finer
     /// one.
     std::vector<double> weights;
