@@ -45,7 +45,6 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
     set(m.block_size, s.block_size);
-    set(m.sound_speed, s.sound_speed);
     return m;
 }
 

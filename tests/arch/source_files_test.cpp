@@ -41,7 +41,7 @@ struct Room {
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
     {"src/core", 3350},         {"src/params", 4790},       {"src/physics", 1490},
-    {"src/particles", 1650},    {"src/mpm", 5000},          {"src/models", 4800},
+    {"src/particles", 1650},    {"src/mpm", 5000},          {"src/models", 4530},
     {"src/simulation", 6100},   {"src/analysis", 2900},     {"src/facade", 1300},
     {"src/python", 500},        {"src/bench", 5850},        {"src/app/process", 320},
     {"src/app/text", 680},      {"src/app/input", 4100},    {"src/app/store", 3900},

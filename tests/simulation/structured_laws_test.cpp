@@ -26,7 +26,7 @@ TEST(StructuredLaws, EveryChoiceArrives) {
     EXPECT_EQ(usual.solid.damage_length, 0.5 * cell);  // however thin
     m.damage_length = 1.5 * cell;
     EXPECT_EQ(laws().solid.damage_length, 1.5 * cell);
-    EXPECT_GT(laws().solid.kernel.length(), usual.solid.kernel.length());  // it follows the damage length
+    EXPECT_GT(laws().solid.side, usual.solid.side);  // it follows the damage length
     m.damage_length.reset();
     m.exponent_by_grains = m.mixing_by_solids = m.yield_on_own_stress = m.broken_is_elastic = true;
     m.virtual_mass = StructuredMaterial::VirtualMass::pudasaini_2019;

@@ -154,8 +154,6 @@ void nodes_to_solids(Step& now) {
         const auto r = static_cast<std::int64_t>(row);
         const ParticleRun run = solid.order.whole_rows(r, r);
         state.stages.nodes_to_solids(run, now.laws.solid, now.report.dt, state.grid, solid.nodes, solid.particles);
-        const double* const area = solid.particles[Field::area];
-        std::copy(area + run.begin, area + run.end, solid.work[PairWork::area] + run.begin);
     });
 }
 

@@ -279,35 +279,29 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
 
 void check_output(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                   Problems& problems) {
+    const OutputSpec& output = scene.output;
     const auto has = [&](const char* format) {
-        const auto& list = scene.output.formats;
-        return std::find(list.begin(), list.end(), format) != list.end();
+        return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
     };
-    if ((has("netcdf") || has("zarr")) && frame_interval(scene) == 0) {
-        problems.add({"netcdf and zarr contain the frames, but the scene writes none", file + ": output.formats",
-                      joined(scene.output.formats, ", "), "", "Set output.frames = on"});
-    }
+    const auto refuse_formats = [&](const char* what, const char* remedy) {
+        problems.add({what, file + ": output.formats", joined(output.formats, ", "), "", remedy});
+    };
     const bool particles = has("particles-gpkg") || has("particles-vtp");
-    if (particles && !scene.output.frames) {
-        problems.add({"particles are written with the frames, but the scene writes none", file + ": output.formats",
-                      joined(scene.output.formats, ", "), "", "Set output.frames = on"});
-    }
-    if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid") {
-        problems.add({"fluid alone has no particles", file + ": output.formats", joined(scene.output.formats, ", "), "",
-                      "Remove particles-gpkg and particles-vtp"});
-    }
-    if (has("ascii") && scene.output.names != "avaframe") {
-        problems.add({"ascii is a format of the AvaFrame rasters", file + ": output.formats",
-                      joined(scene.output.formats, ", "), "", "Set output.names = avaframe or remove ascii"});
-    }
-    for (const std::string& map : scene.output.maps) {
+    if ((has("netcdf") || has("zarr")) && frame_interval(scene) == 0)
+        refuse_formats("netcdf and zarr contain the frames, but the scene writes none", "Set output.frames = on");
+    if (particles && !output.frames)
+        refuse_formats("particles are written with the frames, but the scene writes none", "Set output.frames = on");
+    if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid")
+        refuse_formats("fluid alone has no particles", "Remove particles-gpkg and particles-vtp");
+    if (has("ascii") && output.names != "avaframe")
+        refuse_formats("ascii is a format of the AvaFrame rasters", "Set output.names = avaframe or remove ascii");
+    for (const std::string& map : output.maps) {
         const ResultRaster* const row = find_result_raster(raster_of_map(map));
         if (row != nullptr && row->is_produced_by != nullptr && !row->is_produced_by(scene))
             problems.add({"names a raster that this scene does not produce", file + ": output.maps", map,
                           row->name + " is written " + row->when,
                           "Remove it, or set output.maps = on for all maps of the result"});
     }
-    const OutputSpec& output = scene.output;
     if (output.map_scale && !is_paper(size_from_text(output.map_size).value_or(Size{}))) {
         problems.add({"needs a paper size: pixels have no scale until they are printed", file + ": output.map-scale",
                       shortest_text(*output.map_scale),
@@ -319,9 +313,9 @@ void check_output(const SceneSpec& scene, const std::set<std::string>& given, co
                       *output.map_background_licence, "", "Name the picture, or remove the key"});
     }
     const bool records = given.count("output.gauges") > 0 || given.count("output.cross-sections") > 0;
-    if (scene.output.sample_interval && !records) {
+    if (output.sample_interval && !records) {
         problems.add({"has no effect: there are no gauges or cross-sections", file + ": output.sample-interval",
-                      shortest_text(*scene.output.sample_interval), "",
+                      shortest_text(*output.sample_interval), "",
                       "Set output.gauges or output.cross-sections, or remove the key"});
     }
 }

@@ -125,21 +125,12 @@ void add_solids(std::vector<Parameter>& list) {
                           "passive in compression."));
     list.push_back(number("structured.basal-pore-pressure-fraction", FRANA_MEMBER(structured.pore_pressure_fraction),
                           "", Range{0, 1}, "Fraction B of the confined fluid's pressure that reaches the bed."));
-    list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity), "",
-                          Range{0, 10}, "Linear artificial viscosity between particles."));
-    list.push_back(number("structured.artificial-viscosity-quadratic", FRANA_MEMBER(structured.quadratic_viscosity), "",
-                          Range{0, 10}, "Quadratic artificial viscosity between particles."));
-    list.push_back(number("structured.artificial-sound-speed", FRANA_MEMBER(structured.sound_speed), "m/s",
-                          Range{0, 1e5, true}, "Speed of sound in the artificial viscosity.",
-                          "that of the elastic waves"));
     list.push_back(number(
         "structured.modulus-reduction", FRANA_MEMBER(structured.modulus_reduction), "", Range{1, 100},
         "Divides both moduli; elastic waves are slower by its square root, and substeps longer by the same factor. At "
         "most so that the elastic strain at the strength is a twentieth of critical-strain."));
     list.push_back(number("structured.pic-fraction", FRANA_MEMBER(structured.pic_fraction), "", Range{0, 1},
                           "PIC fraction of the grid velocity that solids take over in a step."));
-    list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "", Range{0, 1},
-                          "Strength of the artificial stress against clumping in tension."));
 }
 
 void add_coupling(std::vector<Parameter>& list) {

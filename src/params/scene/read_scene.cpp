@@ -324,12 +324,12 @@ std::string reference_markdown() {
         "-->\n# Keys of a scene file\n";
     for (const Section& section : scene_sections()) {
         text += "\n## [" + section.name + "]\n" + section.meaning +
-                "\n\n| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
+                "\n\n| key | unit | default | allowed | meaning |\n|---|---|---|---|---|\n";
         for (const Parameter& parameter : scene_parameters()) {
             if (parameter.section != section.name) continue;
-            text += "| `" + parameter.key + "` | " + cell(parameter.type) + " | " + cell(parameter.unit) + " | " +
-                    cell(default_or_absent(parameter)) + " | " + cell(parameter.limits) + " | " +
-                    cell(parameter.meaning) + " |\n";
+            const std::string& allowed = parameter.limits.empty() ? parameter.type : parameter.limits;
+            text += "| `" + parameter.key + "` | " + cell(parameter.unit) + " | " + cell(default_or_absent(parameter)) +
+                    " | " + cell(allowed) + " | " + cell(parameter.meaning) + " |\n";
         }
     }
     return text;
