@@ -46,7 +46,7 @@ constexpr Room k_rooms[] = {
     {"src/python", 500},        {"src/bench", 5850},        {"src/app/process", 320},
     {"src/app/text", 680},      {"src/app/input", 4100},    {"src/app/store", 3900},
     {"src/app/pictures", 3150}, {"src/app/compare", 1000},  {"src/app/publish", 4600},
-    {"src/app/study", 11350},   {"src/app/commands", 5350}, {"gis", 7150},
+    {"src/app/study", 11950},   {"src/app/commands", 5350}, {"gis", 7150},
     {"render", 7250},
 };
 

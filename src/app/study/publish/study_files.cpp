@@ -15,7 +15,6 @@
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
-#include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
@@ -175,7 +174,7 @@ std::string figure_title(const Figure& figure, const Words& words) {
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
     constexpr std::size_t k_first = 8;
     std::vector<ErrorAt> all;
-    if (!input.levels.empty()) return all;  // its members are not exchangeable
+    if (!input.levels.empty() || !input.table.parts.empty()) return all;  // its members are not exchangeable
     const FinishedMembers& members = result.finished;
     for (std::size_t count = k_first;; count *= 2) {
         const std::size_t some = std::min(count, members.size());

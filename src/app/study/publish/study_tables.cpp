@@ -270,6 +270,13 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
             if (!facts.levels.empty()) figure["lower_bound"][name] = result.quantile_bound(f, quantile.fraction, false);
         }
     }
+    if (const auto& rare = facts.rare_place)
+        json["rare_place"] = {{"gauge", rare->event.gauge},
+                              {"depth_threshold_m", rare->event.threshold},
+                              {"probability", rare->probability.value},
+                              {"standard_error", rare->probability.error},
+                              {"interval_95", {rare->probability.low(), rare->probability.high()}},
+                              {"members_that_came", rare->hits}};
     if (const auto& median = facts.median)
         json["median_member"] = {{"member", median->member},
                                  {"figure", median->figure.key},
