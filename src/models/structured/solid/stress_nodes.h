@@ -53,7 +53,7 @@ class StressNodes : public SplineLattice<StressSums> {
         double xx = 0, xy = 0, yx = 0, yy = 0;
         s.for_each([&](const Node& node, int a, int b) {
             const StressSums::Momentum& sum = node.of[bonded ? 1 : 0];
-            const double inverse = 1 / sum.mass, u = inverse * sum.px, v = inverse * sum.py;
+            const double inverse = inverse_mass(sum.mass), u = inverse * sum.px, v = inverse * sum.py;
             const double gx = s.sx[a] * s.wy[b], gy = s.wx[a] * s.sy[b];
             xx += gx * u;
             xy += gy * u;
@@ -79,7 +79,8 @@ class StressNodes : public SplineLattice<StressSums> {
         s.for_each([&](const Node& node, int a, int b) {
             const StressSums::Momentum& sum = node.of[bonded ? 1 : 0];
             const double w = s.wx[a] * s.wy[b];
-            const double inverse = 1 / sum.mass, per_mass = 1 / (node.of[0].mass + node.of[1].mass);
+            const double inverse = inverse_mass(sum.mass);
+            const double per_mass = inverse_mass(node.of[0].mass + node.of[1].mass);
             const double u = inverse * sum.px, v = inverse * sum.py, ax = per_mass * node.fx, ay = per_mass * node.fy;
             m.ax += w * ax;
             m.ay += w * ay;
@@ -93,6 +94,13 @@ class StressNodes : public SplineLattice<StressSums> {
         });
         for (double* c : {&m.c_xx, &m.c_xy, &m.c_yx, &m.c_yy}) *c *= 3 / side();
         return m;
+    }
+
+  private:
+    // 0 for a node that only a particle on the lattice's line touches: its weight there is 0.
+    static double inverse_mass(double mass) noexcept {
+        constexpr double k_least = 1e-200;  // [kg]; its inverse times any momentum is finite
+        return mass > k_least ? 1 / mass : 0;
     }
 };
 
