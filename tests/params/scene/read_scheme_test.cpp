@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "core/words/words.h"
-#include "params/grammar/data_file.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -37,7 +36,9 @@ const std::vector<std::string> k_names{
     "swiss-debris-flow",  "swiss-flood",      "swiss-hillslope-debris-flow"};
 
 TEST(SharedSchemes, AreThoseNamed) {
-    EXPECT_EQ(data_names(FRANA_SOURCE_SHARE, k_scheme_folder), k_names);
+    std::vector<std::string> names = k_names;
+    names.emplace_back("custom");
+    EXPECT_EQ(scheme_names(FRANA_SOURCE_SHARE), names);
 }
 
 TEST(SharedSchemes, HaveFiveNamesColoursThatDifferInLightnessAndASource) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
 #include "app/study/pool/member_runs.h"
 #include "app/study/statistics/calibration_posterior.h"
@@ -100,11 +101,14 @@ void compare_members(const CalibrationInput& input, std::size_t event, const Stu
                      EventRuns& runs) {
     const Prepared& base = members.base;
     FinishedMembers finished;
-    const RecordFiles records(runs.records);
     for (std::size_t i = first; i < members.table.size(); ++i) {
-        const MemberRecord record = require_own_record(members, records.place(i), i);
-        runs.members.push_back({record.failure, {}, record.engine_seconds, record.end});
-        if (record.finished()) finished.records.push_back(records.place(i));
+        const std::string file = record_file(runs.records, i);
+        const auto record = own_record(members, runs.records, i);
+        if (!record)
+            throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
+                                                        "--resume computes that member again"});
+        runs.members.push_back({record->failure, {}, record->engine_seconds, record->end});
+        if (record->finished()) finished.records.push_back(file);
     }
     const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
                              reached_window(finished, base.scene.grid));
@@ -116,7 +120,7 @@ void compare_members(const CalibrationInput& input, std::size_t event, const Stu
     runs.outline_pieces = survey.outline_pieces();
     for (std::size_t i = first; i < runs.members.size(); ++i)
         if (runs.members[i].failure.empty())
-            runs.members[i].agreement = survey.compare(require_record(records.place(i)));
+            runs.members[i].agreement = survey.compare(*own_record(members, runs.records, i));
 }
 
 CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs) {
