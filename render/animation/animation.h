@@ -46,8 +46,8 @@ class ViewAnimator {
     Image frame(const Raster& layer, const std::string& subtitle);
     Image frame(const Dots& dots, const std::string& subtitle);
 
-    /// Moves the camera along a flight over the flow, from the highest part of the base's raster (0) to the lowest (1),
-    /// close to the ground and turning slowly.
+    /// Lets the camera fly: in each further frame it is above the flow's front, close to the ground and turned by how
+    /// much of the flight is over, from its beginning (0) to its end (1).
     void fly(double fraction);
 
   private:

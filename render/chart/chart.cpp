@@ -142,10 +142,22 @@ void ChartKey::draw(Sheet& sheet, const PageStyle& style, Point corner) const {
     }
 }
 
-std::string power_of_ten(int exponent) {
-    if (exponent >= -3 && exponent <= 4) return number(std::pow(10.0, exponent));
-    return exponent < 0 ? "1e\u2212" + std::to_string(-exponent) : "1e" + std::to_string(exponent);
+/// In groups of digits from 10 000 on.
+std::string axis_number(double value) {
+    constexpr double k_grouped = 1e4;
+    return std::abs(value) >= k_grouped && value == std::round(value) ? grouped(value) : number(value);
 }
+
+/// On a logarithmic axis beyond 100 000 and below 0.001 as "2e6", which is short.
+std::string log_number(double value) {
+    const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+    if (exponent >= -3 && exponent <= 5) return axis_number(value);
+    return number(value / std::pow(10.0, exponent)) + "e" + (exponent < 0 ? "\u2212" : "") +
+           std::to_string(std::abs(exponent));
+}
+
+/// Round values of a decade, in the order in which they get labels as long as these are few.
+const std::vector<std::vector<double>> k_round{{1}, {2, 5}, {3, 7}, {1.5, 4}, {6, 8, 9}};
 
 }  // namespace
 
@@ -164,7 +176,7 @@ Decades decades_of(const std::vector<double>& values) {
 }
 
 ChartAxis::ChartAxis(Scale scale, const std::vector<double>& values, double from, double to, double room, bool rounded)
-    : scale_(scale), from_(from), to_(to) {
+    : scale_(scale), from_(from), to_(to), room_(room) {
     if (scale_ == Scale::decades) {
         const Decades decades = decades_of(values);
         least_ = decades.low;
@@ -204,22 +216,35 @@ double ChartAxis::at(double value) const {
 std::vector<Tick> ChartAxis::ticks() const {
     std::vector<Tick> ticks;
     if (scale_ == Scale::linear) {
-        for (const double value : multiples(least_, most_, step_)) ticks.push_back({at(value), number(value)});
-    } else if (scale_ == Scale::logarithmic) {
-        for (double e = std::floor(least_); e <= most_; ++e) {
-            for (const double factor : {1.0, 2.0, 5.0}) {
-                const double value = factor * std::pow(10.0, e);
-                if (place(value) >= least_ && place(value) <= most_) ticks.push_back({at(value), number(value)});
-            }
-        }
-    } else {
-        constexpr int k_labels = 5;
-        const int low = static_cast<int>(least_), high = static_cast<int>(most_);
-        for (int e = low; e < high && high - low < k_labels; ++e)
-            for (int k = 2; k < 10; ++k) ticks.push_back({at(k * std::pow(10.0, e)), ""});
-        for (int e = low; e <= high; e += std::max(1, (high - low + k_labels - 1) / k_labels))
-            ticks.push_back({at(std::pow(10.0, e)), power_of_ten(e)});
+        for (const double value : multiples(least_, most_, step_)) ticks.push_back({at(value), axis_number(value)});
+        return ticks;
     }
+    constexpr double k_rounding = 1e-9, k_fine_decades = 5;
+    constexpr std::size_t k_enough = 4;
+    std::set<double> labelled;
+    const auto add = [&](double value) {
+        const bool inside = place(value) >= least_ - k_rounding && place(value) <= most_ + k_rounding;
+        const bool has_room = std::none_of(labelled.begin(), labelled.end(),
+                                           [&](double other) { return std::abs(at(value) - at(other)) < room_; });
+        if (inside && has_room) labelled.insert(value);
+    };
+    const auto each = [&](const std::vector<double>& factors, const auto& use) {
+        for (double e = std::floor(least_); e <= most_ + k_rounding; ++e)
+            for (const double factor : factors) use(factor * std::pow(10.0, e));
+    };
+    for (const std::vector<double>& factors : k_round)
+        if (labelled.size() < k_enough) each(factors, add);
+    if (labelled.size() < 3) {  // less than from 6 to 8
+        const double low = std::pow(10.0, least_), high = std::pow(10.0, most_);
+        for (const double value : multiples(low, high, nice_step_above((high - low) * room_ / std::abs(to_ - from_))))
+            add(value);
+    }
+    if (most_ - least_ < k_fine_decades)
+        each({1, 2, 3, 4, 5, 6, 7, 8, 9}, [&](double value) {
+            if (place(value) > least_ && place(value) < most_ && !labelled.contains(value))
+                ticks.push_back({at(value), ""});
+        });
+    for (const double value : labelled) ticks.push_back({at(value), log_number(value)});
     return ticks;
 }
 

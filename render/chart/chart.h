@@ -50,7 +50,7 @@ class ChartAxis {
     [[nodiscard]] double place(double value) const;
 
     Scale scale_;
-    double from_, to_, least_ = 0, most_ = 1, step_ = 1;
+    double from_, to_, room_, least_ = 0, most_ = 1, step_ = 1;
 };
 
 /// Strokes distinguish lines in print without colours.

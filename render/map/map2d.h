@@ -97,6 +97,7 @@ struct MapSpec {
     /// Has values wherever a raster of the same series of maps has some: defines the window, and contours' labels avoid
     /// it. May be absent: the layer itself.
     const Raster* extent = nullptr;
+    bool layer_frames_map = true;        ///< the layer's values must be visible, not the extent's alone
     const Dots* dots = nullptr;          ///< over the layer, in the same colours; may be absent
     std::string palette = "depth";       ///< name of a palette in core/colour.h
     std::optional<double> maximum;       ///< end of the colour scale; values above it get a separate open class

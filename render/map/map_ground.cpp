@@ -116,6 +116,9 @@ void draw_names(Sheet& sheet, const PageStyle& style, const MapFrame& frame, con
     }
 }
 
+constexpr double k_whole_pixel = 1e-6;
+constexpr int k_least_frame = 80;  // px
+
 void include(std::optional<Bounds>& all, const Bounds& one) {
     if (!all) {
         all = one;
@@ -141,7 +144,7 @@ const GridSpec& map_grid(const MapSpec& spec) {
 std::optional<Bounds> content(const MapSpec& spec) {
     std::optional<Bounds> shown;
     for (const Raster* raster : {spec.extent, spec.layer}) {
-        if (raster == nullptr) continue;
+        if (raster == nullptr || (raster == spec.layer && !spec.layer_frames_map)) continue;
         if (const auto data = data_bounds(*raster)) include(shown, *data);
     }
     for (const Outline& outline : spec.outlines) {
@@ -178,6 +181,22 @@ Bounds map_window(const MapSpec& spec, int frame_width, int frame_height) {
         keep_within(window.south, window.north, ground.south, ground.north);
     }
     return window;
+}
+
+void keep_to_ground(const MapSpec& spec, MapFrame& frame) {
+    if (spec.window || spec.terrain == nullptr) return;
+    std::optional<Bounds> ground = spec.terrain->grid.bounds();
+    include(ground, required_window(spec));
+    const double metre = frame.metres_per_pixel();
+    const auto keep = [metre](int& pixels, double& from, double& to, double least, double most) {
+        const int needed = static_cast<int>(std::ceil((most - least) / metre - k_whole_pixel));
+        if (needed >= pixels) return;
+        pixels = std::max(needed, k_least_frame);
+        from = (least + most - pixels * metre) / 2;
+        to = from + pixels * metre;
+    };
+    keep(frame.width, frame.window.west, frame.window.east, ground->west, ground->east);
+    keep(frame.height, frame.window.south, frame.window.north, ground->south, ground->north);
 }
 
 namespace {

@@ -17,6 +17,10 @@ Bounds required_window(const MapSpec& spec);
 /// of its print (window_at_scale); within the terrain as far as possible. Throws as window_at_scale.
 Bounds map_window(const MapSpec& spec, int width, int height);
 
+/// Takes from a frame with such a window what lies beyond the terrain: there is nothing to show. Its upper left corner
+/// and its scale stay.
+void keep_to_ground(const MapSpec& spec, MapFrame& frame);
+
 /// The parts of a map below and above its raster that do not depend on it: relief or picture, contour lines, outlines,
 /// frame and coordinates. Drawing them is most of a map's work.
 struct MapGround {

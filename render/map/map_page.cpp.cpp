@@ -381,6 +381,7 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
     const double inner = spec.width - 2 * plan.style.margin;
     frame_ = plan.frame;
     frame_.window = map_window(spec, frame_.width, frame_.height);
+    keep_to_ground(spec, frame_);
     double lacking = 0;
     for (const Crowding& crowding : k_crowdings) {
         // The letters of the column become smaller, the rest of the page stays.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -45,12 +44,13 @@ SceneSurface mesh_of(const ViewGround& ground) {
             mesh.texture_places.push_back(
                 static_cast<float>(1 - (static_cast<double>(row) + 0.5) / static_cast<double>(rows)));
             if (row + 1 == rows || column + 1 == columns) continue;
-            const std::array<std::int64_t, 4> corner{i, i + columns, i + 1, i + columns + 1};
-            const auto gap = [&](std::int64_t k) { return std::isnan(heights.values[static_cast<std::size_t>(k)]); };
-            if (std::none_of(corner.begin(), corner.begin() + 3, gap))
-                mesh.corners.insert(mesh.corners.end(), {corner[0], corner[1], corner[2]});
-            if (std::none_of(corner.begin() + 1, corner.end(), gap))
-                mesh.corners.insert(mesh.corners.end(), {corner[2], corner[1], corner[3]});
+            // Round the four; without one of them, the triangle of the others: an oblique edge of the terrain has no
+            // teeth.
+            std::vector<std::int64_t> corner{i, i + columns, i + columns + 1, i + 1};
+            std::erase_if(corner,
+                          [&](std::int64_t k) { return std::isnan(heights.values[static_cast<std::size_t>(k)]); });
+            for (std::size_t k = 2; k < corner.size(); ++k)
+                mesh.corners.insert(mesh.corners.end(), {corner[0], corner[k - 1], corner[k]});
         }
     }
     return mesh;
@@ -205,7 +205,6 @@ class ViewSession::Scene {
             scale_ = ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories,
                                   spec.layer, for_frames, spec.words});
         }
-        constexpr std::int64_t k_sample = 4000;
         flow_ = ground_.sample(extent_of(spec), k_sample);
         const std::vector<ScenePoint>& flow = flow_;
         if (flow.empty()) {
@@ -244,23 +243,10 @@ class ViewSession::Scene {
         }
     }
 
-    void fly(double fraction) {
-        std::sort(flow_.begin(), flow_.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z > b.z; });
-        constexpr double k_visible = 0.4;  // fraction of the flow visible at once
-        constexpr double k_turn_deg = 70;
-        const auto count = static_cast<double>(flow_.size());
-        const auto begin = static_cast<std::ptrdiff_t>(std::clamp(fraction, 0.0, 1.0) * (1 - k_visible) * count);
-        const auto length = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(k_visible * count));
-        const std::vector<ScenePoint> visible(
-            flow_.begin() + begin, flow_.begin() + std::min<std::ptrdiff_t>(begin + length, std::ssize(flow_)));
-        layout_.camera = first_camera_;
-        layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (fraction - 0.5) + 360, 360);
-        arrange(spec_, for_frames_, false);
-        const PageBox& picture = layout_.picture;
-        scene_->set_camera(place_camera(layout_.camera, visible, picture.width() / picture.height()));
-    }
+    void fly(double fraction) { along_ = std::clamp(fraction, 0.0, 1.0); }
 
     Page draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+        if (along_) follow(*along_, layer, dots);
         if (dots != nullptr) put_dots(*dots);
         scene_->set_colours(ground_.colours(layer, scale_));
         if (raise_by_value_) scene_->set_thickness(layer);
@@ -347,6 +333,39 @@ class ViewSession::Scene {
         return 2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
     }
 
+    /// Returns the lowest height that a frame has reached; that of the flow's top if it has nothing.
+    [[nodiscard]] double front_of(const Raster* layer, const Dots* dots) const {
+        std::vector<double> heights;
+        if (dots != nullptr) {
+            for (const Dot& dot : dots->dots) heights.push_back(ground_.scene(dot.place, 0).z);
+        } else if (layer != nullptr && data_bounds(*layer)) {
+            for (const ScenePoint& point : ground_.sample(layer, k_sample)) heights.push_back(point.z);
+        }
+        std::erase_if(heights, [](double z) { return std::isnan(z); });
+        return heights.empty() ? HUGE_VAL : *std::min_element(heights.begin(), heights.end());
+    }
+
+    /// Moves the camera to where a part of the path that ends a little below the front fills the picture, turned by how
+    /// much of the flight is over. It does not go back where the front gets too thin to be shown.
+    void follow(double along, const Raster* layer, const Dots* dots) {
+        front_ = std::min(front_, front_of(layer, dots));
+        std::sort(flow_.begin(), flow_.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z > b.z; });
+        constexpr double k_visible = 0.4, k_ahead = 0.08;  // fractions of the flow: visible at once, below the front
+        constexpr double k_turn_deg = 70;
+        const double count = static_cast<double>(flow_.size());
+        const auto passed = std::partition_point(flow_.begin(), flow_.end(),
+                                                 [&](const ScenePoint& point) { return point.z >= front_; });
+        const double end =
+            std::clamp(static_cast<double>(passed - flow_.begin()) + k_ahead * count, k_visible * count, count);
+        const std::vector<ScenePoint> visible(flow_.begin() + static_cast<std::ptrdiff_t>(end - k_visible * count),
+                                              flow_.begin() + static_cast<std::ptrdiff_t>(std::ceil(end)));
+        layout_.camera = first_camera_;
+        layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (along - 0.5) + 360, 360);
+        arrange(spec_, for_frames_, false);
+        const PageBox& picture = layout_.picture;
+        scene_->set_camera(place_camera(layout_.camera, visible, picture.width() / picture.height()));
+    }
+
     void note_flow(const std::vector<ScenePoint>& flow, const PlacedCamera& camera) {
         const Point first = on_page(camera.project(flow.front()));
         PageBox box{first.x, first.y, first.x, first.y};
@@ -431,6 +450,8 @@ class ViewSession::Scene {
         }
     }
 
+    static constexpr std::int64_t k_sample = 4000;  // points of a flow
+
     ViewSpec spec_;  // its rasters are not used after the construction
     bool for_frames_;
     ColourScale scale_;
@@ -439,6 +460,8 @@ class ViewSession::Scene {
     std::vector<ScenePoint> flow_;  // some points of it
     double metres_per_pixel_ = 1;   // in the middle of the flow
     Camera first_camera_;
+    std::optional<double> along_;  // a flight
+    double front_ = HUGE_VAL;      // of it: the lowest height that a frame has reached
     ViewLayout layout_;
     Overlay above_;
     Point subtitle_at_;

@@ -15,15 +15,8 @@
 namespace frana {
 namespace {
 
-std::optional<std::size_t> cell_of(const GridSpec& grid, Point place) {
-    const auto column = static_cast<std::int64_t>(std::floor((place.x - grid.west) / grid.cell_size));
-    const auto row = static_cast<std::int64_t>(std::floor((grid.north - place.y) / grid.cell_size));
-    if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) return std::nullopt;
-    return static_cast<std::size_t>(row * grid.columns + column);
-}
-
 std::size_t require_cell(const GridSpec& grid, Point place) {
-    if (const auto cell = cell_of(grid, place)) return *cell;
+    if (const auto cell = cell_at(grid, place)) return *cell;
     throw Error(ErrorKind::input, Problem{"a flow path ends outside the grid", "flow path",
                                           shortest_text(place.x) + ", " + shortest_text(place.y), "", ""});
 }
@@ -216,7 +209,7 @@ std::vector<Station> stations(const Polyline& line, double spacing) {
 }
 
 double cell_value(const Raster& raster, Point place) {
-    const auto cell = cell_of(raster.grid, place);
+    const auto cell = cell_at(raster.grid, place);
     return cell ? raster.values[*cell] : k_no_data;
 }
 

@@ -9,6 +9,14 @@
 #include "core/error.h"
 
 namespace frana {
+
+std::optional<std::size_t> cell_at(const GridSpec& grid, Point place) {
+    const auto column = static_cast<std::int64_t>(std::floor((place.x - grid.west) / grid.cell_size));
+    const auto row = static_cast<std::int64_t>(std::floor((grid.north - place.y) / grid.cell_size));
+    if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) return std::nullopt;
+    return static_cast<std::size_t>(row * grid.columns + column);
+}
+
 namespace {
 
 /// A set of numbers 0 ... n - 1 whose members are joined into groups.
@@ -62,10 +70,9 @@ SeparateFlows::SeparateFlows(const Raster& release, const Raster& reached, const
     all.insert(all.end(), released.begin(), released.end());
     std::vector<std::size_t> sources;
     for (const Point& place : inflows) {
-        const auto column = static_cast<std::int64_t>(std::floor((place.x - grid.west) / grid.cell_size));
-        const auto row = static_cast<std::int64_t>(std::floor((grid.north - place.y) / grid.cell_size));
-        if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) continue;
-        sources.push_back(static_cast<std::size_t>(row * grid.columns + column));
+        const auto cell = cell_at(grid, place);
+        if (!cell) continue;
+        sources.push_back(*cell);
         all.push_back({sources.back(), sources.back() + 1, 0});
     }
     for (const Run& run : released) sources.push_back(run.first);

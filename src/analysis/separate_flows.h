@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/raster.h"
 
 namespace frana {
+
+/// Returns the number of the cell that contains a place in map coordinates; none outside the grid.
+std::optional<std::size_t> cell_at(const GridSpec& grid, Point place);
 
 /// Divides the cells of a result into flows that never met. Cells that were released or reached belong to the same flow
 /// if they touch along a side or at a corner, or are connected by such cells. Reached cells from which no way leads to

@@ -237,8 +237,8 @@ void add_recorded(const Scene::Data& data, const GridSpec& grid, Recording& reco
 
 namespace fs = std::filesystem;
 
-/// Returns the folder of material presets and hazard schemes: FRANA_SHARE, else the one installed with this library.
-/// Throws Error(environment) if there is none.
+/// Returns the folder of presets, hazard schemes and friction tables: FRANA_SHARE, else the one installed with this
+/// library. Throws Error(environment) if there is none.
 std::string share_directory() {
     if (const char* named = std::getenv("FRANA_SHARE"); named != nullptr && *named != '\0') return named;
     // PREFIX/lib/libfrana.so, PREFIX/lib/x86_64-linux-gnu/libfrana.so, PREFIX/lib/python3/dist-packages/frana/...
@@ -269,7 +269,8 @@ SceneReading read_keys(const Scene::Data& data) {
     bool needs_share = false;
     for (const auto& [key, value] : data.keys) {
         keys.push_back(key + "=" + value);
-        needs_share = needs_share || key == "material.preset" || key == "hazard.scheme";
+        needs_share =
+            needs_share || key == "material.preset" || key == "material.friction-table" || key == "hazard.scheme";
     }
     return read_scene_keys(keys, given_otherwise(data), needs_share ? share_directory() : std::string(), "scene");
 }
@@ -356,6 +357,8 @@ EngineScene prepare_scene(const Scene::Data& data) {
     check_inflow_counts(scene, problems);
     problems.throw_if_any();
     place_origin(scene);
+    (void)set_table_friction(spec, std::nullopt, "material.friction-table", scene, problems);
+    problems.throw_if_any();
     return prepared;
 }
 

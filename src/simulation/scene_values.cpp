@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/text.h"
 #include "params/keys/laws.h"
@@ -45,7 +46,6 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
     set(m.block_size, s.block_size);
-    set(m.sound_speed, s.sound_speed);
     return m;
 }
 
@@ -138,10 +138,67 @@ void check_inside(const Polyline& places, const GridSpec& grid, const std::strin
 void check_zone_friction(const SceneSpec& spec, double greatest, const std::string& where, Problems& problems) {
     for (const Law* law : laws_of(spec)) {
         if (!(greatest > law->greatest_friction)) continue;
-        problems.add({"the zones' friction is too large for the law " + law->word, where,
+        problems.add({"the friction by place is too large for the law " + law->word, where,
                       shortest_text(std::round(greatest * 1e4) / 1e4), "0 to " + shortest_text(law->greatest_friction),
                       "The law is not defined above that"});
     }
+}
+
+namespace {
+
+/// The values of a zone raster, and where it has none those of the table.
+Raster filled_by_table(const std::optional<Raster>& zones, const std::shared_ptr<const FrictionByPlace>& friction,
+                       double FrictionPair::*value) {
+    const Raster& terrain = friction->terrain();
+    const auto source = [zones, friction, value](const CellWindow& window, double* cells) {
+        for (std::int64_t row = window.row; row < window.row + window.rows; ++row)
+            for (std::int64_t column = window.column; column < window.column + window.columns; ++column, ++cells) {
+                *cells = zones ? zones->at(row, column) : k_no_data;
+                if (!std::isnan(*cells)) continue;
+                if (const auto place = friction->at(row, column)) *cells = place->values.*value;
+            }
+    };
+    const GridSpec& grid = terrain.grid;
+    Raster raster;
+    raster.grid = grid;
+    if (terrain.values.is_tiled()) {
+        raster.values = CellValues::tiled(grid.rows, grid.columns, k_no_data, source);
+    } else {
+        raster = Raster(grid);
+        source({0, 0, grid.rows, grid.columns}, raster.values.data());
+    }
+    return raster;
+}
+
+}  // namespace
+
+std::shared_ptr<const FrictionByPlace> set_table_friction(const SceneSpec& spec, std::optional<Raster> forest,
+                                                          const std::string& where, Scene& scene, Problems& problems) {
+    const FrictionTableSpec& keys = spec.friction_table;
+    if (!keys.resolved || !keys.return_period) return nullptr;
+    FrictionChoice choice{
+        .table = *keys.resolved, .friction_factor = keys.friction_factor, .turbulence_factor = keys.turbulence_factor};
+    FrictionTable& table = choice.table;
+    if (!keys.altitude_limits.empty()) table.altitudes = keys.altitude_limits;
+    choice.period = static_cast<std::size_t>(
+        std::find(table.periods.begin(), table.periods.end(), *keys.return_period) - table.periods.begin());
+    if (!keys.volume && scene.release.empty()) {
+        problems.add({"needs material.table-volume: the scene has no release, only inflow", where, table.name, "",
+                      "Give the volume of the event"});
+        return nullptr;
+    }
+    choice.volume = keys.volume ? *keys.volume : make_release(scene).volume;
+    double greatest = 0;
+    for (std::size_t kind = 0; kind < table.terrain.size(); ++kind)
+        for (std::size_t band = 0; band <= table.altitudes.size(); ++band)
+            for (const bool forested : {false, forest.has_value()})
+                greatest = std::max(greatest, choice.at(kind, band, forested).coefficient);
+    check_zone_friction(spec, greatest, where, problems);
+    const auto friction = std::make_shared<const FrictionByPlace>(std::move(choice), scene.terrain, std::move(forest));
+    MaterialZones& zones = scene.zones;
+    zones.friction_coefficient = filled_by_table(zones.friction_coefficient, friction, &FrictionPair::coefficient);
+    zones.turbulence = filled_by_table(zones.turbulence, friction, &FrictionPair::turbulence);
+    return friction;
 }
 
 std::optional<Raster> MaterialZones::*raster_of(const ZoneKey& key) {

@@ -2,10 +2,12 @@
 // From the words and units of scene files to the engine's values, as far as they come from no file.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/friction_table.h"
 #include "core/error.h"
 #include "params/keys/scene_spec.h"
 #include "params/keys/zone_keys.h"
@@ -38,6 +40,12 @@ void check_inside(const Polyline& places, const GridSpec& grid, const std::strin
                   Problems& problems);
 /// The scene's laws are defined up to this friction coefficient, the zones' greatest.
 void check_zone_friction(const SceneSpec& spec, double greatest, const std::string& where, Problems& problems);
+/// Gives `scene` bed friction by place after its friction table, where [zones] has no value; the scene is complete
+/// otherwise. The volume is that of the release, unless a key gives it. Ground of which nothing is read yet stays so.
+/// @param forest anything but NaN where forest stands
+/// Returns what was chosen; null without a table, or with a problem. Throws as make_release does.
+std::shared_ptr<const FrictionByPlace> set_table_friction(const SceneSpec& spec, std::optional<Raster> forest,
+                                                          const std::string& where, Scene& scene, Problems& problems);
 /// Returns the raster of a key's quantity.
 std::optional<Raster> MaterialZones::*raster_of(const ZoneKey& key);
 /// The scene's laws use the values by place of this key.

@@ -302,7 +302,9 @@ void SteppedRun::arrive(double target) {
 }
 
 void SteppedRun::count(const StepStatistics& statistics) {
-    result_.series.push_back(series_row(*model_, statistics, result_));
+    // The step that ends a run with values that are no numbers has no row: whoever reads the file would refuse it.
+    if (const SeriesRow row = series_row(*model_, statistics, result_); std::isfinite(row.volume + row.kinetic_energy))
+        result_.series.push_back(row);
     if (statistics.volume > 0) {
         result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin / statistics.volume);
         result_.moving_fraction_limit =

@@ -169,7 +169,7 @@ StepStatistics StructuredFlow::step(double dt_limit) {
     const double into_gaps = state_.fluid ? state_.fluid->volume_into_gaps : 0;
     const structured::StepReport report = structured::step(state_, laws_, std::min(dt_limit, still_step()), pool_);
     ++steps_;
-    particle_steps_ += particle_count() * report.substeps - report.solids.skipped;
+    particle_steps_ += particle_count() * report.substeps;
     StepStatistics statistics = observe();
     statistics.dt = report.dt;
     statistics.kinetic += report.kinetic / density();

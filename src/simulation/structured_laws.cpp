@@ -188,9 +188,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
         m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;
     solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m));
     solid.spacing = grid.cell_size / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
-    solid.viscosity = {m.linear_viscosity, m.quadratic_viscosity, m.sound_speed > 0 ? m.sound_speed : solid.wave_speed,
-                       solid.kernel.length()};
-    solid.artificial_stress = m.artificial_stress;
+    solid.side = std::max(solid.side, 1.2 * solid.spacing);
     structured::CouplingLaws& coupling = laws.coupling;
     coupling.drag.fluid.gravity = numerics.gravity;
     coupling.drag.fluid.density = m.fluid_density;

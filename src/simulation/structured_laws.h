@@ -10,8 +10,8 @@
 namespace frana {
 
 /// A damage length over the cell size: the least, under which the nodes of its sums have no particles, and the
-/// greatest, up to which the kernel follows it. The default over the thickness, and its greatest over the cell size,
-/// with which the kernel reaches as far as without.
+/// greatest, up to which the stress's nodes follow it. The default over the thickness, and its greatest over the cell
+/// size, with which they are as near as without.
 inline constexpr double k_least_length = 0.5, k_greatest_length = 2, k_of_thickness = 0.25,
                         k_greatest_default = 2.0 / 3;
 

@@ -163,6 +163,15 @@ TEST_F(SameBits, WithValuesByPlaceAndAnErodibleBed) {
     expect_same("eroded_depth");
 }
 
+TEST_F(SameBits, WithAFrictionTable) {
+    write_maps();
+    write("scene.ini",
+          "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+          "friction-table = ramms-avalanche\nreturn-period = 300\ntable-friction-factor = 0.2\n[time]\nend = 3\n" +
+              k_numbers_only);
+    expect_same_flow();
+}
+
 // Holes in the hill, among them one wider than is filled.
 TEST_F(SameBits, WithHolesThatAreFilled) {
     write_maps();

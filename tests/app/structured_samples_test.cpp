@@ -139,11 +139,11 @@ constexpr double k_loss_digits = 0.006, k_length_digits = 1;
 TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
     SampleRun run("fracture/2b.ini", "20");
     EXPECT_NEAR(run.at(5).lost, 0.11, k_loss_digits);
-    EXPECT_NEAR(run.at(14).length, 282, k_length_digits);
+    EXPECT_NEAR(run.at(14).length, 266, k_length_digits);
     const Statistics late = run.at(24);
-    EXPECT_NEAR(late.lost, 0.23, k_loss_digits);
-    EXPECT_NEAR(late.length, 574, k_length_digits);  // 193 m at the start
-    EXPECT_NEAR(late.apart, 4.1, 0.1);
+    EXPECT_NEAR(late.lost, 0.17, k_loss_digits);
+    EXPECT_NEAR(late.length, 554, k_length_digits);  // 193 m at the start
+    EXPECT_NEAR(late.apart, 6.4, 0.1);
     breaks_where_it_yields(late);
 }
 
@@ -170,7 +170,7 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
     EXPECT_EQ(run.at(14).lost, 0);
-    EXPECT_NEAR(run.at(24).lost, 0.78, k_loss_digits);
+    EXPECT_NEAR(run.at(24).lost, 0.81, k_loss_digits);
     EXPECT_GT(run.at(40).lost, 0.995);
     EXPECT_EQ(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83500"}).at(14).lost, 0);
     EXPECT_GT(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83000"}).at(14).lost, 0.8);
@@ -178,7 +178,7 @@ TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
 
 TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     SampleRun run("fracture/3c.ini", "20");
-    EXPECT_GT(run.at(0.5).damaged, 1 - 1e-9);  // all of it yields
+    EXPECT_GT(run.at(0.6).damaged, 1 - 1e-9);  // all of it yields
     EXPECT_NEAR(run.at(2).lost, 0.68, k_loss_digits);
     EXPECT_EQ(run.at(5).lost, 1);
     for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 3) << time << " s";
@@ -191,8 +191,8 @@ TEST(FractureSample, DependenceOnTheCells) {
         const char* cell;
         double third_c, third_b, second_b, length;
     };
-    // On 20 m they are those of the tests above: 0.68, 0.78, 0.23 and 282 m.
-    for (const Row& row : {Row{"12.5", 0.67, 0.77, 0.20, 303}, Row{"10", 0.65, 0.78, 0.21, 309}}) {
+    // On 20 m they are those of the tests above: 0.68, 0.81, 0.17 and 266 m.
+    for (const Row& row : {Row{"12.5", 0.655, 0.80, 0.19, 290}, Row{"10", 0.65, 0.81, 0.17, 298}}) {
         SampleRun three_c("fracture/3c.ini", row.cell), three_b("fracture/3b.ini", row.cell),
             two_b("fracture/2b.ini", row.cell);
         EXPECT_NEAR(three_c.at(2).lost, row.third_c, k_loss_digits) << row.cell;
@@ -237,12 +237,12 @@ TEST(FlumeSample, WeakerBlocksBreakMore) {
                  second = lost("flume/material_2.ini");
     EXPECT_EQ(strong, 0);
     EXPECT_NEAR(first, 0.19, 0.02);  // as its README tells; rounding decides about single particles
-    EXPECT_NEAR(second, 0.22, 0.02);
+    EXPECT_NEAR(second, 0.26, 0.02);
     EXPECT_GT(second, first + 0.01);
 }
 
-// Sums over neighbours do not detect what alternates from particle to particle, so that a block at rest has stress
-// without balance. It must remain far from the strength, 4 MPa: 1 % of it at most (measured: 1.9 kPa rms, 28 at most).
+// The nodes of the stress do not detect what alternates from particle to particle, so that a block at rest has stress
+// without balance. It must remain far from the strength, 4 MPa: 1 % of it at most (measured: 2.1 kPa rms, 24 at most).
 TEST(FlumeSample, WhatAlternatesAtRestIsFarFromTheStrength) {
     SampleRun run("flume/strong.ini", "0.05");
     run.at(1.4);

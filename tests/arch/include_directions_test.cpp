@@ -18,8 +18,8 @@ const std::map<std::string, std::vector<std::string>> k_layers{
     {"gis", {"access", "crs", "vector", "raster"}},
     {"render", {"vtk", "libav", "canvas", "chart", "map", "view", "animation"}},
     {"app/study",
-     {"study_spec.h", "member_record.h", "member_record.cpp", "openturns", "ranks", "plan", "statistics", "pool",
-      "publish"}},
+     {"study_spec.h", "member_record.h", "member_record.cpp", "record_files.h", "record_files.cpp", "openturns",
+      "ranks", "plan", "statistics", "pool", "publish"}},
 };
 
 /// "src/mpm/shape.h" -> "mpm", "gis/crs/crs.h" -> "gis".

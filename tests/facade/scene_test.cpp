@@ -173,5 +173,29 @@ TEST(CellOutlines, FollowTheEdgesOfCells) {
     EXPECT_TRUE(outlines_where_positive(grid, std::vector<double>(30, 0)).empty());
 }
 
+// The slope has no curvature across it and lies below 1000 m: of 3200 m3 and 300 years mu = 0.28, xi = 1500 everywhere.
+TEST(FacadeScene, TakesItsFrictionFromATable) {
+    const std::vector<double> z = small_slope(), mu = on_small_grid(0.28), xi = on_small_grid(1500);
+    const auto scene_with = [&](const std::vector<std::pair<std::string, std::string>>& keys) {
+        facade::Scene scene(k_small_grid, {z});
+        for (const auto& [key, value] : keys) scene.set(key, value);
+        scene.set("time.end", 4);
+        scene.add_release({.outline = {{square(600020, 5000040, 40)}}, .thickness = 2});
+        return scene;
+    };
+    facade::Scene by_place = scene_with({{"material.friction-coefficient", "0.5"}});
+    by_place.set_values("zones.friction-coefficient", {mu});
+    by_place.set_values("zones.turbulence", {xi});
+    const facade::Raster expected = facade::run(by_place).raster("max_depth");
+    const facade::Raster found =
+        facade::run(scene_with({{"material.friction-table", "ramms-avalanche"}, {"material.return-period", "300"}}))
+            .raster("max_depth");
+    for (std::int64_t row = 0; row < k_small_grid.rows; ++row)
+        for (std::int64_t column = 0; column < k_small_grid.columns; ++column) {
+            const double a = expected.at(row, column), b = found.at(row, column);
+            ASSERT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << row << ", " << column;
+        }
+}
+
 }  // namespace
 }  // namespace frana::test

@@ -10,4 +10,5 @@ shutil.rmtree(result, ignore_errors=True)  # with pictures of an earlier session
 sys.exit(subprocess.call([
     program, "run", sample + "/scene.ini", "--out", result, "--quiet",
     "--set", "time.end=6", "--set", "terrain.cell-size=10", "--set", "output.maps=off", "--set", "output.animation=off",
-    "--set", "time.frame-interval=1.5", "--set", "output.report=off", "--set", "hazard.scheme=swiss-flood"]))
+    "--set", "time.frame-interval=1.5", "--set", "output.report=off", "--set", "hazard.scheme=swiss-flood",
+    "--set", "material.friction-table=ramms-avalanche", "--set", "material.return-period=300"]))

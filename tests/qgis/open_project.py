@@ -121,6 +121,8 @@ def check_layouts(project, folder, picture):
         assert "Simulated with frana" in texts and "dtm.tif" in texts and project.title() in texts, texts
         if layer.source().endswith("hazard.tif"):
             assert "not a hazard" in texts and "Thresholds: " in texts, texts
+        if os.path.basename(layer.source()) in ("mu.tif", "xi.tif"):
+            assert "Friction table: RAMMS Avalanche" in texts and "Source: SLF" in texts, texts
         scale = round(1000 * sheet.extent().width() / sheet.rect().width())
         assert "1 : " + f"{scale:,}" in texts, (scale, texts)
     pictures = QgsLayoutExporter.ImageExportSettings()

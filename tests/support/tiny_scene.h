@@ -44,4 +44,12 @@ inline constexpr int k_columns = 60, k_rows = 30;
 /// No pictures and no frames: a run of a tenth of a second.
 inline const std::string k_numbers_only = "[output]\nmaps = off\nanimation = off\nframes = off\n";
 
+/// A friction table of one return period (30 years), one class of terrain and one volume, with forest.
+inline std::string own_friction_table(double mu) {
+    return "[table]\ntitle = Own\nsource = None\nreturn-periods = 30\n[forest]\nmore-friction = 0.05\nturbulence = "
+           "400\n"
+           "[class-1]\nname = All\n30-years-from-0-m3 = " +
+           std::to_string(mu) + " 1000\n";
+}
+
 }  // namespace frana::test

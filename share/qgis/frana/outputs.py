@@ -87,6 +87,8 @@ RUN = (
     _raster("FINAL_DEPTH", "Final depth [m]"), _raster("RELEASE", "Release thickness [m]"),
     _raster("DTM", "Terrain as used [m]"), _raster("BED", "Sliding surface [m]"),
     _raster("HAZARD", "Classes of intensity, with a hazard scheme"),
+    _raster("MU", "Bed friction coefficient, with a friction table"),
+    _raster("XI", "Turbulence coefficient [m/s2], with a friction table"),
     Output("layer", "TRACE", "Outline of the trace", "extent.gpkg|trace"),
     Output("layer", "DEPOSIT", "Outline of the deposit", "extent.gpkg|deposit"),
     Output("layer", "RELEASE_OUTLINE", "Outline of the release", "extent.gpkg|release"),

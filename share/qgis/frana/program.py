@@ -79,8 +79,10 @@ def ask_program() -> Program:
         keys = [key_from_json(row) for row in rows]
     except (ValueError, KeyError, TypeError) as error:
         raise ProgramError(tr("{0} params --json is not understood: {1}", path, error)) from error
-    presets = {key: re.findall(r"^([a-z][\w-]*)$", _answer(path, command), re.MULTILINE)
-               for key, command in (("material.preset", "materials"), ("hazard.scheme", "schemes")) if command in commands}
+    lists = (("material.preset", ["materials"]), ("hazard.scheme", ["schemes"]),
+             ("material.friction-table", ["schemes", "--friction"]))
+    presets = {key: re.findall(r"^([a-z][\w-]*)$", _answer(path, *words), re.MULTILINE)
+               for key, words in lists if words[0] in commands}
     if "hazard.scheme" in presets:
         presets["hazard.scheme"].append("custom")
     return Program(path, version.removeprefix("frana "), commands, keys, presets)

@@ -7,6 +7,7 @@
 #include "app/commands/command_line.h"
 #include "app/input/share_directory.h"
 #include "core/error.h"
+#include "params/grammar/data_file.h"
 #include "params/keys/materials.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
@@ -117,8 +118,11 @@ Fitting key_value(const std::string& key) {
         if (parameter.type == "file" || parameter.type == "folder") fitting.kind = parameter.type + "s";
         for (const std::string& word : parameter.choices) fitting.words.push_back({word});
         for (const std::string& word : parameter.forms) fitting.words.push_back({word});
-        if (key == "hazard.scheme")
-            for (const std::string& name : scheme_names(share_directory())) fitting.words.push_back({name});
+        for (const auto& [of, folder] :
+             {std::pair{"hazard.scheme", k_scheme_folder}, std::pair{"material.friction-table", k_friction_folder}})
+            if (key == of)
+                for (const std::string& name : data_names(share_directory(), folder)) fitting.words.push_back({name});
+        if (key == "hazard.scheme") fitting.words.push_back({k_custom_scheme});
         if (key != "material.preset") continue;
         fitting.words.clear();
         for (const MaterialPreset& preset : material_presets(materials_directory()))

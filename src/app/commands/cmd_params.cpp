@@ -6,11 +6,14 @@
 #include "app/commands/command_line.h"
 #include "app/input/share_directory.h"
 #include "app/process/terminal.h"
+#include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "params/grammar/data_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/materials.h"
+#include "params/scene/read_friction_table.h"
 #include "params/scene/read_scene.h"
 #include "params/scene/read_scheme.h"
 #include "params/scene/write_scene.h"
@@ -65,29 +68,38 @@ int cmd_materials(const Arguments& arguments) {
 }
 
 CommandForm schemes_form() {
-    CommandForm form{"frana schemes [FILE.ini] [--json]",
+    CommandForm form{"frana schemes [FILE.ini] [--friction] [--json]",
                      "Prints the hazard schemes (hazard.scheme): their classes with limits, the source, and whether it "
-                     "was read.\nWith a file of one's own: checks and prints that.",
+                     "was read; with --friction the friction tables (material.friction-table).\nWith a file of one's "
+                     "own: checks and prints that.",
                      "FILE.ini",
                      {}};
     form.operand_optional = true;
-    form.options.add_options()("json", "print one JSON document for scripts instead (share/doc/scripts.md)");
+    form.options.add_options()("friction", "friction tables in place of hazard schemes")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
 }
 
 namespace {
 
-Json scheme_json(const HazardScheme& scheme) {
-    Json json{{"name", scheme.name},
-              {"title", scheme.called},
-              {"classes_are", scheme.has_zones() ? "zones" : "intensities"},
-              {"source", scheme.named_source},
-              {"source_read", scheme.is_source_read()},
-              {"quote", scheme.is_source_read() ? Json(scheme.quote) : Json()},
-              {"read_at", scheme.is_source_read() ? Json(scheme.read_at) : Json()},
-              {"return_periods", scheme.periods},
-              {"degree_of_hazard", scheme.matrix.has_value()},
-              {"classes", Json::array()}};
+/// What a scheme and a table say of themselves.
+template <class DataOfFile>
+Json head_json(const DataOfFile& data) {
+    const bool is_read = data.is_source_read();
+    return {{"name", data.name},
+            {"title", data.called},
+            {"source", data.named_source},
+            {"source_read", is_read},
+            {"quote", is_read ? Json(data.quote) : Json()},
+            {"read_at", is_read ? Json(data.read_at) : Json()},
+            {"return_periods", data.periods}};
+}
+
+Json json_of(const HazardScheme& scheme) {
+    Json json = head_json(scheme);
+    json["classes_are"] = scheme.has_zones() ? "zones" : "intensities";
+    json["degree_of_hazard"] = scheme.matrix.has_value();
+    json["classes"] = Json::array();
     for (const HazardClass& kind : scheme.classes)
         json["classes"].push_back({{"class", kind.value},
                                    {"label", kind.name},
@@ -96,20 +108,75 @@ Json scheme_json(const HazardScheme& scheme) {
     return json;
 }
 
-std::string scheme_text(const HazardScheme& scheme) {
-    std::ostringstream text;
-    text << scheme.name << "\n  " << scheme.called << "; " << (scheme.has_zones() ? "zones" : "intensities")
-         << " of scenarios";
-    std::vector<std::string> periods;
-    for (const double period : scheme.periods) periods.push_back(shortest_text(period));
-    if (!periods.empty()) text << " of " << joined(periods, ", ") << " years";
-    text << "\n  Source: " << scheme.named_source << '\n';
-    if (!scheme.is_source_read())
-        text << "  Customary limits, source not read\n";
-    else
-        text << "  Words read: \"" << scheme.quote << "\", " << scheme.read_at << '\n';
-    for (const HazardClass& kind : scheme.classes) text << "  " << kind.value << "  " << kind.label() << '\n';
-    return text.str();
+Json json_of(const FrictionTable& table) {
+    Json json = head_json(table);
+    json["note"] = table.note;
+    json["volume_limits"] = table.volumes;
+    json["altitude_limits"] = table.altitudes;
+    json["forest"] = table.forest.has_value();
+    json["classes"] = Json::array();
+    for (const FrictionTable::Terrain& kind : table.terrain)
+        json["classes"].push_back({{"label", kind.name}, {"curvature", kind.curvature}});
+    return json;
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+    std::vector<std::string> texts;
+    for (const double number : numbers) texts.push_back(grouped(number));
+    return joined(texts, ", ");
+}
+
+template <class DataOfFile>
+std::string head_text(const DataOfFile& data, const std::string& what, const std::string& unread) {
+    return data.name + "\n  " + data.called + "; " + what +
+           (data.periods.empty() ? "" : " of " + numbers_text(data.periods) + " years") +
+           "\n  Source: " + data.named_source + "\n  " +
+           (data.is_source_read() ? "Words read: \"" + data.quote + "\", " + data.read_at : unread) + '\n';
+}
+
+std::string text_of(const HazardScheme& scheme) {
+    std::string text = head_text(scheme, scheme.has_zones() ? "zones of scenarios" : "intensities of scenarios",
+                                 "Customary limits, source not read");
+    for (const HazardClass& kind : scheme.classes)
+        text += "  " + std::to_string(kind.value) + "  " + kind.label() + '\n';
+    return text;
+}
+
+std::string text_of(const FrictionTable& table) {
+    std::string text = head_text(table, "events", "Source not read");
+    if (!table.note.empty()) text += "  " + table.note + '\n';
+    if (!table.volumes.empty()) text += "  Limits of volume: " + numbers_text(table.volumes) + " m3\n";
+    if (!table.altitudes.empty()) text += "  Limits of altitude: " + numbers_text(table.altitudes) + " m\n";
+    text += table.forest ? "  Has values for forest\n" : "  No values for forest\n";
+    for (std::size_t kind = 0; kind < table.terrain.size(); ++kind)
+        text +=
+            "  " + std::to_string(kind + 1) + "  " + table.terrain[kind].name +
+            (table.terrain.size() > 1 ? ": curvature " + shortest_text(table.terrain[kind].curvature) + " 1/m" : "") +
+            '\n';
+    return text;
+}
+
+/// Prints what `read` finds in files.
+template <class Read>
+void print_files(const std::vector<std::string>& files, const Read& read, const char* list, bool as_json) {
+    Problems problems;
+    Json json = Json::array();
+    std::string text;
+    for (const std::string& file : files) {
+        const auto data = attempt(problems, [&] { return std::optional(read(file, file, problems)); });
+        if (!data) continue;
+        json.push_back(json_of(*data));
+        json.back()["file"] = file;
+        text += (text.empty() ? "" : "\n") + text_of(*data) + "  File: " + file + '\n';
+    }
+    problems.throw_if_any();
+    if (!as_json) {
+        std::cout << folded(text, output_width());
+        return;
+    }
+    Json document = document_of("schemes");
+    document[list] = std::move(json);
+    print_document(document);
 }
 
 }  // namespace
@@ -117,26 +184,16 @@ std::string scheme_text(const HazardScheme& scheme) {
 int cmd_schemes(const Arguments& arguments) {
     const auto values = parse_arguments(schemes_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const std::vector<std::string> files = values->count("operand") > 0
-                                               ? std::vector{(*values)["operand"].as<std::string>()}
-                                               : scheme_files(share_directory());
-    Problems problems;
-    Json json = Json::array();
-    std::string text;
-    for (const std::string& file : files) {
-        const auto scheme = attempt(problems, [&] { return std::optional(read_scheme(file, file, problems)); });
-        if (!scheme) continue;
-        json.push_back(scheme_json(*scheme));
-        text += (text.empty() ? "" : "\n") + scheme_text(*scheme);
-    }
-    problems.throw_if_any();
-    if (values->count("json") == 0) {
-        std::cout << folded(text, output_width());
-    } else {
-        Json document = document_of("schemes");
-        document["schemes"] = std::move(json);
-        print_document(document);
-    }
+    const bool as_json = values->count("json") > 0, friction = values->count("friction") > 0;
+    std::vector<std::string> files;
+    if (values->count("operand") > 0)
+        files = {(*values)["operand"].as<std::string>()};
+    else
+        files = data_files(share_directory(), friction ? k_friction_folder : k_scheme_folder);
+    if (friction)
+        print_files(files, read_friction_table, "friction_tables", as_json);
+    else
+        print_files(files, read_scheme, "schemes", as_json);
     return static_cast<int>(ExitCode::done);
 }
 

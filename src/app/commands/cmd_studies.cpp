@@ -19,12 +19,13 @@
 #include "app/study/plan/read_study.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/calibration_runs.h"
-#include "app/study/pool/level_rounds.h"
 #include "app/study/pool/member_runs.h"
+#include "app/study/pool/rounds.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/publish_calibration.h"
 #include "app/study/publish/publish_study.h"
 #include "app/study/publish/study_files.h"
+#include "app/study/record_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
@@ -117,7 +118,7 @@ std::int64_t extended_samples(const study::StudySpec& study, const std::string& 
     const auto refuse = [&](const std::string& what, const std::string& limit, const std::string& remedy) {
         throw Error(ErrorKind::input, Problem{what, "--extend", more, limit, remedy});
     };
-    const std::size_t members = split_records(target, "").members;
+    const std::size_t members = study::split_records(target, nullptr).members;
     const auto count = integer_from_text(more);
     const std::int64_t most = study::k_most_samples - static_cast<std::int64_t>(members);
     if (!count || *count < 1 || *count > most)
@@ -266,12 +267,17 @@ struct ManyRuns {
     static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
 
     static MembersRun run(Input& input, const study::RunSetting& setting, RunLog& log) {
-        return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting, log);
+        if (input.table.parts.empty())
+            return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting, log);
+        MembersRun ran;
+        study::run_importance(input, setting.folder,
+                              [&](std::size_t end) { return run_until(input, setting, end, ran); });
+        return ran;
     }
     static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
                                        ResultDirectory& directory, RunLog& log) {
         input.base.result_folder = directory.target();
-        if (input.reading.study.is_extensible()) join_records(directory.folder());
+        if (input.reading.study.is_extensible()) study::join_records(directory.folder());
         return study::publish_study({input, ran.members, ran.computed, threads, since_start}, directory, log);
     }
 };
@@ -372,7 +378,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
         require_same_study(input.identity, read_text_file((std::filesystem::path(left) / k_record_identity).string()),
                            left);
     if (more) {
-        const JoinedRecords old = split_records(target, "");
+        const study::JoinedRecords old = study::split_records(target, nullptr);
         require_same_study(identity_of_first(input.identity, old.members), identity_of_first(old.identity, old.members),
                            target);
     }
@@ -381,14 +387,18 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     ResultDirectory directory(target, overwrite, !left.empty());
     directory.make_folder(k_record_folder);
     write_text_file(directory.path(k_record_identity), input.identity);
-    if (more) split_records(target, directory.folder());
+    if (more) {
+        study::RecordFiles records(directory.folder());
+        study::split_records(target, &records);
+        records.sync();
+    }
     if (ranks.pool) ranks.pool->start(input.identity);
     const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
     const auto ran = Kind::run(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
     ranks.release();
     if (ran.stopped_by != 0) {
         log.info(std::string("the ") + Kind::k_name + " was stopped after " +
-                 std::to_string(records_in(directory.folder()).size()) + " " + Kind::k_members +
+                 std::to_string(study::count_records(directory.folder())) + " " + Kind::k_members +
                  ": the same command with --resume runs the others");
         return static_cast<int>(ExitCode::signal) + ran.stopped_by;
     }

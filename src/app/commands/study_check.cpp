@@ -198,10 +198,6 @@ std::string time_text(const StudyForecast& forecast, std::size_t members, int th
            duration_text(forecast.writing.seconds) + " of writing and drawing";
 }
 
-std::size_t members_of(const study::StudyInput& input) {
-    return input.levels.empty() ? input.table.size() : static_cast<std::size_t>(input.reading.study.samples);
-}
-
 void print_study(const study::StudyInput& input, const StudyForecast& forecast, int threads,
                  const std::string& directory) {
     const study::StudySpec& study = input.reading.study;
@@ -215,7 +211,7 @@ void print_study(const study::StudyInput& input, const StudyForecast& forecast, 
     for (const study::Correlation& one : study.correlate)
         print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
     std::printf("\nMembers\n");
-    const auto members = members_of(input);
+    const auto members = input.members();
     print_fact("members", (input.levels.empty() ? "" : "as much work as ") + std::to_string(members) +
                               (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
                               (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
@@ -263,7 +259,7 @@ StudyForecast forecast_study(const study::StudyInput& input, int threads, bool w
     forecast.peak_bytes = resident_memory() + std::max(threads * forecast.worker_bytes, combining);
     const auto released = static_cast<std::int64_t>(base.release.area_m2 / base.scene.grid.cell_area());
     // A level twice as coarse has at most eight times the members, with a quarter of the cells each.
-    const auto records = input.levels.empty() ? static_cast<std::int64_t>(input.table.size())
+    const auto records = input.levels.empty() ? static_cast<std::int64_t>(input.members())
                                               : input.reading.study.samples << (input.levels.size() - 1);
     forecast.disk_bytes = records * (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
     forecast.writing = forecast_study_writing(input, forecast.member, forecast.trial, threads);
@@ -306,7 +302,7 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     if (const auto& exposed = input.base.extra.exposure)
         warn_of_unknown_exposure(*exposed, study::computed_ground(input),
                                  study.region ? nullptr : &input.base.scene.terrain, log);
-    const auto members = members_of(input);
+    const auto members = input.members();
     Json json = document_of("check");
     json["study"] = study.file;
     json["scene"] = study.scene;

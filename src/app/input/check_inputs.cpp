@@ -46,7 +46,7 @@ void warn_of_thin_release(const Raster& release, const Scene& scene, RunLog& log
 }
 
 double sure_friction(const SceneSpec& scene) {
-    bool by_place = scene.terrain.friction_zones.has_value();
+    bool by_place = scene.terrain.friction_zones || scene.friction_table.name;
     for (const ZoneKey& key : zone_keys()) by_place = by_place || (key.what == "friction" && scene.zones.*key.source);
     const std::vector<const Law*> laws = laws_of(scene);
     const bool resists =

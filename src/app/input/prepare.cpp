@@ -196,6 +196,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     files.insert(files.end(), site.begin(), site.end());
     std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, files, log, problems);
     MaterialZones zones = prepare_zones(reading, known_ground, all_outlines(release), files, log, problems);
+    std::optional<Raster> forest = prepare_forest(reading, known_ground, files, log, problems);
     std::optional<StructuredMaterial> structured =
         prepare_structured(reading, known_ground, release, walls, files, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, files, log, problems);
@@ -205,8 +206,10 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     ExtraInput extra;
     if (ground) extra = prepare_extra(reading, ground->terrain.grid, files, log, problems);
     problems.throw_if_any();
-    if (const HazardSpec& hazard = reading.scene.hazard; hazard.resolved && is_scheme_file(*hazard.scheme))
-        files.push_back(used_scheme(*hazard.scheme, *hazard.resolved));
+    if (const HazardSpec& hazard = reading.scene.hazard; hazard.resolved && is_own_file(*hazard.scheme))
+        files.push_back(used_data_file(worded("Hazard scheme"), *hazard.scheme, hazard.resolved->called));
+    if (const FrictionTableSpec& table = reading.scene.friction_table; table.resolved && is_own_file(*table.name))
+        files.push_back(used_data_file(worded("Friction table"), *table.name, table.resolved->called));
     refuse_unread_files(reading, files, problems);
 
     Prepared prepared;
@@ -225,6 +228,10 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     problems.throw_if_any();
     place_origin(prepared.scene);
     refuse_too_much(reading, prepared.scene, release.area_m2);
+    prepared.friction = set_table_friction(reading.scene, std::move(forest), reading.where("material.friction-table"),
+                                           prepared.scene, problems);
+    problems.throw_if_any();
+    if (prepared.friction) log.note("friction table: " + friction_text(prepared.friction->choice()).text());
     refuse_what_cannot_start(prepared.scene);
     check_ground_read(reading, *ground, prepared.scene.terrain, log);
     release.ground = ground_of_release(prepared.scene);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/friction_table.h"
 #include "app/input/prepare_release.h"
 #include "app/input/prepare_terrain.h"
 #include "app/input/survey_input.h"
@@ -21,10 +23,11 @@ struct Prepared {
     TerrainInput ground;   ///< its raster has moved into the scene
     ReleaseInput release;  ///< its areas have moved into the scene
     std::optional<gis::PolygonLayer> scar;
-    ExtraInput extra;                             ///< its recording has moved into the scene
-    std::vector<UsedFile> files;                  ///< all files read
-    double convergence_deg = 0;                   ///< true north from grid north at the grid's centre, clockwise
-    std::map<std::string, std::string> resolved;  ///< values chosen by frana for keys not given
+    std::shared_ptr<const FrictionByPlace> friction;  ///< after a friction table; null without one
+    ExtraInput extra;                                 ///< its recording has moved into the scene
+    std::vector<UsedFile> files;                      ///< all files read
+    double convergence_deg = 0;                       ///< true north from grid north at the grid's centre, clockwise
+    std::map<std::string, std::string> resolved;      ///< values chosen by frana for keys not given
     /// Identity of the data for --resume, if numerics.accuracy has chosen another grid than the scene's own; else
     /// empty.
     std::vector<std::string> identity;

@@ -110,13 +110,13 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
             "loses its cohesion before it yields. Raise structured.young-modulus (and bulk-modulus) or the critical "
             "strain, or lower the cohesion",
             {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
-    // share/doc/structured.md, "Solids with confined fluid": edges on a grid.
-    constexpr double k_edge = 1.53;
+    // share/doc/structured.md, "Edges and cells".
+    constexpr double k_edge = 0.81;
     const double thickness = thickest(release, grid),
                  least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * grid.cell_size;
     if (thickness > 0 && thickness < least)
         log.warn(worded(
-            "the release is at most {1} m thick, less than 1.53 tan({2} degrees) times the cell size, {3} m: its edges "
+            "the release is at most {1} m thick, less than 0.81 tan({2} degrees) times the cell size, {3} m: its edges "
             "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
             {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
              numeral(number_text(least, 3)), number_text(0.5 * thickness / least * grid.cell_size, 2)}));

@@ -243,6 +243,43 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     return std::move(read.raster);
 }
 
+std::optional<Raster> prepare_forest(const SceneReading& reading, const TerrainInput* ground,
+                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    const std::optional<std::string>& file = reading.scene.friction_table.forest;
+    if (!file) return std::nullopt;
+    return attempt(problems, [&]() -> std::optional<Raster> {
+        const std::string key = "material.forest";
+        const gis::PolygonLayer layer =
+            reading.session.read(gis::read_polygons, *file, target_crs(reading, ground), reading.where(key), {});
+        log.note(key + " " + *file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
+        log.warn_of(key, layer.warnings);
+        files.push_back(used_polygons(worded("Forest"), *file, layer));
+        if (ground == nullptr) return std::nullopt;
+        report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
+        if (!is_on_ground(reading, key, layer.bounds, *ground, true, problems)) return std::nullopt;
+        return polygon_values_on_demand(ground->terrain.grid, layer.features,
+                                        std::vector<std::optional<double>>(layer.features.size(), 1.0));
+    });
+}
+
+Sentence class_text(const std::vector<double>& limits, std::size_t at, const std::string& unit) {
+    if (limits.empty()) return worded("all");
+    const auto limit = [&](std::size_t which) { return grouped(limits[which]); };
+    return numeral((at == 0               ? "< " + limit(0)
+                    : at == limits.size() ? "≥ " + limit(at - 1)
+                                          : limit(at - 1) + " – " + limit(at)) +
+                   " " + unit);
+}
+
+Sentence friction_text(const FrictionChoice& choice) {
+    const FrictionTable& table = choice.table;
+    return worded(
+        "{1}, return period {2} years, volume {3} m³ (class of volume: {4}). Source: {5}; {6}.",
+        {table.called.c_str(), numeral(shortest_text(table.periods[choice.period])), numeral(grouped(choice.volume)),
+         class_text(table.volumes, choice.volume_class(), "m³"), table.named_source,
+         table.is_source_read() ? worded("read at {1}", {table.read_at}) : Sentence(worded("not read"))});
+}
+
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
                             std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     MaterialZones zones;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/friction_table.h"
 #include "app/input/prepare_terrain.h"
 #include "app/input/used_file.h"
 #include "simulation/scene.h"
@@ -18,6 +19,16 @@ namespace frana::app {
 /// only checked. Adds the files read to `files`.
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
                             std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+
+/// Reads material.forest: 1 where forest stands, NaN elsewhere; none without the key. Of a raster nothing is stored
+/// until a cell is asked for.
+std::optional<Raster> prepare_forest(const SceneReading& reading, const TerrainInput* ground,
+                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+
+/// Returns "< 1 000 m", "1 000 – 1 500 m", "≥ 1 500 m", or "all" without limits.
+Sentence class_text(const std::vector<double>& limits, std::size_t at, const std::string& unit);
+/// Returns the table, by what it is read, and its source.
+Sentence friction_text(const FrictionChoice& choice);
 
 /// Returns a raster of values of `key` on the working grid, checked against the key's limits; none, with a problem
 /// added or without terrain, if it cannot be read. `elsewhere` describes the value where it has none; null: not

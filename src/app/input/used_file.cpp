@@ -143,11 +143,11 @@ UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer) {
     return file;
 }
 
-UsedFile used_scheme(const std::string& path, const HazardScheme& scheme) {
+UsedFile used_data_file(const std::string& role, const std::string& path, const std::string& called) {
     UsedFile file;
-    file.role = worded("Hazard scheme");
+    file.role = role;
     file.path = path;
-    file.content = scheme.called;
+    file.content = called;
     for (const IniEntry& entry : read_ini(path)) file.checksum.add_all(entry.name, entry.value);
     return file;
 }

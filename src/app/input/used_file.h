@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/hazard.h"
 #include "app/text/run_log.h"
 #include "core/geometry.h"
 #include "core/raster.h"
@@ -110,7 +109,8 @@ UsedFile used_lines(const std::string& role, const std::string& path, const gis:
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);
 UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points);
 UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer);
-UsedFile used_scheme(const std::string& path, const HazardScheme& scheme);
+/// A data file of one's own: a hazard scheme, a friction table. `called`: its title.
+UsedFile used_data_file(const std::string& role, const std::string& path, const std::string& called);
 /// `content`: its checksum.
 UsedFile used_picture(const std::string& role, const std::string& path, std::uint32_t content);
 

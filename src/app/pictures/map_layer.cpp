@@ -170,6 +170,15 @@ void add_scheme(const std::string& kind, const Metadata& metadata, const Words& 
     layer.notes.insert(layer.notes.begin(), notes.begin(), notes.end());
 }
 
+/// The table that gave the friction, and its source.
+std::vector<std::string> friction_notes(const Metadata& metadata, const Words& words) {
+    const auto table = metadata.find(k_friction_item), source = metadata.find(k_friction_source_item);
+    if (table == metadata.end() || source == metadata.end()) return {};
+    const std::string unread = metadata.contains(k_friction_read_item) ? "" : " (" + words("not read") + ")";
+    return {words.labelled(words("Friction table"), words_of_scheme(metadata, words)(table->second)),
+            words.labelled(words("Source"), source->second + unread)};
+}
+
 /// Whether a raster of maxima of a result omits what flew over its cells.
 bool omits_flights(const std::string& path, const std::string& kind) {
     constexpr std::array k_of_maxima{"max_depth", "max_velocity", "max_pressure", "hazard"};
@@ -189,11 +198,10 @@ std::optional<std::string> probability_of(const gis::RasterText& text) {
 
 std::vector<std::string> needed_notes(const std::string& path, const Words& words) {
     const std::string kind = std::filesystem::path(path).stem().string();
-    std::vector<std::string> notes;
-    if (has_scheme(kind)) {
-        const gis::RasterText text = gis::read_raster_text(path);
-        notes = scheme_notes(kind, text.metadata, words_of_scheme(text.metadata, words));
-    }
+    const gis::RasterText text = gis::read_raster_text(path);
+    std::vector<std::string> notes = has_scheme(kind)
+                                         ? scheme_notes(kind, text.metadata, words_of_scheme(text.metadata, words))
+                                         : friction_notes(text.metadata, words);
     if (omits_flights(path, kind)) notes.push_back(words(k_high_flights));
     return notes;
 }
@@ -216,7 +224,10 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     // A frame's name is that of its raster and its number: depth_0012.
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
-    if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
+    if (const ResultRaster* const row = find_result_raster(kind)) {
+        layer.is_surface = row->is_surface;
+        layer.is_ground = row->kind == ResultRaster::Kind::given && row->is_produced_by != nullptr;
+    }
     const auto probability = probability_of(text);
     const std::string direction = depth_direction(text.description);
     const bool is_known = probability ? set_from_table(*probability, classes, words, direction, layer)
@@ -237,6 +248,7 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
             depth != text.metadata.end() && kind != "comparison")
             layer.notes.push_back(words.labelled(words("Flow depth"), words(depth->second)));
     }
+    for (std::string& note : friction_notes(text.metadata, words)) layer.notes.push_back(std::move(note));
     if (!foreign && omits_flights(path, kind)) layer.notes.push_back(words(k_high_flights));
     return layer;
 }

@@ -42,6 +42,7 @@ struct MapLayer {
     std::vector<render::ClassLabel> categories;  ///< of a raster of classes
     Raster values;
     std::optional<render::Dots> dots;  ///< drawn instead of the values, which then only specify place and range
+    bool is_ground = false;            ///< values of all the ground, of which a map shows what the flow reached
     bool is_surface = false;           ///< thickness: a view shows the surface of the flow
     std::optional<double> time;        ///< of a raster at one instant [s]
     std::string source;                ///< "max_depth.tif, band 1"

@@ -43,6 +43,7 @@ namespace {
 
 // A dark red on classes, whose colours are as bright as that of the survey elsewhere.
 constexpr Rgb k_scar_on_classes{120, 0, 80};
+constexpr Rgb k_trace_colour{60, 60, 60};
 
 constexpr std::size_t k_longest_source = 200, k_longest_line = 80;  // letters
 
@@ -102,7 +103,7 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     spec.subtitle = layer.time ? time_words(*layer.time, spec.words) : scenario;
     if (layer.time && !scenario.empty()) spec.subtitle += ", " + scenario;
     spec.legend_title = layer.legend_title.empty() ? layer.title : layer.legend_title;
-    spec.unit = layer.unit;
+    spec.unit = unit_sign(layer.unit);
     spec.attribution = map_sources(source);
     spec.source = layer.source;
     if (layer.time) spec.source += ", " + time_words(*layer.time, spec.words);
@@ -280,6 +281,10 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     render::MapSpec spec = furnished<render::MapSpec>(source, layer);
     spec.inset = true;
+    if (layer.is_ground) {
+        spec.layer_frames_map = source.extent.grid.columns == 0;
+        spec.outlines.push_back({spec.words("Outline of all ground reached"), source.trace, k_trace_colour, 2, false});
+    }
     spec.print = {source.style.size.dots_per_inch, source.style.size.paper, source.style.scale};
     spec.block = title_block(source.style);
     spec.series = render::SeriesText{own_title(source), scenario_line(source), source.notes};

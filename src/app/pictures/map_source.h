@@ -67,6 +67,7 @@ struct MapSource {
     MultiPolygon release;
     std::vector<std::string> release_names{};  ///< that its polygons have in the user's file
     MultiPolygon scar;                         ///< empty: none
+    MultiPolygon trace{};                      ///< drawn on values of the ground
     std::vector<render::Outline> marks;        ///< zones, gauges, sections, profiles
     bool foreign = false;                      ///< computed by another program
     MapStyle style;

@@ -263,7 +263,11 @@ std::string what_fails(const ScenarioFacts& facts, const Words& words) {
 
 template <class Table>
 void add_values(const ScenarioFacts& facts, const Table& table, const Words& words, std::vector<std::string>& parts) {
+    const auto friction_table = facts.value("material.friction-table");
+    if (friction_table)
+        parts.push_back(words("friction table {1}", {std::filesystem::path(*friction_table).stem().string()}));
     for (const Named& one : table) {
+        if (friction_table && gives_by_table(one.key)) continue;
         const bool varies = *one.by_place != '\0' && facts.value(one.by_place);
         const auto text = facts.value(one.key);
         constexpr double k_none = std::numeric_limits<double>::quiet_NaN();

@@ -457,6 +457,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     source.release = outline("release", grid.crs_wkt);
     source.release_names = release_names(grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
+    source.trace = outline("trace", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
     const auto dtm = scene_value("terrain.dtm");
     source.terrain_source =

@@ -14,13 +14,14 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 
 namespace frana::app {
 
 namespace {
 
-/// "material.friction-angle uniform(10, 26); ..." of a study's summary, the first keys.
-std::string varied_keys(const Json& summary) {
+/// "friction angle uniform(10, 26); ..." of a study's summary, the first keys.
+std::string varied_keys(const Json& summary, const Words& words) {
     constexpr std::size_t k_most = 4;
     const auto list = summary.find("varied");
     if (list == summary.end() || !list->is_array()) return "";
@@ -30,7 +31,7 @@ std::string varied_keys(const Json& summary) {
             parts.emplace_back("\u2026");
             break;
         }
-        parts.push_back(value_in<std::string>(one, "/key").value_or("") + " " +
+        parts.push_back(title_in(value_in<std::string>(one, "/key").value_or(""), words) + " " +
                         value_in<std::string>(one, "/distribution").value_or(""));
     }
     return joined(parts, "; ");
@@ -52,7 +53,7 @@ void ResultReader::add_study(MapSource& source) const {
                                                  : worded("{1} runs with values drawn from their distributions"),
                                      {std::to_string(*finished)});
         // A probability of values that somebody chose, and of a failure that is taken for granted: no hazard by itself.
-        if (const std::string keys = varied_keys(*summary); finished && !keys.empty())
+        if (const std::string keys = varied_keys(*summary, words_); finished && !keys.empty())
             source.scenario =
                 words_("If the slope fails: fraction of {1} runs; varied: {2}", {std::to_string(*finished), keys});
         const auto troubles = troubles_in(*summary);

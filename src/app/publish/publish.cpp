@@ -115,6 +115,9 @@ Prepared cut_to(const Prepared& prepared, const CellWindow& window) {
     Prepared part = prepared;
     part.identity = data_identity(prepared);
     part.scene.terrain = frana::cut_to(prepared.scene.terrain, window);
+    if (prepared.friction)
+        for (std::optional<Raster>* raster : {&part.scene.zones.friction_coefficient, &part.scene.zones.turbulence})
+            *raster = frana::cut_to(**raster, window);
     return part;
 }
 
@@ -323,6 +326,9 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.scheme = hazard_scheme_of(prepared.spec);
     facts.hazard = publish_hazard(prepared, result, directory);
+    facts.friction = prepared.friction;
+    if (facts.friction)
+        facts.friction_areas = friction_areas(*facts.friction, trace_mask(result.raster("max_depth"), threshold));
     facts.exposure = publish_exposure(prepared, result, directory);
     if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::the_flow));
     publish_avaframe(prepared, result, directory, log);

@@ -45,10 +45,6 @@ std::vector<const ResultRaster*> frame_rasters(const ResultReader& result) {
     return rows;
 }
 
-std::string titled_with_unit(const std::string& title, const std::string& unit) {
-    return unit.empty() || unit == "-" ? title : title + " [" + unit + "]";
-}
-
 class ProjectWriter {
   public:
     ProjectWriter(const std::string& folder, const std::string& title) : result_(folder), title_(title) {}
@@ -107,7 +103,7 @@ class ProjectWriter {
         const bool has_shown = std::find(names.begin(), names.end(), k_shown) != names.end();
         for (const std::string& name : names) {
             const ResultRaster& row = *find_result_raster(name);
-            std::string title = titled_with_unit(raster_title(row, name, words_), row.unit);
+            std::string title = with_unit(raster_title(row, name, words_), row.unit);
             if (row.kind == ResultRaster::Kind::classes) {
                 const gis::RasterText text = gis::read_raster_text(result_.path(raster_file(name)));
                 if (const auto own = text.metadata.find("HAZARD_TITLE"); own != text.metadata.end() && name == "hazard")
@@ -210,7 +206,7 @@ class ProjectWriter {
         for (std::size_t i = 0; i < all.size(); ++i) {
             const std::string file =
                 std::string(k_frame_folder) + "/" + fs::path(all[i].raster_file(row.name)).filename().string();
-            group.layers.push_back({named(titled_with_unit(words_(row.title), row.unit) + ", " +
+            group.layers.push_back({named(with_unit(words_(row.title), row.unit) + ", " +
                                           words_.number(number_text(all[i].time, 6)) + " s"),
                                     file, "", gis::Shape::area, style, true, times[i]});
         }

@@ -2,6 +2,7 @@
 #include "app/publish/publish_rasters.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
@@ -11,12 +12,15 @@
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "core/colour.h"
+#include "core/json.h"
 #include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/zone_keys.h"
+#include "simulation/scene_values.h"
 
 namespace frana::app {
 namespace {
@@ -99,8 +103,20 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
 }
 
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
-    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared), prepared.spec.output,
-          words_of(prepared.spec));
+    std::map<std::string, std::string> origin = provenance(prepared);
+    const auto write_one = [&](const std::string& name, const Raster& raster) {
+        write(directory, *find_result_raster(name), raster, origin, prepared.spec.output, words_of(prepared.spec));
+    };
+    write_one("dtm", prepared.scene.terrain);
+    if (!prepared.friction) return;
+    const FrictionTable& table = prepared.friction->choice().table;
+    origin[k_friction_item] = table.called;
+    origin[k_friction_source_item] = table.named_source;
+    if (table.is_source_read()) origin[k_friction_read_item] = table.read_at;
+    if (!table.texts.empty()) origin[k_scheme_words_item] = Json(table.texts).dump();
+    for (const ZoneKey& key : zone_keys())  // named as their columns
+        if (find_result_raster(key.columns.back()) != nullptr)
+            write_one(key.columns.back(), *(prepared.scene.zones.*raster_of(key)));
 }
 
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {

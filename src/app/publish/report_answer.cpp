@@ -45,10 +45,6 @@ constexpr const char* k_structured_keys[] = {"structured.internal-friction-angle
                                              "structured.fluid-density",
                                              "structured.manning"};
 
-std::string name_of(const std::string& key, const Words& words) {
-    return words(title_of(*find_parameter(scene_parameters(), key)));
-}
-
 std::string value_with_unit(const std::string& value, const std::string& unit) {
     static const std::map<std::string, std::string> k_units{
         {"degrees", "°"}, {"m/s2", " m/s²"}, {"kg/m3", " kg/m³"}, {"m3", " m³"}};
@@ -96,12 +92,14 @@ std::string by_place(const ReportInput& input, const std::string& key, const Wor
         };
         const auto& source = spec.zones.*(zone.source);
         const bool is_raster = source && source->kind == SourceSpec::Kind::raster;
+        const std::string value =
+            value_with_unit(least == greatest ? shown(least) : shown(least) + " – " + shown(greatest), zone.unit);
+        if (input.prepared.friction && gives_by_table(key))
+            return words("{1} {2} by place, after {3}",
+                         {title_in(key, words), value, words(input.prepared.friction->choice().table.called)});
         const std::string file = is_raster ? source->name : spec.terrain.friction_zones.value_or("");
-        return words(
-            "{1} {2} by place (zones of {3})",
-            {name_of(key, words),
-             value_with_unit(least == greatest ? shown(least) : shown(least) + " – " + shown(greatest), zone.unit),
-             fs::path(file).filename().string()});
+        return words("{1} {2} by place (zones of {3})",
+                     {title_in(key, words), value, fs::path(file).filename().string()});
     }
     return "";
 }
@@ -129,10 +127,13 @@ std::vector<std::string> values_told(const ReportInput& input, const Words& word
         const Parameter& key = *find_parameter(parameters, name);
         const std::string text = key.write(spec).value_or("");
         const bool is_default = spec.origin_of(name) == Origin::default_value;
-        if (const std::string zones = by_place(input, name, words); !zones.empty()) told.push_back(zones);
+        // A table gives one bed friction, which two keys may name.
+        const bool is_other_name = input.prepared.friction && name == "material.friction-angle";
+        if (const std::string zones = by_place(input, name, words); !zones.empty() && !is_other_name)
+            told.push_back(zones);
         // An assumed density is worth knowing; other defaults are in the table of the keys.
         if (text.empty() || (is_default && name != "material.density")) continue;
-        std::string value = name_of(name, words) + " " + value_of(key, spec, words);
+        std::string value = title_in(name, words) + " " + value_of(key, spec, words);
         if (name == "material.friction-angle")
             value += " (μ = " + words.number(number_text(spec.material.bed_friction_coefficient(), 3)) + ")";
         told.push_back(value + " (" + origin_text(spec, name, words) + ")");

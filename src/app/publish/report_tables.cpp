@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "app/input/prepare_zones.h"
 #include "app/input/used_file.h"
 #include "app/pictures/map_layer.h"
 #include "app/publish/html_page.h"
@@ -270,6 +271,40 @@ Document release_table(const RunResult& result, const Words& words) {
     return table;
 }
 
+Document friction_table(const SummaryFacts& facts, const Words& words) {
+    const ReportNumbers n(words);
+    const FrictionChoice& choice = facts.friction->choice();
+    const FrictionTable& source = choice.table;
+    Table table({words("terrain"), words("elevation"), "μ", "ξ [m/s²]", words("area [m²]")});
+    std::vector<std::string> crossed;
+    for (std::size_t band = 1; band <= source.altitudes.size(); ++band) {
+        const auto is_at = [&](std::size_t of) {
+            return std::any_of(facts.friction_areas.begin(), facts.friction_areas.end(),
+                               [&](const FrictionArea& area) { return area.band == of; });
+        };
+        if (is_at(band - 1) && is_at(band)) crossed.push_back(n.grouped(source.altitudes[band - 1]));
+    }
+    for (const FrictionArea& area : facts.friction_areas) {
+        const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
+        table.row({words(source.terrain[area.kind].name) + (area.forest ? ", " + words("forest") : ""),
+                   class_text(source.altitudes, area.band, "m").in(words),
+                   n(pair.coefficient, 3),
+                   n.rounded(pair.turbulence, 4),
+                   {n.grouped(area.area_m2), "n"}});
+    }
+    Document told;
+    told.paragraph(friction_text(choice).in(words)).add(table);
+    if (source.terrain.size() > 1)
+        told.small(
+            words("Of the area reached, by the nearest class. Between two classes of terrain the values are "
+                  "interpolated by the curvature across the slope; mu.tif and xi.tif have those used."));
+    if (!crossed.empty())
+        told.small(words("At {1} m the flow comes into another band of altitude: there μ and ξ change in a step.",
+                         {joined(crossed, ", ")}));
+    if (!source.note.empty()) told.small(source.note);
+    return told;
+}
+
 Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
     const ReportNumbers n(words);
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
@@ -323,9 +358,9 @@ Document parameters_table(const Prepared& p, bool only_used, const Words& words)
         if (value.empty()) value = "(" + absent_in(parameter, words) + ")";
         if (chosen != p.resolved.end() && chosen->second != value)
             value += " → " + (name == "terrain.bounds" ? extent_in(p.scene.grid.bounds(), words) : chosen->second);
-        if (!parameter.unit.empty()) value += " [" + unit_sign(parameter.unit) + "]";
-        table.row({name, value, origin_text(p.spec, name, words), meaning_in(parameter, words)},
-                  p.spec.origin_of(name) == Origin::default_value ? "" : "given");
+        table.row(
+            {name, with_unit(value, parameter.unit), origin_text(p.spec, name, words), meaning_in(parameter, words)},
+            p.spec.origin_of(name) == Origin::default_value ? "" : "given");
     }
     return table;
 }

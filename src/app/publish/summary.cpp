@@ -266,6 +266,30 @@ void add_hazard(Json& json, const SummaryFacts& facts) {
     if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
 }
 
+void add_friction(Json& json, const SummaryFacts& facts) {
+    if (!facts.friction) return;
+    const FrictionChoice& choice = facts.friction->choice();
+    const FrictionTable& table = choice.table;
+    Json areas = Json::array();
+    for (const FrictionArea& area : facts.friction_areas) {
+        const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
+        Json& row = areas.emplace_back(Json{{"terrain", table.terrain[area.kind].name},
+                                            {"forest", area.forest},
+                                            {"friction_coefficient", pair.coefficient},
+                                            {"turbulence", pair.turbulence},
+                                            {"area_m2", area.area_m2}});
+        row["from_m"] = area.band > 0 ? Json(table.altitudes[area.band - 1]) : Json();
+        row["to_m"] = area.band < table.altitudes.size() ? Json(table.altitudes[area.band]) : Json();
+    }
+    json["friction_table"] = {{"name", table.name},
+                              {"title", table.called},
+                              {"source", table.named_source},
+                              {"source_read", !table.quote.empty()},
+                              {"return_period", table.periods[choice.period]},
+                              {"volume_m3", choice.volume},
+                              {"areas", std::move(areas)}};
+}
+
 void add_cost(Json& json, const RunResult& result, const SummaryFacts& facts) {
     json["wall_seconds"] = {{"total", facts.wall.total},
                             {"input", facts.wall.input},
@@ -318,6 +342,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     add_trace(json, {trace.threshold, trace.covered_area_m2, trace.run_outs, facts.high, facts.release_ground,
                      facts.path_ground});
     add_hazard(json, facts);
+    add_friction(json, facts);
     add_run_problems(json, result);
     if (facts.accuracy) json["accuracy"] = accuracy_json(*facts.accuracy);
     json["warnings"] = texts_of(facts.warnings);

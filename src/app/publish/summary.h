@@ -92,6 +92,8 @@ struct SummaryFacts {
     std::optional<GroundStatistics> release_ground, path_ground;  ///< of the DTM under the release and the trace
     std::optional<HazardScheme> scheme{};                         ///< of hazard
     std::vector<HazardArea> hazard;                               ///< empty: no scheme
+    std::shared_ptr<const FrictionByPlace> friction;              ///< after a friction table; null without one
+    std::vector<FrictionArea> friction_areas;                     ///< of the trace
     std::optional<ExposureTotals> exposure;                       ///< none: no exposed features
     std::vector<Sentence> warnings;
     std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end

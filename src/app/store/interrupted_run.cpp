@@ -2,13 +2,8 @@
 #include "app/store/interrupted_run.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 
 #include "app/store/checkpoints.h"
 #include "app/store/frame_store.h"
@@ -16,7 +11,6 @@
 #include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
-#include "app/text/text_file.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "params/grammar/value_text.h"
@@ -26,13 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *k_record_beginning = "record_", *k_record_ending = ".frana";
+// Older versions have a file record_0000007.frana for each member.
+constexpr const char *k_record_beginning = "record", *k_record_ending = ".frana";
 
 }  // namespace
 
-std::string record_file(const std::string& folder, std::size_t member) {
+std::string record_file(const std::string& folder, int number) {
     char name[40];
-    std::snprintf(name, sizeof name, "%s%07zu%s", k_record_beginning, member, k_record_ending);
+    std::snprintf(name, sizeof name, "%ss_%05d%s", k_record_beginning, number, k_record_ending);
     return (fs::path(folder) / k_record_folder / name).string();
 }
 
@@ -48,53 +43,6 @@ std::vector<std::string> records_in(const std::string& folder) {
     }
     std::sort(files.begin(), files.end());
     return files;
-}
-
-void join_records(const std::string& folder) {
-    const std::string path = (fs::path(folder) / k_joined_records).string();
-    std::vector<std::string> parts = records_in(folder);
-    parts.insert(parts.begin(), (fs::path(folder) / k_record_identity).string());
-    std::ofstream file(path, std::ios::binary);
-    for (const std::string& part : parts) {
-        const std::string bytes = read_text_file(part);
-        const std::uint64_t size = bytes.size();
-        file.write(reinterpret_cast<const char*>(&size), sizeof size);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    }
-    file.close();
-    if (!file)
-        throw Error(ErrorKind::environment, Problem{std::string("cannot be written: ") + std::strerror(errno), path, "",
-                                                    "", "Check the place's rights and free space"});
-}
-
-JoinedRecords split_records(const std::string& result, const std::string& folder) {
-    const std::string path = (fs::path(result) / k_joined_records).string();
-    JoinedRecords joined;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return joined;
-    std::error_code error;
-    const std::uint64_t most = fs::file_size(path, error);
-    for (bool is_identity = true; file.peek() != std::ifstream::traits_type::eof(); is_identity = false) {
-        std::uint64_t size = 0;
-        file.read(reinterpret_cast<char*>(&size), sizeof size);
-        if (!is_identity && folder.empty()) {
-            file.seekg(static_cast<std::streamoff>(size), std::ios::cur);
-            ++joined.members;
-            continue;
-        }
-        std::string bytes(file && size <= most ? size : 0, '\0');
-        file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        if (!file || bytes.size() != size)
-            throw Error(ErrorKind::environment,
-                        Problem{"is damaged", path, "", "", "Run the study anew with more samples and --overwrite"});
-        if (is_identity) {
-            joined.identity = std::move(bytes);
-            continue;
-        }
-        const std::string record = record_file(folder, joined.members++);
-        if (!fs::exists(record)) write_file(record, bytes);
-    }
-    return joined;
 }
 
 bool has_saved_work(const std::string& folder) {

@@ -12,22 +12,10 @@
 
 namespace frana::app {
 
-/// Returns the path of a member's record in the folder of a study's result that is being built.
-std::string record_file(const std::string& folder, std::size_t member);
+/// Returns the path of a file of members' records in the folder of a study's result that is being built.
+std::string record_file(const std::string& folder, int number);
 /// Returns the existing ones, also those of several studies whose folders are in the folder of records.
 std::vector<std::string> records_in(const std::string& folder);
-
-/// Joins the records of all members, and what they belong to, in a file of the result that is being built
-/// (k_joined_records): eight bytes with the size of each part, and the part. Throws Error(environment).
-void join_records(const std::string& folder);
-/// What the joined records of a complete study belong to, and how many they are; 0: it has none.
-struct JoinedRecords {
-    std::string identity;
-    std::size_t members = 0;
-};
-/// Reads them, and writes those of members without a record to a folder in which a result is being built; nowhere if
-/// its name is empty. Throws Error(environment) if they cannot be read or written.
-JoinedRecords split_records(const std::string& result, const std::string& folder);
 
 /// Returns whether a folder in which a result was being built has anything that --resume can use: checkpoints of a run,
 /// records of a study's members.

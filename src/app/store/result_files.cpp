@@ -130,8 +130,11 @@ std::vector<ResultFile> make_table() {
     table.add_rasters().add_page("comparison");
     table.by("ensemble");
     table.add(FileKind::text, {k_study_file, std::string(k_member_folder) + "/member_*/scene.ini"});
-    table.add(FileKind::working, {k_record_identity, std::string(k_record_folder) + "/record_*.frana"});
-    table.add(FileKind::working, {std::string(k_record_folder) + "/*/" + k_record_folder + "/record_*.frana"});
+    const std::string records = std::string(k_record_folder) + "/record";  // record_*.frana: of older versions
+    const std::string of_events = std::string(k_record_folder) + "/*/" + records;
+    table.add(FileKind::working, {k_record_identity});
+    for (const std::string& place : {records, of_events})
+        table.add(FileKind::working, {place + "s_*.frana", place + "_*.frana"});
     table.add(FileKind::table, {k_member_table, k_sensitivity_table, k_joined_records});
     table.add(FileKind::vector, {k_member_outlines});
     table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});

@@ -72,6 +72,9 @@ inline constexpr const char* k_limit_item = "HAZARD_LIMIT_";
 /// The name of the scheme for scenes and for readers, and its texts in other languages as JSON.
 inline constexpr const char *k_scheme_item = "HAZARD_SCHEME", *k_scheme_title_item = "HAZARD_SCHEME_TITLE",
                             *k_scheme_words_item = "HAZARD_WORDS";
+/// Of mu.tif and xi.tif: the table's title, its source, and where that was read; absent if it was not.
+inline constexpr const char *k_friction_item = "FRICTION_TABLE", *k_friction_source_item = "FRICTION_SOURCE",
+                            *k_friction_read_item = "FRICTION_SOURCE_READ_AT";
 inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
 inline constexpr const char* k_comparison_outline = "comparison.gpkg";  ///< that of a survey given to `frana compare`

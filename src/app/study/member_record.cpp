@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -23,10 +21,9 @@
 namespace frana::app::study {
 namespace {
 
-constexpr char k_magic[8] = {'f', 'r', 'a', 'n', 'a', ' ', 'm', 'b'};
 /// Increases with every change of what a record contains.
 constexpr std::uint32_t k_format = 3;
-constexpr std::size_t k_head_bytes = sizeof k_magic + sizeof k_format + sizeof(std::uint64_t);
+constexpr std::size_t k_head_bytes = RecordHead::k_bytes - sizeof MemberRecord::member;
 
 void add_bytes(std::string& bytes, const void* from, std::size_t count) {
     bytes.append(static_cast<const char*>(from), count);
@@ -179,7 +176,7 @@ std::string bytes_of(MemberRecord record) {
     StateWriter writer([&](const void* from, std::size_t count) { add_bytes(content, from, count); });
     writer(record);
     std::string bytes;
-    add_bytes(bytes, k_magic, sizeof k_magic);
+    add_bytes(bytes, RecordHead::k_magic, sizeof RecordHead::k_magic);
     add_bytes(bytes, &k_format, sizeof k_format);
     const std::uint64_t size = content.size();
     add_bytes(bytes, &size, sizeof size);
@@ -189,18 +186,28 @@ std::string bytes_of(MemberRecord record) {
     return bytes;
 }
 
-void write_record(const std::string& path, MemberRecord record) {
-    write_file(path, bytes_of(std::move(record)), Sync::yes);
+std::optional<RecordHead> record_head(const std::string& bytes) {
+    std::uint32_t format = 0;
+    RecordHead head;
+    if (bytes.size() < RecordHead::k_bytes || !bytes.starts_with({RecordHead::k_magic, sizeof RecordHead::k_magic}))
+        return std::nullopt;
+    const char* from = bytes.data() + sizeof RecordHead::k_magic;
+    const auto take = [&](auto& value) {
+        std::memcpy(&value, from, sizeof value);
+        from += sizeof value;
+    };
+    take(format);
+    take(head.bytes);
+    take(head.member);
+    if (format != k_format || head.bytes > std::numeric_limits<std::uint64_t>::max() / 2) return std::nullopt;
+    head.bytes += k_head_bytes + sizeof(std::uint32_t);
+    return head;
 }
 
 std::optional<MemberRecord> record_from(const std::string& bytes) {
-    std::uint32_t crc = 0, format = 0;
-    std::uint64_t size = 0;
-    if (bytes.size() < k_head_bytes + sizeof crc || std::memcmp(bytes.data(), k_magic, sizeof k_magic) != 0)
-        return std::nullopt;
-    std::memcpy(&format, bytes.data() + sizeof k_magic, sizeof format);
-    std::memcpy(&size, bytes.data() + sizeof k_magic + sizeof format, sizeof size);
-    if (format != k_format || size != bytes.size() - k_head_bytes - sizeof crc) return std::nullopt;
+    const auto head = record_head(bytes);
+    if (!head || head->bytes != bytes.size()) return std::nullopt;
+    std::uint32_t crc = 0;
     std::memcpy(&crc, bytes.data() + bytes.size() - sizeof crc, sizeof crc);
     if (crc != crc_of(bytes.data(), bytes.size() - sizeof crc)) return std::nullopt;
     const char* next = bytes.data() + k_head_bytes;
@@ -211,7 +218,7 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
             std::memcpy(to, next, count);
             next += count;
         },
-        size);
+        static_cast<std::uint64_t>(end - next));
     MemberRecord record;
     try {
         reader(record);
@@ -227,17 +234,6 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
         return std::nullopt;
     }
     return record;
-}
-
-std::optional<MemberRecord> read_record(const std::string& path, std::uint64_t member) {
-    auto record = read_record(path);
-    return record && record->member == member ? std::move(record) : std::nullopt;
-}
-
-std::optional<MemberRecord> read_record(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
-    return record_from({std::istreambuf_iterator<char>(file), {}});
 }
 
 }  // namespace frana::app::study

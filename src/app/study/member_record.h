@@ -147,18 +147,20 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
 
 /// Returns a record as it is in its file:
 ///
-///     8 bytes "frana mb", format, bytes of the rest | record | CRC-32 of all before
+///     8 bytes "frana mb", format, bytes of the rest, member | rest of the record | CRC-32 of all before
 std::string bytes_of(MemberRecord record);
 
 /// Returns a record whose every byte has been checked; none if they are damaged or have another format.
 std::optional<MemberRecord> record_from(const std::string& bytes);
 
-/// Writes a record aside, syncs it to the disk and renames it. Throws Error(environment).
-void write_record(const std::string& path, MemberRecord record);
+/// What the first bytes of a record tell.
+struct RecordHead {
+    static constexpr char k_magic[8] = {'f', 'r', 'a', 'n', 'a', ' ', 'm', 'b'};
+    static constexpr std::size_t k_bytes = sizeof k_magic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
-/// Returns record_from() a file; none if it does not exist or is the record of another member.
-std::optional<MemberRecord> read_record(const std::string& path, std::uint64_t member);
-/// The same of whatever member.
-std::optional<MemberRecord> read_record(const std::string& path);
+    std::uint64_t member = 0, bytes = 0;  ///< bytes: of the whole record
+};
+/// Returns none if these are no such bytes, or have another format.
+std::optional<RecordHead> record_head(const std::string& bytes);
 
 }  // namespace frana::app::study

@@ -51,6 +51,7 @@ enum class Sampling {
     sobol,
     latin_hypercube,
     random,
+    importance,
     grid,
     saltelli,
     morris,
@@ -78,6 +79,7 @@ inline constexpr SamplingMethod k_samplings[] = {
     {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true, true},
     {Sampling::latin_hypercube, "latin-hypercube", SamplingMethod::Kind::sample, false, true},
     {Sampling::random, "random", SamplingMethod::Kind::sample, true},
+    {Sampling::importance, "importance", SamplingMethod::Kind::design, false, true},
     {Sampling::grid, "grid", SamplingMethod::Kind::design},
     {Sampling::saltelli, "saltelli", SamplingMethod::Kind::design, false, true, 2},
     {Sampling::morris, "morris", SamplingMethod::Kind::design, false, true, 1},
@@ -114,6 +116,10 @@ struct RegionSpec {
 };
 
 inline constexpr std::int64_t k_most_samples = 1'000'000;
+/// Importance sampling: the part of all members below which each round ends. The first round is drawn as by `sobol`.
+inline constexpr double k_round_ends[] = {0.5, 0.75, 1};
+/// With fewer members a round's replicates would have less than two each.
+inline constexpr std::int64_t k_least_in_rounds = 64;
 
 /// A study as specified in its file; the scene is not read yet.
 struct StudySpec {
@@ -123,6 +129,7 @@ struct StudySpec {
     Sampling sampling = Sampling::sobol;
     std::string table;  ///< absolute; sampling by a table alone
     std::int64_t seed = 1;
+    std::optional<std::string> rare_place;  ///< importance sampling: the gauge of the scene that is seldom reached
     std::optional<double> until;  ///< largest standard error of a probability at which no more members are run
     std::optional<std::size_t>
         levels;  ///< cell sizes of a multilevel study; none: members are on the scene's own cells
@@ -141,6 +148,11 @@ struct StudySpec {
     /// Whether more members may follow the last one, with the same ones before them.
     [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on && !levels; }
 };
+
+/// Returns the number of members that a study in rounds has after one of them.
+inline std::int64_t round_end(const StudySpec& study, std::size_t round) {
+    return static_cast<std::int64_t>(k_round_ends[round] * static_cast<double>(study.samples));
+}
 
 /// A study as far as its file could be read, and all its problems.
 struct StudyReading {

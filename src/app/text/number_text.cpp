@@ -68,6 +68,10 @@ std::string unit_sign(const std::string& unit) {
     return sign;
 }
 
+std::string with_unit(const std::string& title, const std::string& unit) {
+    return unit.empty() || unit == "-" ? title : title + " [" + unit_sign(unit) + "]";
+}
+
 std::string signed_number_text(double value) {
     return (value > 0 ? "+" : "") + number_text(value, 3);
 }

@@ -11,6 +11,9 @@ namespace frana::app {
 /// Returns a unit as print has it: "m³/s" for m3/s, "°" for degrees.
 std::string unit_sign(const std::string& unit);
 
+/// Returns "Run-out [m]"; the title alone without a unit ("" or "-").
+std::string with_unit(const std::string& title, const std::string& unit);
+
 /// Formats to three digits, with a plus before a positive number.
 std::string signed_number_text(double value);
 

@@ -217,7 +217,6 @@ std::vector<AccuracyCase> fluid_cases() {
 
 namespace {
 
-using structured::PairWork;
 using structured::State;
 
 // Cost and error of a case.
@@ -284,20 +283,24 @@ CaseStatistics run_rotation(double cell) {
     block.fill(20, 20, n, n, [](Point p) { return Seed{2, -k_omega * (p.y - 40), k_omega * (p.x - 40)}; });
     const auto side = static_cast<std::int64_t>(81 / cell);
     State state = block.start(Raster(plain_grid(side, side, cell), 0.0), pool);
-    PairWork& w = state.solid->work;
-    for (std::int64_t row = 0; row < state.solid->order.rows(); ++row)
-        state.stages.pairs->velocity_gradients(state.solid->order, row, block.laws.solid.kernel, w);
+    ParticleSet& p = state.solid->particles;
+    structured::StressNodes& nodes = state.solid->stress;
+    nodes.begin();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        p[Field::c_xy][i] = -k_omega;
+        p[Field::c_yx][i] = k_omega;
+        nodes.add_momentum(p, i, p[Field::volume][i], true);
+    }
     double strain = 0, spin = 0;
-    for (std::size_t i = 0; i < state.solid->particles.size(); ++i) {
-        const Eigen::Matrix2d l{{w[PairWork::l_xx][i], w[PairWork::l_xy][i]},
-                                {w[PairWork::l_yx][i], w[PairWork::l_yy][i]}};
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const Eigen::Matrix2d l = nodes.velocity_gradient(nodes.at(p[Field::x][i], p[Field::y][i]), true);
         strain = std::max(strain, structured::strain_rate(l).cwiseAbs().maxCoeff());
         spin = std::max(spin, std::abs(structured::spin(l) - k_omega));
     }
     constexpr int k_steps = 1000;
     Eigen::Matrix2d turned = structured::symmetric(1, 0, 0);
     for (int i = 0; i < k_steps; ++i) turned = structured::rotated(turned, structured::rotation(2 * M_PI / k_steps));
-    CaseStatistics f = watch.statistics(cell, state.solid->particles.size(), strain / k_omega);
+    CaseStatistics f = watch.statistics(cell, p.size(), strain / k_omega);
     f.own = {{"greatest strain rate over angular velocity", strain / k_omega, 1e-12},
              {"relative error of the angular velocity", spin / k_omega, 1e-12},
              {"stress after one turn in 1000 steps", std::hypot(turned(0, 0) - 1, turned(0, 1)), 1e-10}};

@@ -62,7 +62,7 @@ std::vector<SpeedRow> measure_solids(double particles, int threads, int steps) {
         row.threads = n;
         row.particle_steps_per_second = static_cast<double>(row.steps * row.particles) / row.seconds;
         row.bytes_per_particle = static_cast<double>(state.solid->particles.bytes_per_particle() +
-                                                     structured::PairWork::count * sizeof(double));
+                                                     structured::SolidWork::count * sizeof(double));
         const ZeroArray<double>& depth = state.solid->nodes.depth;
         row.same_bits =
             !first || std::memcmp(first->solid->nodes.depth.data(), depth.data(), depth.size() * sizeof(double)) == 0;

@@ -135,7 +135,8 @@ bool is_between_groups(std::string_view text, std::size_t at) {
 
 Words Words::with(const OwnTexts& texts) const {
     Words more = *this;
-    if (const auto own = texts.find(language_code(language_)); own != texts.end()) more.own_ = own->second;
+    if (const auto own = texts.find(language_code(language_)); own != texts.end())
+        more.own_.insert(own->second.begin(), own->second.end());
     return more;
 }
 

@@ -12,10 +12,10 @@ namespace frana::structured {
 
 /// Parameters and laws; constant during a run.
 struct Laws {
-    /// The solids' kernel reaches over a cell, or over 3/2 damage lengths where that is more: with less, material parts
-    /// before it is broken (a bar that is pulled apart, on the reach of R, with a third of its cohesion).
+    /// The stress's nodes are 2/5 of a cell apart, with nine particles per cell 1.4 to each, or 3/5 of the damage
+    /// length where that is more: with less, material parts before it is broken (a bar that is pulled apart).
     /// @param cell_size, damage_length [m]
-    Laws(double cell_size, double damage_length) : solid(0.5 * std::max(cell_size, 1.5 * damage_length)) {
+    Laws(double cell_size, double damage_length) : solid(0.4 * std::max(cell_size, 1.5 * damage_length)) {
         solid.damage_length = damage_length;
     }
 

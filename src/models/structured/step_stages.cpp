@@ -110,6 +110,7 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
         const double du = u - solid.mean.x, dv = v - solid.mean.y;
         solid.last.apart2 = std::max(solid.last.apart2, du * du + dv * dv);
     }
+    solid.last.opening = 2 * std::sqrt(solid.last.apart2) / laws.solid.side;  // the most that neighbours can
     StepReport now;
     observe_particles(state, laws, now, pool);
     keep_for_next_step(state, laws, now);
@@ -154,8 +155,6 @@ void nodes_to_solids(Step& now) {
         const auto r = static_cast<std::int64_t>(row);
         const ParticleRun run = solid.order.whole_rows(r, r);
         state.stages.nodes_to_solids(run, now.laws.solid, now.report.dt, state.grid, solid.nodes, solid.particles);
-        const double* const area = solid.particles[Field::area];
-        std::copy(area + run.begin, area + run.end, solid.work[PairWork::area] + run.begin);
     });
 }
 

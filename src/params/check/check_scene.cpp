@@ -51,7 +51,7 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
                     Problems& problems) {
     const std::vector<const Law*> selected = laws_of(scene);
     const bool has_friction = given.count("material.friction-angle") + given.count("material.friction-coefficient") > 0;
-    if (!has_friction && !readers_of("material.friction-angle", selected).empty()) {
+    if (!has_friction && !scene.friction_table.name && !readers_of("material.friction-angle", selected).empty()) {
         problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
                       "Set material.preset (see `frana materials`), material.friction-angle or "
                       "material.friction-coefficient; 0 is allowed, but must be given"});
@@ -72,6 +72,54 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
                       shortest_text(scene.material.yield_stress), "",
                       "yield-ratio = quadratic needs it; exact does not"});
     }
+}
+
+constexpr const char* k_table_keys[] = {"material.return-period",         "material.table-volume",
+                                        "material.altitude-limits",       "material.forest",
+                                        "material.table-friction-factor", "material.table-turbulence-factor"};
+
+/// Checks the keys by which a friction table is read.
+void check_friction_table(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                          Problems& problems) {
+    const FrictionTableSpec& spec = scene.friction_table;
+    const std::string table_key = "material.friction-table";
+    const SceneSpec usual;
+    for (const Parameter& key : scene_parameters()) {
+        // A key given with its default value requests nothing: every echo has those.
+        if (given.count(key.name()) == 0 || key.write(scene) == key.write(usual)) continue;
+        const bool reads_table =
+            std::find(std::begin(k_table_keys), std::end(k_table_keys), key.name()) != std::end(k_table_keys);
+        if (reads_table && !spec.name)
+            problems.add({"needs " + table_key, file + ": " + key.name(), key.write(scene).value_or(""), "",
+                          "Name the table, or remove the key"});
+        if (gives_by_table(key.name()) && spec.name)
+            problems.add({"contradicts " + table_key + ", which gives it by place", file + ": " + key.name(),
+                          key.write(scene).value_or(""), "", "Keep one of the two"});
+    }
+    if (!spec.name) return;
+    const std::vector<const Law*> selected = laws_of(scene);
+    for (const char* const key : {"material.friction-coefficient", "material.turbulence"})
+        if (readers_of(key, selected).empty())
+            problems.add({std::string("gives ") + key + ", which the scene's laws do not use", file + ": " + table_key,
+                          *spec.name, "", "Set material.bed-friction = voellmy, or remove the table"});
+    if (!spec.resolved) return;
+    const FrictionTable& table = *spec.resolved;
+    std::vector<std::string> periods;
+    for (const double period : table.periods) periods.push_back(shortest_text(period));
+    if (!spec.return_period ||
+        std::find(table.periods.begin(), table.periods.end(), *spec.return_period) == table.periods.end())
+        problems.add({spec.return_period ? "is not in the friction table" : "is missing",
+                      file + ": material.return-period", spec.return_period ? shortest_text(*spec.return_period) : "",
+                      joined(periods, ", ") + " years", "Choose one of them"});
+    if (!spec.altitude_limits.empty() && spec.altitude_limits.size() != table.altitudes.size())
+        problems.add({"does not fit the friction table", file + ": material.altitude-limits",
+                      std::to_string(spec.altitude_limits.size()) + " limits",
+                      std::to_string(table.altitudes.size()) + ", between " +
+                          std::to_string(table.altitudes.size() + 1) + " bands",
+                      "Give as many, from the lowest"});
+    if (spec.forest && !table.forest)
+        problems.add({"has no effect: the friction table has no values for forest", file + ": material.forest",
+                      *spec.forest, "", "Copy the table and give the copy a section [forest], or remove the key"});
 }
 
 void check_angles(const SceneSpec& scene, const std::string& file, Problems& problems) {
@@ -138,6 +186,7 @@ void check_laws(const SceneSpec& scene, const std::set<std::string>& given, cons
                 Problems& problems) {
     check_keys(scene, given, file, problems);
     check_friction(scene, given, file, problems);
+    check_friction_table(scene, given, file, problems);
     check_angles(scene, file, problems);
     check_rest(scene, file, problems);
 }

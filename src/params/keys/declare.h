@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "core/text.h"
+#include "params/grammar/data_file.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/parameter.h"
@@ -305,6 +307,51 @@ ParameterOf<Spec> word_list(const std::string& name, Member member, const std::v
     result.limits = joined(all, ", ");
     result.choices = all;
     result.meaning = meaning;
+    return result;
+}
+
+/// Positive numbers in strictly rising order, at most `most`; none by default.
+template <class Member>
+Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning,
+                         std::size_t most = std::numeric_limits<std::size_t>::max()) {
+    Parameter result = parameter(
+        name, "list", member,
+        [most](std::vector<double>& target, const std::string& value) -> std::optional<ValueProblem> {
+            std::vector<double> numbers;
+            for (const std::string& word : words_of(value)) {
+                const auto number = number_from_text(word);
+                if (!number) return ValueProblem{"'" + word + "' is not a number", ""};
+                if (!(*number > (numbers.empty() ? 0 : numbers.back())))
+                    return ValueProblem{"does not rise from above 0", "Write for example 0.5 2"};
+                numbers.push_back(*number);
+            }
+            if (numbers.size() > most) return ValueProblem{"has more numbers than there can be classes", ""};
+            target = numbers;
+            return std::nullopt;
+        },
+        [](const std::vector<double>& numbers) {
+            std::vector<std::string> words;
+            for (const double number : numbers) words.push_back(shortest_text(number));
+            return joined(words, ", ");
+        });
+    result.unit = unit;
+    result.limits = "rising numbers greater than 0";
+    if (most < std::numeric_limits<std::size_t>::max()) result.limits += ", at most " + std::to_string(most);
+    result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
+    result.meaning = meaning;
+    result.absent = "none";
+    return result;
+}
+
+/// A data file by its name in the share folder, or one of one's own, FILE.ini.
+template <class Member>
+Parameter data_file(const std::string& name, Member member, const std::string& limits, const std::string& meaning,
+                    const std::string& absent) {
+    Parameter result = text(name, member, "text", meaning, absent);
+    result.limits = limits;
+    result.map_files = [member](SceneSpec& scene, const FileMap& map) {
+        if (auto& file = member(scene); file && is_own_file(*file)) file = map(*file);
+    };
     return result;
 }
 

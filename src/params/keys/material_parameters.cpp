@@ -125,21 +125,12 @@ void add_solids(std::vector<Parameter>& list) {
                           "passive in compression."));
     list.push_back(number("structured.basal-pore-pressure-fraction", FRANA_MEMBER(structured.pore_pressure_fraction),
                           "", Range{0, 1}, "Fraction B of the confined fluid's pressure that reaches the bed."));
-    list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity), "",
-                          Range{0, 10}, "Linear artificial viscosity between particles."));
-    list.push_back(number("structured.artificial-viscosity-quadratic", FRANA_MEMBER(structured.quadratic_viscosity), "",
-                          Range{0, 10}, "Quadratic artificial viscosity between particles."));
-    list.push_back(number("structured.artificial-sound-speed", FRANA_MEMBER(structured.sound_speed), "m/s",
-                          Range{0, 1e5, true}, "Speed of sound in the artificial viscosity.",
-                          "that of the elastic waves"));
     list.push_back(number(
         "structured.modulus-reduction", FRANA_MEMBER(structured.modulus_reduction), "", Range{1, 100},
         "Divides both moduli; elastic waves are slower by its square root, and substeps longer by the same factor. At "
         "most so that the elastic strain at the strength is a twentieth of critical-strain."));
     list.push_back(number("structured.pic-fraction", FRANA_MEMBER(structured.pic_fraction), "", Range{0, 1},
                           "PIC fraction of the grid velocity that solids take over in a step."));
-    list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "", Range{0, 1},
-                          "Strength of the artificial stress against clumping in tension."));
 }
 
 void add_coupling(std::vector<Parameter>& list) {
@@ -244,6 +235,31 @@ void name_laws(std::vector<Parameter>& list, std::size_t first) {
     }
 }
 
+/// Bed friction by place after a published table.
+void add_friction_table(std::vector<Parameter>& list) {
+    list.push_back(declare::data_file(
+        "material.friction-table", FRANA_MEMBER(friction_table.name), "a file of share/friction, or FILE.ini",
+        "Published table from which every cell gets mu and xi, by return period, volume, terrain and altitude.",
+        "none"));
+    list.push_back(number("material.return-period", FRANA_MEMBER(friction_table.return_period), "years",
+                          Range{0, 1e5, true}, "Return period by which the friction table is read.",
+                          "required with material.friction-table"));
+    list.push_back(number("material.table-volume", FRANA_MEMBER(friction_table.volume), "m3", Range{0, 1e12, true},
+                          "Volume by which the friction table is read.", "the release's"));
+    list.push_back(declare::rising_numbers("material.altitude-limits", FRANA_MEMBER(friction_table.altitude_limits),
+                                           "m", "Elevations that separate the friction table's bands of altitude."));
+    list.back().absent = "the table's";
+    list.push_back(holds("polygons", text("material.forest", FRANA_MEMBER(friction_table.forest), "file",
+                                          "Polygons of forest, in their own CRS, where the friction table's values "
+                                          "for forest apply.",
+                                          "none")));
+    const Range factors{0.1, 10};
+    list.push_back(number("material.table-friction-factor", FRANA_MEMBER(friction_table.friction_factor), "", factors,
+                          "Factor of every mu of the friction table, for studies."));
+    list.push_back(number("material.table-turbulence-factor", FRANA_MEMBER(friction_table.turbulence_factor), "",
+                          factors, "Factor of every xi of the friction table, for studies."));
+}
+
 }  // namespace
 
 void add_material(std::vector<Parameter>& list) {
@@ -264,6 +280,7 @@ void add_material(std::vector<Parameter>& list) {
                           "no law of bed-friction uses them, otherwise none."));
     add_keys_of<StressLaws>(list, FRANA_MEMBER(material));
     name_laws(list, first);
+    add_friction_table(list);
 }
 
 void add_entrainment(std::vector<Parameter>& list) {

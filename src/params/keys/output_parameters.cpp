@@ -94,61 +94,18 @@ void add_pictures(std::vector<Parameter>& list) {
 namespace {
 
 using declare::choice;
+using declare::data_file;
 using declare::holds;
 using declare::number;
 using declare::on_map;
 using declare::on_off;
 using declare::option;
 using declare::Range;
+using declare::rising_numbers;
 using declare::text;
 
 /// Classes are bytes of a raster in which 0 is no data: a class more than limits.
 constexpr std::size_t k_most_limits = 254;
-
-/// Positive numbers in strictly rising order, at most `most`; none by default.
-template <class Member>
-Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning,
-                         std::size_t most = std::numeric_limits<std::size_t>::max()) {
-    Parameter result = declare::parameter(
-        name, "list", member,
-        [most](std::vector<double>& target, const std::string& value) -> std::optional<ValueProblem> {
-            std::vector<double> numbers;
-            for (const std::string& word : words_of(value)) {
-                const auto number = number_from_text(word);
-                if (!number) return ValueProblem{"'" + word + "' is not a number", ""};
-                if (!(*number > (numbers.empty() ? 0 : numbers.back())))
-                    return ValueProblem{"does not rise from above 0", "Write for example 0.5 2"};
-                numbers.push_back(*number);
-            }
-            if (numbers.size() > most) return ValueProblem{"has more numbers than there can be classes", ""};
-            target = numbers;
-            return std::nullopt;
-        },
-        [](const std::vector<double>& numbers) {
-            std::vector<std::string> words;
-            for (const double number : numbers) words.push_back(shortest_text(number));
-            return joined(words, ", ");
-        });
-    result.unit = unit;
-    result.limits = "rising numbers greater than 0";
-    if (most < std::numeric_limits<std::size_t>::max()) result.limits += ", at most " + std::to_string(most);
-    result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
-    result.meaning = meaning;
-    result.absent = "none";
-    return result;
-}
-
-Parameter scheme_parameter() {
-    Parameter result =
-        text("hazard.scheme", FRANA_MEMBER(hazard.scheme), "text",
-             "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.", "no classes");
-    result.limits = "a name of `frana schemes`, custom, or a file FILE.ini";
-    result.map_files = [](SceneSpec& scene, const FileMap& map) {
-        auto& scheme = scene.hazard.scheme;
-        if (scheme && is_scheme_file(*scheme)) scheme = map(*scheme);
-    };
-    return result;
-}
 
 /// output.classes and a key for each row of quantity_classes().
 void add_classes(std::vector<Parameter>& list) {
@@ -220,7 +177,9 @@ void add_extra_output(std::vector<Parameter>& list) {
 }
 
 void add_hazard(std::vector<Parameter>& list) {
-    list.push_back(scheme_parameter());
+    list.push_back(
+        data_file("hazard.scheme", FRANA_MEMBER(hazard.scheme), "a name of `frana schemes`, custom, or a file FILE.ini",
+                  "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.", "no classes"));
     list.push_back(number("hazard.minimum-depth", FRANA_MEMBER(hazard.minimum_depth), "m", Range{1e-6, 100},
                           "Depth above which ground has a class.", "output.trace-threshold"));
     list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",

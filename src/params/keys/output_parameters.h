@@ -32,10 +32,11 @@ inline void resolve_language(SceneSpec& scene) {
     if (scene.output.language == k_language_of_locale) scene.output.language = language_code(process_language());
 }
 
-/// Returns the words of a scene's pictures and report, with those of its hazard scheme.
+/// Returns the words of a scene's pictures and report, with those of its hazard scheme and friction table.
 inline Words words_of(const SceneSpec& scene) {
-    const Words words(language_of_code(scene.output.language).value_or(process_language()));
-    return scene.hazard.resolved ? words.with(scene.hazard.resolved->texts) : words;
+    Words words(language_of_code(scene.output.language).value_or(process_language()));
+    if (scene.hazard.resolved) words = words.with(scene.hazard.resolved->texts);
+    return scene.friction_table.resolved ? words.with(scene.friction_table.resolved->texts) : words;
 }
 
 }  // namespace frana

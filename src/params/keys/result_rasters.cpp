@@ -208,6 +208,17 @@ std::vector<ResultRaster> make_table() {
               "difference", k_even)
         .bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
 
+    table.when("with `material.friction-table`",
+               [](const SceneSpec& scene) { return scene.friction_table.name.has_value(); });
+    table
+        .add("mu", RasterKind::given, "Bed friction coefficient", "Bed friction coefficient mu", "-", "velocity",
+             k_even)
+        .bounds = {0, 0.15, 0.175, 0.2, 0.225, 0.25, 0.3, 0.35, 0.4, k_infinity};
+    table
+        .add("xi", RasterKind::given, "Turbulence coefficient", "Voellmy turbulence coefficient xi", "m/s2", "depth",
+             k_even)
+        .bounds = {0, 500, 1000, 1500, 2000, 2500, 3000, 3500, k_infinity};
+
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
     table.when("with a hazard scheme that uses it",
@@ -332,8 +343,10 @@ std::string raster_of_map(const std::string& map) {
 std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
-        const bool shows_flow = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
-        if (shows_flow && one.command == "run") names.push_back(one.name);
+        // What some scenes give by place is worth a look; the release is in every map.
+        const bool shows = one.kind == RasterKind::flow || one.kind == RasterKind::classes ||
+                           (one.kind == RasterKind::given && one.is_produced_by != nullptr);
+        if (shows && one.command == "run") names.push_back(one.name);
     }
     for (const ResultRaster& one : result_rasters())
         if (one.has_view) names.push_back(one.name + k_view_ending);
@@ -343,7 +356,7 @@ std::vector<std::string> usual_maps() {
 std::vector<std::string> map_names() {
     std::vector<std::string> names = usual_maps();
     for (const ResultRaster& one : result_rasters())
-        if (one.kind == RasterKind::given && one.is_drawn()) names.push_back(one.name);
+        if (one.kind == RasterKind::given && one.is_drawn() && one.is_produced_by == nullptr) names.push_back(one.name);
     return names;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/friction_table.h"
 #include "analysis/hazard.h"
 #include "core/default_values.h"
 #include "core/grid_spec.h"
@@ -76,6 +77,17 @@ struct ZonesSpec {
     std::string beyond_dtm = "stop";
 };
 
+/// Keys of [material]: bed friction by place after a published table.
+struct FrictionTableSpec {
+    std::optional<std::string> name;        ///< of share/friction, or a file of one's own
+    std::optional<FrictionTable> resolved;  ///< what it says
+    std::optional<double> return_period;    ///< [years]
+    std::optional<double> volume;           ///< [m3]; none: the release's
+    std::vector<double> altitude_limits;    ///< [m]; empty: the table's
+    std::optional<std::string> forest;      ///< polygons
+    double friction_factor = 1, turbulence_factor = 1;
+};
+
 /// [structured], for material.model = structured; in the units of scene files (degrees).
 struct StructuredSpec : StructuredValues {
     std::optional<std::string> phases;
@@ -88,7 +100,7 @@ struct StructuredSpec : StructuredValues {
     std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, SolidValues{}.grain_diameter, {}};
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0;
-    std::optional<double> block_size, sound_speed;
+    std::optional<double> block_size;
 };
 
 /// [time]
@@ -174,6 +186,7 @@ struct SceneSpec {
     ReleaseSpec release;
     InflowSpec inflow;
     Material material;
+    FrictionTableSpec friction_table;
     StructuredSpec structured;
     ZonesSpec zones;
     Entrainment entrainment;
@@ -190,6 +203,10 @@ struct SceneSpec {
     }
 };
 
+/// Whether a friction table gives the quantity of this key.
+inline bool gives_by_table(const std::string& key) {
+    return key == "material.friction-angle" || key == "material.friction-coefficient" || key == "material.turbulence";
+}
 /// Returns the interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 if nothing
 /// needs frames.
 double frame_interval(const SceneSpec& scene);
@@ -199,10 +216,6 @@ std::string scene_name(const SceneSpec& scene);
 std::string output_directory(const SceneSpec& scene);
 /// Returns the depth threshold of the comparison with the scar [m]: as given, else that of the trace.
 double observed_threshold(const SceneSpec& scene);
-/// Whether hazard.scheme names a file of one's own.
-inline bool is_scheme_file(const std::string& scheme) {
-    return scheme.ends_with(".ini");
-}
 /// Returns the depth above which ground has a class of hazard [m].
 double hazard_minimum_depth(const SceneSpec& scene);
 

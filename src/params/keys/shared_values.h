@@ -51,9 +51,6 @@ struct StructuredValues {
     double richardson_zaki = 2.4;            ///< M [-]
     double smoothing_velocity = 1;           ///< K of the drag [m/s]; 0: the mixture's flux
     double drag_mixing_exponent = 1;         ///< m of P [-]
-    double linear_viscosity = 1;             ///< artificial [-]
-    double quadratic_viscosity = 1;          ///< artificial [-]
-    double artificial_stress = 0.5;          ///< [-]
 
     bool manning_on_total = false;     ///< by the total depth; false: by that of the free fluid
     bool spread_evenly = false;        ///< particles placed by depth along the R2 sequence; false: on a lattice

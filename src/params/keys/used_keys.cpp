@@ -6,6 +6,7 @@
 
 #include "core/words/words.h"
 #include "params/keys/laws.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana {
 namespace {
@@ -85,6 +86,11 @@ std::string title_of(const Parameter& key) {
     return title;
 }
 
+std::string title_in(const std::string& name, const Words& words) {
+    const Parameter* const key = find_parameter(scene_parameters(), name);
+    return key == nullptr ? name : words(title_of(*key));
+}
+
 namespace {
 
 const std::string k_required_with = "required with ";
@@ -152,6 +158,8 @@ constexpr Condition k_conditions[] = {
          return s.zones.friction_angle || s.zones.friction_coefficient || s.zones.turbulence || s.zones.cohesion ||
                 s.zones.erodible_depth;
      }},
+    {"material.table-friction-factor", [](const SceneSpec& s) { return s.friction_table.name.has_value(); }},
+    {"material.table-turbulence-factor", [](const SceneSpec& s) { return s.friction_table.name.has_value(); }},
     {"numerics.flight-angle", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"numerics.flight-clearance", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"numerics.flight-drag", [](const SceneSpec& s) { return flight(s.numerics); }},

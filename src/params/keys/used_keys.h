@@ -19,6 +19,9 @@ std::optional<std::size_t> place_in_dialogue(const std::string& name);
 /// Returns a key in plain words, without a capital letter: "release area", "cell size".
 std::string title_of(const Parameter& key);
 
+/// The same of the key of this name, in a language; the name itself if no scene has it.
+std::string title_in(const std::string& name, const Words& words);
+
 // What a key's declaration says, in the language of a report. Its English texts are in the catalogues.
 
 /// Returns what a law adds to the meaning of the keys that it uses: " Used by material.bed-friction = chezy.".

@@ -13,6 +13,7 @@
 #include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
+#include "params/scene/read_friction_table.h"
 #include "params/scene/read_scheme.h"
 
 namespace frana {
@@ -60,7 +61,7 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     reader.apply(file);
     reader.apply(command_line);
     reader.drop_unread_of_preset();
-    reader.resolve_scheme(share);
+    reader.resolve_files(share);
     check_scene(reading.scene, reader.given(), path, reading.problems);
     return reading;
 }
@@ -146,6 +147,9 @@ void SceneReader::apply(KeySource source) {
     // Both keys specify one quantity: a later source replaces the value that an earlier one gave under the other name.
     if (source.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
     if (source.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
+    if (source.has("material.friction-table"))
+        for (const std::string& name : law_keys())
+            if (gives_by_table(name)) forget(name);
 
     std::set<std::string> seen;
     for (const IniEntry& entry : source.entries) {
@@ -183,10 +187,14 @@ void SceneReader::drop_unread_of_preset() {
     const std::vector<const Law*> laws = laws_of(reading_.scene);
     for (const std::string& name : law_keys()) {
         if (reading_.scene.origin_of(name) != Origin::preset || !readers_of(name, laws).empty()) continue;
-        find_parameter(parameters_, name)->reset(reading_.scene);
-        reading_.scene.origins.erase(name);
-        given_.erase(name);
+        forget(name);
     }
+}
+
+void SceneReader::forget(const std::string& name) {
+    find_parameter(parameters_, name)->reset(reading_.scene);
+    reading_.scene.origins.erase(name);
+    given_.erase(name);
 }
 
 void SceneReader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
@@ -213,9 +221,12 @@ void SceneReader::apply_preset(const KeySource& first, const KeySource& second, 
     if (source) apply(*source);
 }
 
-void SceneReader::resolve_scheme(const std::string& share) {
+void SceneReader::resolve_files(const std::string& share) {
     HazardSpec& hazard = reading_.scene.hazard;
     hazard.resolved = resolved_scheme(hazard, share, reading_.where("hazard.scheme"), reading_.problems);
+    FrictionTableSpec& table = reading_.scene.friction_table;
+    table.resolved =
+        resolved_friction_table(table, share, reading_.where("material.friction-table"), reading_.problems);
 }
 
 KeySource override_source(const std::vector<std::string>& overrides, const std::string& label, Problems& problems) {
@@ -240,7 +251,7 @@ SceneReading read_scene_keys(const std::vector<std::string>& keys, const std::ve
     reader.apply_preset(source, {}, share);
     reader.apply(source);
     reader.drop_unread_of_preset();
-    reader.resolve_scheme(share);
+    reader.resolve_files(share);
     std::set<std::string> all = reader.given();
     all.insert(given.begin(), given.end());
     check_scene(reading.scene, all, label, reading.problems);

@@ -95,8 +95,10 @@ class SceneReader {
     void apply(KeySource source);
     /// Applies the preset that a source names, the first before the second.
     void apply_preset(const KeySource& first, const KeySource& second, const std::string& share);
-    /// Reads the hazard scheme that the scene names.
-    void resolve_scheme(const std::string& share);
+    /// Restores the default of a key.
+    void forget(const std::string& name);
+    /// Reads the hazard scheme and the friction table that the scene names.
+    void resolve_files(const std::string& share);
     /// Drops values of a preset for laws that the scene does not select.
     void drop_unread_of_preset();
     [[nodiscard]] const std::set<std::string>& given() const { return given_; }

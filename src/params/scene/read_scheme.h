@@ -18,13 +18,6 @@ inline constexpr const char* k_custom_scheme = "custom";
 /// the file; the scheme is then incomplete. Throws Error(input) if the file cannot be read as INI.
 HazardScheme read_scheme(const std::string& path, const std::string& label, Problems& problems);
 
-/// Returns the files of the folder `schemes` of a share folder, in alphabetical order. Throws Error(environment) if it
-/// is missing.
-std::vector<std::string> scheme_files(const std::string& share);
-
-/// Returns what hazard.scheme may be: the names of those files and "custom".
-std::vector<std::string> scheme_names(const std::string& share);
-
 /// Returns the scheme that a scene names; none without one, and with a problem. `where` is where it is named.
 std::optional<HazardScheme> resolved_scheme(const HazardSpec& spec, const std::string& share, const std::string& where,
                                             Problems& problems);

@@ -116,6 +116,24 @@ TEST_F(Command, ParamsAndMaterials) {
     EXPECT_EQ(document["schemes"][0]["source_read"], false);
 }
 
+TEST_F(Command, SchemesListsFrictionTablesAndChecksAFileOfOnesOwn) {
+    const Outcome listed = frana({"schemes", "--friction"});
+    ASSERT_EQ(listed.exit_code, 0) << listed.err;
+    for (const std::string line : {"ramms-avalanche\n  RAMMS Avalanche", "events of 10, 30, 100, 300 years",
+                                   "\n  Limits of altitude: 1 000, 1 500 m\n", "\n  4  Gully: curvature 0.05 1/m\n"})
+        EXPECT_NE(listed.out.find(line), std::string::npos) << line << " in\n" << listed.out;
+    write("own.ini", own_friction_table(0.2));
+    const Json own = parse_json(frana({"schemes", "own.ini", "--friction", "--json"}).out)["friction_tables"];
+    ASSERT_EQ(own.size(), 1U);
+    EXPECT_EQ(own[0]["name"], "own");
+    EXPECT_EQ(own[0]["source_read"], false);
+    EXPECT_EQ(own[0]["forest"], true);
+    write("bad.ini", own_friction_table(7));
+    const Outcome refused = frana({"schemes", "bad.ini", "--friction"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("bad.ini: class-1.30-years-from-0-m3"), std::string::npos) << refused.err;
+}
+
 TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
     const std::vector<std::string> before = files();
     const Outcome outcome = frana({"check", "scene.ini", "--threads", "1"});

@@ -96,6 +96,11 @@ TEST_F(Killed, AtAnyMomentTheStructuredModelEndsInTheSameBits) {
     kill_and_resume(kills(), {});
 }
 
+TEST_F(Killed, AtAnyMomentWithAFrictionTableItEndsInTheSameBits) {
+    kill_and_resume(kills(), {"--set", "material.friction-table=ramms-avalanche", "--set", "material.return-period=300",
+                              "--set", "material.table-friction-factor=0.5"});
+}
+
 class Stopped : public Resuming {};
 
 TEST_F(Stopped, BySignalsItKeepsItsStateAndIsResumed) {

@@ -56,7 +56,8 @@ const std::vector<std::string> k_not_on_map{
     "terrain.dtm",      "release.perimeter",     "release.thickness",
     "inflow.line",      "inflow.hydrograph",     "structured.initial-fluid-depth",
     "structured.zones", "output.map-background", "output.map-logo",
-    "hazard.scheme",    "output.exposure"};  // all buildings of a canton, of which most are far away
+    "hazard.scheme",    "output.exposure",       "material.friction-table",
+    "material.forest"};  // all buildings of a canton, of which most are far away
 
 bool is_value_by_place(const Parameter& key) {
     return key.section == "zones" || std::any_of(solid_keys().begin(), solid_keys().end(),

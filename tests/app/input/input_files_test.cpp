@@ -104,6 +104,7 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
     const auto hydrograph = [this](int version) {
         write("file.csv", "time,discharge,velocity\n0,5,2\n10," + std::to_string(5 + version) + ",2\n");
     };
+    write("forest.ini", own_friction_table(0.2));
     const Sets flows{"inflow.line=line.geojson", "inflow.hydrograph=flood.csv"};
     write("flood.csv", "time,discharge,velocity\n0,5,2\n10,5,2\n");
     write(
@@ -137,6 +138,12 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
                     "name = High\ncolour = d7191c\ncondition = depth > " +
                         std::to_string(1 + version) + " m\n");
           }}},
+        {"material.friction-table",
+         {scene,
+          {name + "=file.ini", "material.return-period=30"},
+          [this](int version) { write("file.ini", own_friction_table(0.2 + 0.1 * version)); }}},
+        {"material.forest",
+         {scene, {shape, "material.friction-table=forest.ini", "material.return-period=30"}, box(100)}},
         {"output.map-background", {scene, {tif}, picture}},
         {"output.map-logo", {scene, {name + "=file.png"}, logo}},
         {"output.gauges", {scene, {shape}, point}},

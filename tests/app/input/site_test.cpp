@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Data surveyed on site, from files to results: zones, obstacles, walls, slip surfaces, late areas, inflow.
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "gis/raster/raster_in.h"
@@ -125,6 +126,62 @@ TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleDepth) {
             const double depth = eroded.at(r, c);
             EXPECT_FALSE(depth > (c < 19 ? 0 : 0.5 + 1e-6)) << r << ", " << c;
         }
+}
+
+// A straight channel of curvature 0.01 across its axis: at a distance y from it the slope is (0.5, 0.01 y), and the
+// curvature across the slope 0.01 0.25 / (0.25 + (0.01 y)^2), between the table's open slopes and channels.
+TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
+    const auto from_axis = [](std::int64_t row) { return (static_cast<double>(k_rows - row) - 0.5) * k_cell - 75; };
+    const auto elevation = [&](std::int64_t row, std::int64_t column) {
+        return 1600 - 0.5 * (static_cast<double>(column) + 0.5) * k_cell + 0.005 * from_axis(row) * from_axis(row);
+    };
+    write_dtm([&](int row, int column) { return elevation(row, column); });
+    const std::vector<std::string> table{"material.friction-table=ramms-avalanche", "material.return-period=300"};
+    run_with("", "out", table);
+    const Raster mu = result("mu"), xi = result("xi");
+    // Up to 5000 m3, 300 years: open slope and channel, from 1000 to 1500 m and above.
+    const double mu_of[2][2] = {{0.290, 0.330}, {0.275, 0.310}};  // NOLINT(modernize-avoid-c-arrays)
+    const double xi_of[2][2] = {{1400, 1180}, {1500, 1250}};      // NOLINT(modernize-avoid-c-arrays)
+    for (std::int64_t r = 2; r < k_rows - 2; ++r)
+        for (std::int64_t c = 2; c < k_columns - 2; ++c) {
+            const int band = elevation(r, c) >= 1500 ? 1 : 0;
+            const double curvature = 0.01 * 0.25 / (0.25 + std::pow(0.01 * from_axis(r), 2)),
+                         weight = (curvature - 0.002) / 0.008;
+            // The precision of a file's floats.
+            EXPECT_NEAR(mu.at(r, c), mu_of[band][0] + weight * (mu_of[band][1] - mu_of[band][0]), 1e-6);
+            EXPECT_NEAR(xi.at(r, c), 1 / ((1 - weight) / xi_of[band][0] + weight / xi_of[band][1]), 1e-3);
+        }
+    EXPECT_NEAR(mu.at(0, 20), 0.26, 1e-6) << "no curvature at the edge: flat, above 1500 m";
+    const std::string log = read_text(path("out/log.txt"));
+    EXPECT_NE(log.find("return period 300 years, volume 4 000 m³ (class of volume: < 5 000 m³). Source: SLF"),
+              std::string::npos)
+        << log;
+    const Json told = parse_json(read_text(path("out/summary.json")))["friction_table"];
+    EXPECT_EQ(told["source_read"], true);
+    double area = 0;
+    for (const Json& one : told["areas"]) area += one["area_m2"].get<double>();
+    EXPECT_NEAR(area, summary("covered_area_m2"), 1e-6);
+    // Another volume, other bands, factors; the friction acts on the flow.
+    run_with("", "other",
+             {table[0], table[1], "material.table-volume=60000", "material.altitude-limits=1000 2000",
+              "material.table-friction-factor=0.5"});
+    EXPECT_NEAR(result("mu", "other").at(0, 20), 0.5 * 0.15, 1e-6);
+    EXPECT_GT(summary("horizontal_m", "other"), summary("horizontal_m"));
+}
+
+TEST_F(Site, ForestAndZonesChangeTheValuesOfAFrictionTable) {
+    write("own.ini", own_friction_table(0.2));
+    write_features("wood", {{box(100, 0, 400, 150), R"("kind": "oak")"}});  // reaches beyond the DTM
+    write_features("zones", {{box(200, 0, 300, 150), R"("mu": 0.5)"}});
+    run_with("[terrain]\nfriction-zones = zones.geojson\n", "out",
+             {"material.friction-table=own.ini", "material.return-period=30", "material.forest=wood.geojson"});
+    const Raster mu = result("mu"), xi = result("xi");
+    EXPECT_NEAR(mu.at(15, 19), 0.2, 1e-7);
+    EXPECT_NEAR(xi.at(15, 19), 1000, 1e-3);
+    EXPECT_NEAR(mu.at(15, 20), 0.25, 1e-7);
+    EXPECT_NEAR(xi.at(15, 20), 400, 1e-3);
+    EXPECT_NEAR(mu.at(15, 40), 0.5, 1e-7);
+    EXPECT_NEAR(xi.at(15, 40), 400, 1e-3);
 }
 
 // RAMMS's yield term resists with (1 - mu) N_0: less where mu is greater.

@@ -257,7 +257,7 @@ TEST_P(StructuredPlacesWarn, OfWhatIsLegalAndDubious) {
         EXPECT_EQ(said.find(words), std::string::npos) << said;
 }
 
-// The release is 2 m thick, the cells are of 5 m: 1.53 tan(30) 5 m = 4.4 m, 1.53 tan(12) 5 m = 1.6 m.
+// The release is 2 m thick, the cells are of 5 m: 0.81 tan(30) 5 m = 2.3 m, 0.81 tan(12) 5 m = 0.9 m.
 INSTANTIATE_TEST_SUITE_P(
     What, StructuredPlacesWarn,
     ::testing::Values(

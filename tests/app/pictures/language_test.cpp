@@ -15,11 +15,13 @@ namespace {
 /// A result drawn as SVG, whose texts are text.
 class Languages : public TinyScene {
   protected:
-    void run(const std::string& language) {
+    void run(const std::string& language, const std::vector<std::string>& sets = {}) {
         write_scene(
             "[output]\nmaps = max_depth\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nframes = off\n" +
             language);
-        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--overwrite"});
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", "result", "--overwrite"};
+        for (const std::string& text : sets) arguments.insert(arguments.end(), {"--set", text});
+        const Outcome outcome = frana(arguments);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }
     [[nodiscard]] bool has(const std::string& file, const std::string& text) const {
@@ -58,6 +60,41 @@ TEST_F(Languages, ChartsAndStylesAreInTheLanguageAndDataStayEnglish) {
     EXPECT_TRUE(has("result/log.txt", "volume"));
     const gis::RasterText band = gis::read_raster_text(path("result/max_depth.tif"));
     EXPECT_EQ(band.description.find("max_depth: Maximum flow depth"), 0U) << band.description;
+}
+
+// What gave the friction stands on its maps and in the report, as does whether its source was read.
+TEST_F(Languages, AMapOfFrictionNamesItsTableAndItsSource) {
+    const std::vector<std::string> table{"material.friction-table=ramms-avalanche", "material.return-period=300",
+                                         "output.maps=mu,xi", "output.report=on", "material.altitude-limits=270, 1500"};
+    run("language = de\n", table);
+    for (const char* map : {"result/maps/mu.svg", "result/maps/xi.svg", "result/report.html"})
+        for (const char* text : {"RAMMS Avalanche, Voellmy", "RAMMS::AVALANCHE"})
+            EXPECT_TRUE(has(map, text)) << map << ": " << text;
+    for (const char* text : {"Reibungskoeffizient an der Sohle", "Reibungstabelle: RAMMS", "Quelle: SLF"})
+        EXPECT_TRUE(has("result/maps/mu.svg", text)) << text;
+    for (const char* text :
+         {"Volumenklasse: &lt; 5.000 m³", "Flacher oder konvexer Hang", "gelesen unter github.com",
+          "RAMMS Avalanche, Voellmy-Reibung von Lawinen", "Auf 270 m kommt der Strom in eine andere Höhenstufe"})
+        EXPECT_TRUE(has("result/report.html", text)) << text;
+    write("own.ini", own_friction_table(0.2));
+    run("", {"material.friction-table=own.ini", "material.return-period=30", "output.maps=mu"});
+    for (const char* text : {"Friction table: Own", "Source: None (not read)"})
+        EXPECT_TRUE(has("result/maps/mu.svg", text)) << text;
+}
+
+TEST_F(Languages, ChartsOfAStudyNameKeysAndUnitsAsPrintDoes) {
+    write_scene("[output]\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nframes = off\nlanguage = de\n");
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 8\n[vary]\nmaterial.friction-angle = uniform(10, 26)\n"
+          "material.turbulence = log-uniform(200, 2000)\n");
+    const Outcome outcome = frana({"ensemble", "study.ini", "--out", "result"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const auto& [chart, text] :
+         {std::pair{"exceedance", "bedeckte Fläche [m²]"}, std::pair{"sensitivity", "Reibungswinkel"}}) {
+        const std::string file = std::string("result/charts/") + chart + ".svg";
+        EXPECT_TRUE(has(file, text)) << chart << ": " << text;
+        EXPECT_FALSE(has(file, "material.friction-angle")) << chart;
+    }
 }
 
 TEST_F(Languages, TheLocaleOfTheRunIsKeptInTheResult) {

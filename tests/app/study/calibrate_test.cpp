@@ -14,6 +14,7 @@
 #include "gis/access/table_in.h"
 #include "gis/raster/raster_in.h"
 #include "started_program.h"
+#include "study/kept_records.h"
 #include "study/part_of_raster.h"
 #include "support/tiny_scene.h"
 
@@ -69,12 +70,12 @@ class Calibrate : public TinyScene {
     [[nodiscard]] Json calibration(const std::string& out = "out") const {
         return parse_json(read_text(path(out + "/calibration.json")));
     }
-    [[nodiscard]] std::vector<std::string> records() const {
+    [[nodiscard]] std::vector<KeptRecord> records() const {
         std::vector<std::string> names;
         for (const std::string& name : files())
-            if (name.find("/record_") != std::string::npos && name.find("out.partial/") != std::string::npos)
+            if (name.find("/records/record") != std::string::npos && name.find("out.partial/") != std::string::npos)
                 names.push_back(name);
-        return names;
+        return kept_records(folder_.string(), names);
     }
     [[nodiscard]] Outcome stop_after(std::size_t members, int signal_number) const {
         StartedProgram program(folder_.string(), {"calibrate", "study.ini", "--out", "out", "--threads", "2"});
@@ -236,10 +237,11 @@ TEST_F(Calibrate, ResumesAfterKillsInEitherStageAndEndsInTheSameBits) {
         const Outcome refused = run();
         EXPECT_EQ(refused.exit_code, 2);
         EXPECT_NE(refused.err.find("--resume continues it"), std::string::npos) << refused.err;
-        const std::vector<std::string> kept = records();
+        const std::vector<KeptRecord> kept = records();
         ASSERT_GE(kept.size(), members);
-        write(kept[0], read_text(path(kept[0])).substr(0, 50));
-        fs::remove(path(kept[1]));
+        std::string bytes = read_text(path(kept[0].file));
+        bytes[kept[0].at + 50] ^= 1;  // damaged; the last one of its file is torn
+        write(kept[0].file, bytes.substr(0, bytes.size() - 1));
         const Outcome resumed = run({"--resume", "--threads", "1"});
         ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
         expect_same("whole", "out");
@@ -399,10 +401,11 @@ TEST_F(Calibrate, ChartsAndReportAreDrawn) {
     write("slope.ini", [&] {
         std::string text = read_text(path("slope.ini"));
         for (const std::string off : {"maps = off\n", "charts = off\n"}) text.erase(text.find(off), off.size());
-        return text.insert(text.find("[output]\n") + 9, "map-size = 640x480\n");
+        return text.insert(text.find("[output]\n") + 9, "map-size = 640x480\nmap-formats = png, svg\n");
     }());
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(read_text(path("out/charts/posterior.svg")).find("friction angle [°]"), std::string::npos);
     for (const std::string name : {"maps/posterior_slope.png", "charts/response.png", "charts/posterior.png",
                                    "report.html", "log.txt", "summary.json"})
         EXPECT_TRUE(fs::exists(path("out/" + name))) << name;

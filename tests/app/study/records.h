@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -45,10 +46,14 @@ class Records : public ::testing::Test {
         }
         return one;
     }
+    /// Writes a record to a file of its own.
+    [[nodiscard]] RecordPlace keep(const std::string& name, const MemberRecord& one) const {
+        const std::string file = (folder_ / name).string(), bytes = bytes_of(one);
+        std::ofstream(file, std::ios::binary) << bytes;
+        return {file, 0, bytes.size()};
+    }
     void add(const MemberRecord& one) {
-        const std::string file = (folder_ / ("r" + std::to_string(members_.records.size()))).string();
-        write_record(file, one);
-        members_.records.push_back(file);
+        members_.records.push_back(keep("r" + std::to_string(members_.records.size()), one));
         members_.weights.assign(members_.records.size(), 1.0 / static_cast<double>(members_.records.size()));
     }
 

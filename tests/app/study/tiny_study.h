@@ -8,6 +8,7 @@
 #include "gis/access/table_in.h"
 #include "gis/raster/raster_in.h"
 #include "started_program.h"
+#include "study/kept_records.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -27,16 +28,17 @@ class Ensemble : public TinyScene {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }
-    [[nodiscard]] std::vector<std::string> records() const {
-        std::vector<std::string> names;
+    /// Whole ones of a study that is being built.
+    [[nodiscard]] std::vector<KeptRecord> records() const {
         try {
+            std::vector<std::string> names;
             for (const std::string& name : files())
-                if (name.find("/records/record_") != std::string::npos && name.find("partial/") != std::string::npos)
+                if (name.find("/records/record") != std::string::npos && name.find("partial/") != std::string::npos)
                     names.push_back(name);
+            return kept_records(folder_.string(), names);
         } catch (const std::filesystem::filesystem_error&) {  // a folder went while it was read
-            names.clear();
+            return {};
         }
-        return names;
     }
     /// Starts the study and sends a signal as soon as so many members have their record.
     [[nodiscard]] Outcome stop_after(std::size_t members, int signal_number) const {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/words/words.h"
+#include "params/grammar/data_file.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -36,9 +37,7 @@ const std::vector<std::string> k_names{
     "swiss-debris-flow",  "swiss-flood",      "swiss-hillslope-debris-flow"};
 
 TEST(SharedSchemes, AreThoseNamed) {
-    std::vector<std::string> names = k_names;
-    names.emplace_back("custom");
-    EXPECT_EQ(scheme_names(FRANA_SOURCE_SHARE), names);
+    EXPECT_EQ(data_names(FRANA_SOURCE_SHARE, k_scheme_folder), k_names);
 }
 
 TEST(SharedSchemes, HaveFiveNamesColoursThatDifferInLightnessAndASource) {

@@ -104,6 +104,34 @@ TEST(Chart, NamesAxesPanelsAndSeriesOnThePage) {
         << "a label common to panels appears once";
 }
 
+// Less than a decade, or one: enough numbers to read a value, none over another.
+TEST(ChartAxis, LogarithmicAxesHaveEnoughLabels) {
+    constexpr double k_length = 400, k_room = 40;
+    const std::vector<std::vector<double>> ranges{{110, 980},   {20, 80},     {0.21, 0.4}, {6.1, 6.9},
+                                                  {1.2e5, 9e5}, {1e-7, 1e-1}, {3, 4e5},    {1, 10}};
+    for (const Scale scale : {Scale::logarithmic, Scale::decades})
+        for (const std::vector<double>& range : ranges) {
+            const ChartAxis axis(scale, range, 0, k_length, k_room, false);
+            std::vector<Tick> labelled;
+            for (const Tick& tick : axis.ticks())
+                if (!tick.words.empty()) labelled.push_back(tick);
+            const std::string place = std::to_string(range[0]) + " to " + std::to_string(range[1]);
+            EXPECT_GE(labelled.size(), 3U) << place;
+            for (std::size_t i = 1; i < labelled.size(); ++i)
+                EXPECT_GE(labelled[i].at - labelled[i - 1].at, k_room) << place << ": " << labelled[i].words;
+        }
+    const ChartAxis axis(Scale::logarithmic, {1.2e5, 9e5}, 0, k_length, k_room, false);
+    std::vector<std::string> words;
+    for (const Tick& tick : axis.ticks())
+        if (!tick.words.empty()) words.push_back(tick.words);
+    EXPECT_EQ(words, (std::vector<std::string>{"200 000", "300 000", "500 000", "700 000"}));
+}
+
+TEST(ChartAxis, GreatNumbersAreInGroups) {
+    const ChartAxis axis(Scale::linear, {0, 290000}, 0, 400, 90, true);
+    EXPECT_EQ(axis.ticks().back().words, "300 000");
+}
+
 TEST(Chart, InksTheSeriesInTheirColours) {
     ChartLayout layout;
     const Image page = draw_chart(two_panels(), 1000, 600, &layout);

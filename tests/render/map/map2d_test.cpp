@@ -274,5 +274,32 @@ TEST(Map, ContradictionsAreRefused) {
     EXPECT_TRUE(refused(window));
 }
 
+// Sources side by side on a strip of terrain: the frame is the strip's, with no grey round it, at the same scale.
+TEST(Map2d, AFrameEndsWithTheTerrain) {
+    const Raster ground = part_of(test::terrain(), CellWindow{30, 0, 30, 120});
+    Raster layer(ground.grid, k_no_data);
+    for (std::int64_t row = 5; row < 25; ++row) layer.at(row, 4) = layer.at(row, 115) = 2;
+    for (const double dots_per_inch : {0.0, 150.0}) {
+        MapSpec spec;
+        spec.terrain = &ground;
+        spec.layer = &layer;
+        spec.width = 800;
+        spec.height = 600;
+        spec.print.dots_per_inch = dots_per_inch;
+        MapLayout layout;
+        const Image map = draw_map(spec, &layout);
+        const Bounds all = ground.grid.bounds();
+        const double pixel = layout.metres_per_pixel;
+        EXPECT_NEAR(layout.window.width(), all.width(), 2 * pixel);
+        EXPECT_NEAR(layout.window.height(), all.height(), 2 * pixel);
+        EXPECT_NEAR(layout.map.width() * pixel, layout.window.width(), 1e-6);
+        int grey = 0;
+        for (int y = static_cast<int>(layout.map.top) + 3; y < layout.map.bottom - 3; ++y)
+            for (int x = static_cast<int>(layout.map.left) + 3; x < layout.map.right - 3; ++x)
+                grey += map.colour(x, y) == k_no_terrain;
+        EXPECT_EQ(grey, 0);
+    }
+}
+
 }  // namespace
 }  // namespace frana::render

@@ -150,5 +150,33 @@ TEST(ViewCamera, AllPointsFitAndOneTouchesTheMargin) {
     }
 }
 
+// Terrain cut off obliquely: seen from above, its edge is as straight in whichever direction it runs.
+TEST(View, AnObliqueEdgeOfTheTerrainHasNoTeeth) {
+    const auto ink_of_edge = [](bool mirrored) {
+        Raster ground(GridSpec{527000, 5095000, 10, 100, 100, ""}, k_no_data), layer(ground.grid, k_no_data);
+        for (std::int64_t row = 0; row < 100; ++row)
+            for (std::int64_t column = 0; column < 100; ++column) {
+                const std::int64_t from_edge = (mirrored ? 99 - column : column) - row;
+                if (from_edge < 0) continue;
+                ground.at(row, column) = 600;
+                if (from_edge > 5) layer.at(row, column) = 1;
+            }
+        ViewSpec spec = view(ground, layer);
+        spec.camera = Camera{0, 89, 0.8};
+        spec.sky = false;
+        ViewLayout layout;
+        const Image image = draw_view(spec, &layout);
+        int terrain = 0;  // neither paper nor frame
+        for (int y = static_cast<int>(layout.picture.top) + 4; y < layout.picture.bottom - 4; ++y)
+            for (int x = static_cast<int>(layout.picture.left) + 4; x < layout.picture.right - 4; ++x)
+                terrain += !(image.colour(x, y) == Rgb{255, 255, 255});
+        return terrain;
+    };
+    // A hundred triangles of the 5000 cells were missing on one of the two.
+    const int one = ink_of_edge(false), other = ink_of_edge(true);
+    EXPECT_GT(one, 20000);
+    EXPECT_NEAR(one, other, 0.004 * one);
+}
+
 }  // namespace
 }  // namespace frana::render

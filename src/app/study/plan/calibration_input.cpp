@@ -215,10 +215,7 @@ std::vector<double> EventSurvey::values_of(Evidence evidence, const MemberRecord
         }
         const auto gauge =
             std::find_if(gauges_.begin(), gauges_.end(), [&](const Gauge& g) { return g.name == one.gauge; });
-        const auto row = static_cast<std::int64_t>(std::floor((grid_.north - gauge->place.y) / grid_.cell_size)),
-                   column = static_cast<std::int64_t>(std::floor((gauge->place.x - grid_.west) / grid_.cell_size));
-        const bool inside = row >= 0 && column >= 0 && row < grid_.rows && column < grid_.columns;
-        values.push_back(inside ? arrival.at(row, column) : k_no_data);
+        values.push_back(cell_value(arrival, gauge->place));
     }
     return values;
 }

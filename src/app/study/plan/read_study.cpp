@@ -92,6 +92,9 @@ const std::vector<StudyKey>& study_keys() {
             of_drawn(integer<StudySpec>("study.seed", FRANA_MEMBER(seed), 0, k_last_seed,
                                         "The same seed gives the same members."),
                      true),
+            text<StudySpec>("study.rare-place", FRANA_MEMBER(rare_place), "text",
+                            "A gauge of the scene (output.gauges): with sampling = importance most members are drawn "
+                            "near what makes the flow come there."),
             number<StudySpec>("study.until", FRANA_MEMBER(until), "", Range{0, 0.5, true, true},
                               "Standard error of the probabilities, anywhere on the map, below which no more members "
                               "are run."),
@@ -270,7 +273,7 @@ void StudyReader::check_per_polygon() {
     for (const std::string& name : seen()) {
         const bool of_sampling = name.starts_with("vary.") || name.starts_with("correlate.") ||
                                  name == "study.samples" || name == "study.sampling" || name == "study.seed" ||
-                                 name == "study.until" || name == "study.levels";
+                                 name == "study.until" || name == "study.levels" || name == "study.rare-place";
         if (of_sampling)
             add_problem({"has no effect with study.per-polygon = on: each polygon is one member", where(name), "", "",
                          "Remove it, or per-polygon"});
@@ -303,6 +306,17 @@ void StudyReader::check_sampling() {
     if (study.levels && !method.goes_on)
         refuse_for("cannot go on drawing members, which study.levels needs",
                    remove_or_choose("study.levels", [](const auto& row) { return row.goes_on; }));
+    const bool in_rounds = study.sampling == Sampling::importance;
+    if (in_rounds && !study.rare_place)
+        refuse_for("needs a place that is seldom reached",
+                   "Add study.rare-place = the name of a gauge of output.gauges, or choose another sampling");
+    if (!in_rounds && study.rare_place)
+        add_problem({"has no effect with sampling = " + std::string(method.name), where("study.rare-place"),
+                     *study.rare_place, "", "Remove it, or write sampling = importance"});
+    if (in_rounds && study.samples < k_least_in_rounds)
+        add_problem({"are too few for the rounds of sampling = importance", where("study.samples"),
+                     std::to_string(study.samples), "at least " + std::to_string(k_least_in_rounds),
+                     "Write " + std::to_string(k_least_in_rounds) + " or more"});
     if (study.sampling == Sampling::grid && has_seen("vary.terrain.error"))
         refuse_for("cannot draw fields of error", "Choose another sampling");
 }

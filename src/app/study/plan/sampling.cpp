@@ -243,9 +243,16 @@ std::vector<std::string> SampleTable::overrides(std::size_t member) const {
 
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems) {
     if (study.sampling == Sampling::grid) return full_factorial(study);
-    SampleTable table = samples_at(study, draw_places(study, true), label, problems);
+    StudySpec drawn = study;
+    const bool in_rounds = study.sampling == Sampling::importance;
+    if (in_rounds) {
+        drawn.sampling = Sampling::sobol;
+        drawn.samples = round_end(study, 0);
+    }
+    SampleTable table = samples_at(study, draw_places(drawn, true), label, problems);
     if (const std::size_t size = study.group_size(); size > 0) table.groups = table.size() / size;
     table.is_replicated = method_of(study.sampling).replicated;
+    for (std::size_t i = 0; i < table.size() && in_rounds; ++i) table.parts.push_back(i % k_replicates);
     return table;
 }
 

@@ -46,6 +46,8 @@ struct SampleTable {
     /// distribution. 0: members are independent of each other.
     std::size_t groups = 0;
     bool is_replicated = false;  ///< SamplingMethod::replicated
+    /// Of importance sampling, by member: k_replicates times its round, and the part of the round. Empty: one round.
+    std::vector<std::size_t> parts;
     /// A run of a multilevel study.
     struct LevelRun {
         std::size_t level = 0;
@@ -58,6 +60,7 @@ struct SampleTable {
     [[nodiscard]] std::size_t size() const noexcept { return values.size(); }
     /// The part of a replicated design that a member is from.
     [[nodiscard]] std::size_t replicate_of(std::size_t member) const noexcept {
+        if (!parts.empty()) return parts[member];
         return (!level_runs.empty() ? level_runs[member].draw : groups > 0 ? member % groups : member) % k_replicates;
     }
     /// Returns "key=value" of a member, in a multilevel study with its cell size.
@@ -70,8 +73,8 @@ std::string values_text(const SampleTable& table);
 /// The values of one member, "key=value" line by line, files without their folders.
 std::string values_text(const std::vector<std::string>& overrides);
 
-/// Draws the members of a study that is not sampled by a table; its problems were thrown before. Adds a problem for a
-/// correlation that no distribution has.
+/// Draws the members of a study that is not sampled by a table, of importance sampling those of its first round; its
+/// problems were thrown before. Adds a problem for a correlation that no distribution has.
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems);
 
 /// The two steps of that: places that are independent in each key, and the members there, with the study's

@@ -231,12 +231,32 @@ void require_same_lattice(const GridSpec& grid, const GridSpec& other, const std
                       "Set terrain.crs and terrain.cell-size in the scene, or bring the files to the same cells"});
 }
 
-/// What decides the members of a multilevel study besides the values of its pilot.
-std::string levels_text(const StudyInput& input) {
-    if (input.level_draws.empty()) return "";
+/// What decides the members of later rounds besides the values and runs of the first.
+std::string rounds_text(const StudyInput& input) {
     const StudySpec& study = input.reading.study;
-    return "levels = " + std::to_string(*study.levels) + "\nsamples = " + std::to_string(study.samples) +
-           "\nseed = " + std::to_string(study.seed) + "\n";
+    if (!study.levels && !study.rare_place) return "";
+    std::string text = study.levels ? "levels = " + std::to_string(*study.levels) + "\n" : "";
+    if (study.rare_place) {
+        const RareEvent event = rare_event(input);
+        text += "rare place = " + shortest_text(event.place.x) + ", " + shortest_text(event.place.y) +
+                ", deeper than " + shortest_text(event.threshold) + "\n";
+    }
+    return text + "samples = " + std::to_string(study.samples) + "\nseed = " + std::to_string(study.seed) + "\n";
+}
+
+/// Why importance sampling has no event to look for.
+void check_rare_event(const StudyInput& input, Problems& problems) {
+    const auto& gauge = input.reading.study.rare_place;
+    if (!gauge) return;
+    std::vector<std::string> names;
+    for (const Gauge& one : input.base.scene.recording.gauges) names.push_back(one.name);
+    if (std::find(names.begin(), names.end(), *gauge) == names.end())
+        problems.add({"is no gauge of the scene", input.reading.where("study.rare-place"), *gauge,
+                      names.empty() ? "" : joined(names, ", "),
+                      names.empty() ? "Give the scene a layer with the point: output.gauges" : "Name one of these"});
+    if (input.base.spec.output.depth_thresholds.empty())
+        problems.add({"needs a depth that counts as reached", input.reading.where("study.rare-place"), *gauge, "",
+                      "Give the scene output.depth-thresholds"});
 }
 
 std::vector<std::string> central_overrides(const StudySpec& study, const SampleTable& table) {
@@ -311,6 +331,17 @@ void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts
 }
 
 }  // namespace
+
+std::size_t StudyInput::members() const {
+    return levels.empty() && table.parts.empty() ? table.size() : static_cast<std::size_t>(reading.study.samples);
+}
+
+RareEvent rare_event(const StudyInput& input) {
+    const std::string& name = *input.reading.study.rare_place;
+    const std::vector<Gauge>& gauges = input.base.scene.recording.gauges;
+    const auto found = std::find_if(gauges.begin(), gauges.end(), [&](const Gauge& one) { return one.name == name; });
+    return {name, found->place, input.base.spec.output.depth_thresholds.front()};
+}
 
 SceneReading StudyInput::member(std::size_t index) const {
     return scene_with(table.overrides(index));
@@ -390,7 +421,9 @@ StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, 
     input.base = prepare(input.central, place, log);
     input.base.scene.time.frame_interval = 0;
     put_levels_on_cells(input, problems);
-    input.identity = "study = " + name_of(input.reading.study.sampling) + "\n" + levels_text(input) +
+    check_rare_event(input, problems);
+    problems.throw_if_any();
+    input.identity = "study = " + name_of(input.reading.study.sampling) + "\n" + rounds_text(input) +
                      values_text(input.table) + scene_identity(input.base);
     const SampleTable& all = input.level_draws.empty() ? input.table : input.level_draws.front();
     RunLog silent(true);

@@ -56,6 +56,8 @@ struct StudyInput {
     std::vector<LevelCells> levels;        ///< of a multilevel study, the coarsest first
     Deposit kept_deposit = Deposit::none;  ///< of the members' records
 
+    /// Number of members that the study will have, at most; with levels of runs that would cost as much.
+    [[nodiscard]] std::size_t members() const;
     /// Returns the scene of a member, as `frana run` with its values reads it.
     [[nodiscard]] SceneReading member(std::size_t index) const;
     /// Returns the scene with the study's settings and these values ("key=value").
@@ -98,6 +100,15 @@ struct MappedEvents {
 /// Returns the events of a scene: its thresholds of depth, velocity and pressure, and the classes of intensity, each
 /// with all higher ones.
 std::vector<MappedEvents> mapped_events(const SceneSpec& scene);
+
+/// What importance sampling looks for: that the depth at a gauge exceeds the least depth threshold.
+struct RareEvent {
+    std::string gauge;
+    Point place;           ///< map coordinates
+    double threshold = 0;  ///< [m]
+};
+/// Of a study by importance sampling.
+RareEvent rare_event(const StudyInput& input);
 
 /// Returns what a member's record must contain for them.
 RecordExtras record_extras(const SceneSpec& scene);

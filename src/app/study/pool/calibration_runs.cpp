@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
 #include "app/study/pool/member_runs.h"
 #include "app/study/statistics/calibration_posterior.h"
@@ -101,14 +100,11 @@ void compare_members(const CalibrationInput& input, std::size_t event, const Stu
                      EventRuns& runs) {
     const Prepared& base = members.base;
     FinishedMembers finished;
+    const RecordFiles records(runs.records);
     for (std::size_t i = first; i < members.table.size(); ++i) {
-        const std::string file = record_file(runs.records, i);
-        const auto record = own_record(members, runs.records, i);
-        if (!record)
-            throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
-                                                        "--resume computes that member again"});
-        runs.members.push_back({record->failure, {}, record->engine_seconds, record->end});
-        if (record->finished()) finished.records.push_back(file);
+        const MemberRecord record = require_own_record(members, records.place(i), i);
+        runs.members.push_back({record.failure, {}, record.engine_seconds, record.end});
+        if (record.finished()) finished.records.push_back(records.place(i));
     }
     const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
                              reached_window(finished, base.scene.grid));
@@ -120,7 +116,7 @@ void compare_members(const CalibrationInput& input, std::size_t event, const Stu
     runs.outline_pieces = survey.outline_pieces();
     for (std::size_t i = first; i < runs.members.size(); ++i)
         if (runs.members[i].failure.empty())
-            runs.members[i].agreement = survey.compare(*own_record(members, runs.records, i));
+            runs.members[i].agreement = survey.compare(require_record(records.place(i)));
 }
 
 CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs) {

@@ -6,13 +6,11 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <string>
 #include <utility>
 
 #include "app/process/terminal.h"
 #include "app/publish/publish.h"
-#include "app/store/interrupted_run.h"
 #include "app/study/plan/region_input.h"
 #include "app/study/plan/study_input.h"
 #include "app/text/number_text.h"
@@ -41,10 +39,17 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog
 
 }  // namespace
 
-std::optional<MemberRecord> own_record(const StudyInput& input, const std::string& folder, std::size_t member) {
-    auto record = read_record(record_file(folder, member), member);
-    if (record && record->key_values != values_text(input.table.overrides(member))) record.reset();
-    return record;
+std::optional<MemberRecord> own_record(const StudyInput& input, const RecordPlace& place, std::size_t member) {
+    auto record = read_record(place);
+    const bool is_own =
+        record && record->member == member && record->key_values == values_text(input.table.overrides(member));
+    return is_own ? std::move(record) : std::nullopt;
+}
+
+MemberRecord require_own_record(const StudyInput& input, const RecordPlace& place, std::size_t member) {
+    if (auto record = own_record(input, place, member)) return *std::move(record);
+    throw Error(ErrorKind::environment, Problem{"the record of member " + std::to_string(member) + " cannot be read",
+                                                place.file, "", "", "--resume computes that member again"});
 }
 
 namespace {
@@ -393,14 +398,14 @@ void MemberProgress::finish() {
     line_.finish();
 }
 
-MemberRunner::MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks,
+MemberRunner::MemberRunner(const StudyInput& input, const std::string& folder, int threads, bool quiet, RankPool* ranks,
                            std::size_t study)
     : input_(input),
-      folder_(std::move(folder)),
+      records_(folder),
       threads_(static_cast<std::size_t>(threads)),
       ranks_(ranks),
       study_(study),
-      progress_(records_in(folder_).size(), input.table.size(), quiet),
+      progress_(records_.count(), std::max(input.members(), input.table.size()), quiet),
       members_(std::vector<const StudyInput*>(study + 1, &input), threads) {}
 
 int MemberRunner::stopped_by() const {
@@ -410,32 +415,16 @@ int MemberRunner::stopped_by() const {
 std::optional<MemberTask> MemberRunner::take() {
     while (next_ < end_) {
         const std::size_t member = next_++;
-        if (!own_record(input_, folder_, member)) return MemberTask{member, input_.table.overrides(member), study_};
+        if (!own_record(input_, records_.place(member), member))
+            return MemberTask{member, input_.table.overrides(member), study_};
     }
     return std::nullopt;
 }
 
 void MemberRunner::keep(std::size_t member, const std::string& record) {
-    const std::string file = record_file(folder_, member);
-    write_file(file, record);
-    unsynced_.push_back(file);
-    // Together they cost little more than one. What a power failure damages is seen by its CRC, and computed again.
-    constexpr std::size_t k_together = 64;
-    constexpr double k_longest_wait = 1;  // [s]
-    if (unsynced_.size() >= k_together || since_sync_.seconds() > k_longest_wait) sync();
+    records_.append(member, record);
     ++computed_;
     progress_.add_member();
-}
-
-void MemberRunner::sync() {
-    if (unsynced_.empty()) return;
-    unsynced_.push_back(std::filesystem::path(unsynced_.front()).parent_path().string());
-    for (const std::string& path : unsynced_)
-        if (const int reason = sync_path(path); reason != 0)
-            throw Error(ErrorKind::environment, Problem{std::string("cannot be stored: ") + std::strerror(reason), path,
-                                                        "", "", "Check the disk and its free space"});
-    unsynced_.clear();
-    since_sync_ = {};
 }
 
 void MemberRunner::run_until_all_are_back() {
@@ -464,7 +453,7 @@ void MemberRunner::run_until_all_are_back() {
 bool MemberRunner::run_until(std::size_t end) {
     end_ = end;
     run_until_all_are_back();
-    sync();
+    records_.sync();
     progress_.finish();
     return stopped_by() == 0;
 }

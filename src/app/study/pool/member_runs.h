@@ -18,6 +18,7 @@
 #include "app/study/member_record.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/ranks/job.h"
+#include "app/study/record_files.h"
 
 namespace frana::app::study {
 
@@ -29,7 +30,9 @@ struct MemberTask {
 };
 
 /// Returns the record of a member of this study: with its number and its values; none if there is no such record.
-std::optional<MemberRecord> own_record(const StudyInput& input, const std::string& folder, std::size_t member);
+std::optional<MemberRecord> own_record(const StudyInput& input, const RecordPlace& place, std::size_t member);
+/// The same of one that must be there. Throws Error(environment).
+MemberRecord require_own_record(const StudyInput& input, const RecordPlace& place, std::size_t member);
 
 /// Threads that run the members they are given and keep the records until somebody takes them. An
 /// exception (of the environment: memory, a disk) is kept too. After a signal the threads end.
@@ -124,15 +127,15 @@ class MemberProgress {
     StatusLine line_;
 };
 
-/// Runs members side by side, each on one thread, in this process and in other ranks, and writes a record of each to a
-/// folder of the result (record_file), by this process alone. Those that have a record are not run again. Who runs
+/// Runs members side by side, each on one thread, in this process and in other ranks, and keeps a record of each in
+/// RecordFiles, which this process alone writes. Those that have a record are not run again. Who runs
 /// which member, and in which order, changes no bit of any record but its wall time.
 class MemberRunner {
   public:
     /// @param folder in which the result is being built
     /// @param ranks the other processes; null: none
     /// @param study its number among the studies that these have read (RankStudies)
-    MemberRunner(const StudyInput& input, std::string folder, int threads, bool quiet, RankPool* ranks = nullptr,
+    MemberRunner(const StudyInput& input, const std::string& folder, int threads, bool quiet, RankPool* ranks = nullptr,
                  std::size_t study = 0);
 
     /// Runs the members below `end` that have no record. Returns false if a signal stopped it before. Throws
@@ -146,21 +149,16 @@ class MemberRunner {
   private:
     void run_until_all_are_back();
     void keep(std::size_t member, const std::string& record);
-    /// Waits until the records that were written are on the disk.
-    void sync();
-
     [[nodiscard]] std::optional<MemberTask> take();
 
     const StudyInput& input_;
-    std::string folder_;
+    RecordFiles records_;
     std::size_t threads_;
     RankPool* ranks_;
     std::size_t study_;
     std::size_t next_ = 0, end_ = 0;  ///< members below `next_` were given out or have a record
     MemberProgress progress_;
     std::size_t computed_ = 0, out_ = 0;  ///< out: given to the threads of this process
-    std::vector<std::string> unsynced_;   ///< records that a power failure could still take
-    Stopwatch since_sync_;
     MemberThreads members_;
 };
 

@@ -10,7 +10,6 @@
 
 #include "app/input/check_inputs.h"
 #include "app/publish/publish.h"
-#include "app/store/interrupted_run.h"
 #include "app/study/pool/member_runs.h"
 #include "core/text.h"
 
@@ -111,9 +110,9 @@ void add_end(const MemberEnd& end, std::map<std::string, double>& numbers, std::
 
 namespace {
 
-void add_finished(const StudyInput& input, const std::string& folder, std::size_t member, std::size_t place,
+void add_finished(const StudyInput& input, const RecordFiles& records, std::size_t member, std::size_t place,
                   FinishedMembers& to, std::vector<std::size_t>& places) {
-    to.records.push_back(record_file(folder, member));
+    to.records.push_back(records.place(member));
     to.weights.push_back(input.table.weights[member]);
     to.columns.push_back(place);
     if (input.table.is_replicated) to.replicates.push_back(input.table.replicate_of(member));
@@ -126,7 +125,7 @@ void scale_weights(FinishedMembers& members) {
 }
 
 /// All runs with their weights among all.
-OpenRuns open_runs(const StudyInput& input, const std::string& folder, const StudyResult& result) {
+OpenRuns open_runs(const StudyInput& input, const RecordFiles& records, const StudyResult& result) {
     OpenRuns all;
     const auto& runs = input.table.level_runs;
     std::vector<double> counts(input.level_draws.size());  // of the pairs of each level
@@ -137,7 +136,7 @@ OpenRuns open_runs(const StudyInput& input, const std::string& folder, const Stu
         const double weight = counts.empty()      ? input.table.weights[one.member]
                               : runs[i].is_coarse ? -1 / counts[runs[i].level]
                                                   : 1 / counts[runs[i].level];
-        all.runs.records.push_back(record_file(folder, one.member));
+        all.runs.records.push_back(records.place(one.member));
         all.runs.weights.push_back(weight);
         all.is_open.push_back(one.end.is_open() || !one.failure.empty());
     }
@@ -148,7 +147,7 @@ OpenRuns open_runs(const StudyInput& input, const std::string& folder, const Stu
 
 /// Takes the members of a multilevel study of which every run finished. Each run counts as one of its level's members,
 /// the coarser of a pair negatively.
-void add_pairs(const StudyInput& input, const std::string& folder, StudyResult& result) {
+void add_pairs(const StudyInput& input, const RecordFiles& records, StudyResult& result) {
     const auto& runs = input.table.level_runs;
     std::vector<double> counts(input.level_draws.size());
     for (std::size_t i = 0; i < result.members.size(); ++i) {
@@ -157,7 +156,7 @@ void add_pairs(const StudyInput& input, const std::string& folder, StudyResult& 
         if (!result.members[i].failure.empty() || (is_pair && !result.members[i + 1].failure.empty())) continue;
         counts[runs[i].level] += 1;
         for (std::size_t run = i; run <= i + (is_pair ? 1 : 0); ++run) {
-            add_finished(input, folder, run, run, result.finished, result.finished_at);
+            add_finished(input, records, run, run, result.finished, result.finished_at);
             result.finished.levels.push_back(runs[run].level);
         }
     }
@@ -180,7 +179,7 @@ std::map<std::size_t, std::size_t> whole_groups(const StudyInput& input, const S
     return numbers;
 }
 
-void choose_design(const StudyInput& input, const std::string& folder, StudyResult& result) {
+void choose_design(const StudyInput& input, const RecordFiles& records, StudyResult& result) {
     const SampleTable& table = input.table;
     result.points.nominal = table.nominal;
     if (table.groups > 0) {
@@ -188,14 +187,14 @@ void choose_design(const StudyInput& input, const std::string& folder, StudyResu
         for (const std::size_t place : result.finished_at) {
             const std::size_t member = result.members[place].member;
             if (groups.count(member % table.groups) > 0)
-                add_finished(input, folder, member, place, result.design, result.design_at);
+                add_finished(input, records, member, place, result.design, result.design_at);
         }
         result.design.store = result.finished.store;
         result.groups = groups.size();
     } else if (!table.level_runs.empty()) {
         for (const std::size_t place : result.finished_at)
             if (table.level_runs[place].level == 0)
-                add_finished(input, folder, place, place, result.design, result.design_at);
+                add_finished(input, records, place, place, result.design, result.design_at);
         result.design.store = result.finished.store;
     } else {
         result.design = result.finished;
@@ -266,24 +265,21 @@ const std::vector<Figure>& StudyResult::figures() const {
 
 StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count) {
     StudyResult result;
+    const RecordFiles records(folder);
     for (std::size_t member = 0; member < count; ++member) {
-        const std::string file = record_file(folder, member);
-        auto record = own_record(input, folder, member);
-        if (!record)
-            throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", file, "", "",
-                                                        "--resume computes that member again"});
-        result.members.push_back({member, record->failure, std::move(record->end), std::move(record->figures),
-                                  record->engine_seconds, record->particle_steps, record->grid().bounds()});
+        MemberRecord record = require_own_record(input, records.place(member), member);
+        result.members.push_back({member, record.failure, std::move(record.end), std::move(record.figures),
+                                  record.engine_seconds, record.particle_steps, record.grid().bounds()});
         if (input.level_draws.empty() && result.members.back().failure.empty())
-            add_finished(input, folder, member, result.members.size() - 1, result.finished, result.finished_at);
+            add_finished(input, records, member, result.members.size() - 1, result.finished, result.finished_at);
     }
     if (input.level_draws.empty())
         scale_weights(result.finished);
     else
-        add_pairs(input, folder, result);
-    result.open = open_runs(input, folder, result);
+        add_pairs(input, records, result);
+    result.open = open_runs(input, records, result);
     result.finished.store = result.open.runs.store;
-    choose_design(input, folder, result);
+    choose_design(input, records, result);
     result.grid = input.base.scene.grid;
     return result;
 }
@@ -300,6 +296,21 @@ Emulation emulation_of(const StudyInput& input, const StudyResult& result) {
         result.finished.size() <= k_most_members)
         emulation.sample = dense_points(study, k_sample);
     return emulation;
+}
+
+std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResult& result) {
+    if (!input.reading.study.rare_place) return std::nullopt;
+    RarePlace rare{rare_event(input), {}, 0};
+    const auto cell = cell_at(result.grid, rare.event.place);
+    // The maps of a large terrain may end before a place that nothing reaches.
+    for_each_feature(result.finished, Quantity::depth, result.grid,
+                     {cell ? std::vector{*cell} : std::vector<std::size_t>{}},
+                     [&](std::size_t, std::span<const float> depths) {
+                         rare.probability = MeanEstimate(result.finished).probability(depths, rare.event.threshold);
+                         for (const float depth : depths)
+                             rare.hits += static_cast<double>(depth) > rare.event.threshold ? 1 : 0;
+                     });
+    return rare;
 }
 
 double largest_error(const StudyInput& input, const StudyResult& result) {

@@ -103,6 +103,15 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
 /// a sample of these and so few that polynomials may add to what they tell.
 Emulation emulation_of(const StudyInput& input, const StudyResult& result);
 
+/// What a study by importance sampling was made for.
+struct RarePlace {
+    RareEvent event;
+    Estimate probability;
+    std::size_t hits = 0;  ///< members in which it happened
+};
+/// None of other studies.
+std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResult& result);
+
 /// Returns the standard error by which study.until decides, of the first members.
 double largest_error(const StudyInput& input, const StudyResult& result);
 

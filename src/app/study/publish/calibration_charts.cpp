@@ -10,6 +10,7 @@
 #include "app/pictures/charts.h"
 #include "app/text/number_text.h"
 #include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 
 namespace frana::app::study {
 namespace {
@@ -48,11 +49,15 @@ class KeyAxis {
     std::vector<double> values_;
 };
 
-std::string axis_label(const CalibrationSpec& calibration, const KeySample& key) {
-    static const std::vector<Parameter>& k_parameters = scene_parameters();
-    const Parameter* const parameter = find_parameter(k_parameters, key.key);
-    const std::string unit = parameter == nullptr ? "" : parameter->unit;
-    return column_of(calibration, key) + (unit.empty() ? "" : " [" + unit + "]");
+/// As column_of, in words.
+std::string title_of_key(const CalibrationSpec& calibration, const KeySample& key, const Words& words) {
+    const std::string title = title_in(key.key, words);
+    return key.event.empty() || calibration.events.size() == 1 ? title : words("{1} of {2}", {title, key.event});
+}
+
+std::string axis_label(const CalibrationSpec& calibration, const KeySample& key, const Words& words) {
+    const Parameter* const parameter = find_parameter(scene_parameters(), key.key);
+    return with_unit(title_of_key(calibration, key, words), parameter == nullptr ? "" : parameter->unit);
 }
 
 /// Single points of one kind: breaks keep lines from joining them.
@@ -86,7 +91,7 @@ render::ChartPanel response_panel(const CalibrationInput& input, const Calibrati
                                   std::size_t second, const Words& words) {
     const KeySample &a = result.keys[first], &b = result.keys[second];
     const KeyAxis x(a), y(b);
-    render::ChartPanel panel{"", axis_label(input.spec(), a), axis_label(input.spec(), b), {}};
+    render::ChartPanel panel{"", axis_label(input.spec(), a, words), axis_label(input.spec(), b, words), {}};
     panel.x = x.scale;
     panel.y = y.scale;
     panel.on_x = {x.values().front(), x.values().back()};
@@ -154,8 +159,8 @@ std::optional<render::Chart> posterior(const CalibrationData& data, const std::s
         chart_sheet(source, title, words("probability that the value is smaller"), "posterior.csv", keys.size());
     for (const KeySample* key : keys) {
         const KeyAxis axis(*key);
-        render::ChartPanel panel{column_of(data.input.spec(), *key),
-                                 axis_label(data.input.spec(), *key),
+        render::ChartPanel panel{title_of_key(data.input.spec(), *key, words),
+                                 axis_label(data.input.spec(), *key, words),
                                  words("probability [-]"),
                                  {},
                                  {0, 1}};

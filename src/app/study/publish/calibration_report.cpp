@@ -13,7 +13,6 @@
 #include "app/publish/publish_rasters.h"
 #include "app/publish/report_answer.h"
 #include "app/publish/report_tables.h"
-#include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/statistics/study_maps.h"
@@ -71,9 +70,10 @@ EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs
                       std::size_t e) {
     const StudyInput& study = input.own[e];
     EventGround ground{study, runs.events[e], input.spec().events[e], observed_threshold(study.base.spec), {}, {}};
+    const RecordFiles records(ground.runs.records);
     for (std::size_t i = 0; i < result.weights.size(); ++i) {
         if (!(result.weights[i] > 0)) continue;
-        ground.all.runs.records.push_back(record_file(ground.runs.records, i));
+        ground.all.runs.records.push_back(records.place(i));
         ground.all.runs.weights.push_back(result.weights[i]);
         ground.all.is_open.push_back(ground.runs.members[i].end.is_open());
     }
@@ -107,7 +107,7 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result, 
         source.release.insert(source.release.end(), outline.parts.begin(), outline.parts.end());
     }
     source.scar = surveyed(base).survey.scar;
-    if (const auto best = read_record(record_file(ground.runs.records, result.best))) {
+    if (const auto best = read_record(RecordFiles(ground.runs.records).place(result.best))) {
         const Raster depth = best->raster(Quantity::depth, grid);
         source.marks.push_back({source.style.words("Best run"), gis::polygonise(trace_mask(depth, ground.threshold)),
                                 k_best_colour, 1.8, true});

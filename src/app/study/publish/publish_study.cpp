@@ -13,7 +13,6 @@
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
-#include "app/store/interrupted_run.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
@@ -228,12 +227,11 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
 }
 
 /// Outlines of all members, each in a raster no larger than what was reached.
-void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& folder,
-                           const std::string& path) {
+void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& path) {
     gis::OutlineLayer layer{"members", {}};
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
         const MemberResult& member = result.members[result.finished_at[i]];
-        const MemberRecord record = require_record(record_file(folder, member.member));
+        const MemberRecord record = require_record(result.finished.records[i]);
         const CellWindow window = record.reached(result.grid);
         if (window.rows == 0) continue;
         const Raster depth = record.raster(Quantity::depth, part_of(result.grid, window));
@@ -267,13 +265,13 @@ bool is_kept(Keep keep, const MemberResult& member) {
 }
 
 void write_kept_members(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
-    for (const MemberResult& member : result.members) {
+    for (std::size_t i = 0; i < result.members.size(); ++i) {
+        const MemberResult& member = result.members[i];
         if (!is_kept(input.reading.study.keep, member)) continue;
         char name[40];
         std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
         directory.make_folder(name);
-        const auto record = own_record(input, directory.folder(), member.member);
-        write_member(input, member.member, *record, result.grid, directory, name);
+        write_member(input, member.member, require_record(result.open.runs.records[i]), result.grid, directory, name);
     }
 }
 
@@ -307,6 +305,11 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
              percent(facts.error.largest()) + " at most, " + percent(facts.error.mean()) +
              " on average where it is not 0; where all or none came, up to " + percent(facts.least_margin) +
              " away are still likely (95 %)");
+    if (const auto& rare = facts.rare_place)
+        log.info(rare->event.gauge + " is deeper than " + shortest_text(rare->event.threshold) +
+                 " m with a probability of " + number_text(rare->probability.value, 3) +
+                 " (95 %: " + number_text(rare->probability.low(), 2) + " to " +
+                 number_text(rare->probability.high(), 2) + "); " + std::to_string(rare->hits) + " members came there");
     for (const StudyFacts::EmulatedMap& one : facts.emulated)
         log.note(one.raster +
                  (one.is_used ? ": with polynomials of the keys beside the members, standard error "
@@ -396,11 +399,12 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             figures = sensitivities(input, result);
             tell_sensitivities(input, figures, log);
             publish_study_maps(input, result, directory, facts);
+            facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
             facts.median = median_member(input, result);
             if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);
         }
-        write_member_outlines(input, result, directory.folder(), directory.path(k_member_outlines));
+        write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
         if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));
     }

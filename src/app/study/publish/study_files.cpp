@@ -15,12 +15,12 @@
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
-#include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/statistics/cell_statistics.h"
+#include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "core/text.h"
 #include "gis/crs/crs_transform.h"
@@ -28,6 +28,7 @@
 #include "gis/raster/raster_out.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/used_keys.h"
 #include "params/scene/write_scene.h"
 #include "render/animation/movie.h"
 #include "render/canvas/canvas.h"
@@ -46,7 +47,7 @@ struct ChartData {
 };
 
 std::string axis_label(const Figure& figure, const Words& words) {
-    return figure_title(figure, words) + (figure.unit.empty() || figure.unit == "-" ? "" : " [" + figure.unit + "]");
+    return with_unit(figure_title(figure, words), figure.unit);
 }
 
 /// Fraction of the weight of members with more than each value: a staircase.
@@ -116,7 +117,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
             if (!value) continue;
             const double y = count - static_cast<double>(k);
             const Rgb colour = k_colours[k % std::size(k_colours)];
-            render::ChartSeries bar{data.input.table.keys[k], colour, {{0, y}, {value->value, y}}, 14};
+            render::ChartSeries bar{title_in(data.input.table.keys[k], words), colour, {{0, y}, {value->value, y}}, 14};
             panel.series.push_back(std::move(bar));
             if (std::isfinite(value->low))
                 panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
@@ -173,7 +174,7 @@ std::string figure_title(const Figure& figure, const Words& words) {
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
     constexpr std::size_t k_first = 8;
     std::vector<ErrorAt> all;
-    if (!input.levels.empty()) return all;  // its members are not exchangeable
+    if (!input.levels.empty() || !input.table.parts.empty()) return all;  // its members are not exchangeable
     const FinishedMembers& members = result.finished;
     for (std::size_t count = k_first;; count *= 2) {
         const std::size_t some = std::min(count, members.size());

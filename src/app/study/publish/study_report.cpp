@@ -198,9 +198,19 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
                       "Where all or none of the runs come, that is not certain: a probability {1} % away from it is "
                       "still possible (95 % confidence).",
                       {number.percent(facts.least_margin)});
-    if (result.finished.levels.empty())
-        text += " " + words("A probability less than {1} % is less than one run, and cannot be told from 0.",
-                            {number.percent(1 / result.finished.effective_size())});
+    const std::vector<double>& weights = result.finished.weights;
+    const std::string one_run = number.percent(*std::max_element(weights.begin(), weights.end()));
+    if (const auto& rare = facts.rare_place)
+        text += " " +
+                words(
+                    "At {1} the flow is deeper than {2} m with a probability of {3} % (95 % confidence: {4} to {5} %). "
+                    "Half of the runs were drawn near what makes it come there, and count less; elsewhere a "
+                    "probability less than {6} % is less than one run, and cannot be told from 0.",
+                    {rare->event.gauge, number(rare->event.threshold), number.percent(rare->probability.value),
+                     number.percent(rare->probability.low()), number.percent(rare->probability.high()), one_run});
+    else if (result.finished.levels.empty())
+        text +=
+            " " + words("A probability less than {1} % is less than one run, and cannot be told from 0.", {one_run});
     text += polynomials_sentence(facts, words);
     text += " " + words("In the rasters of probability band 2 is half of the interval of 95 %.");
     if (result.open.any())

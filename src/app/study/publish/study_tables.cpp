@@ -87,10 +87,10 @@ bool film_member(const StudyInput& input, const StudyResult& result, const Media
         MapSource source = written.map_source();
         source.title = output.title.value_or(scene_name(input.base.spec));
         const Words& words = source.style.words;
-        source.subtitle = words(
-            "member {1}, {2} {3} {4} (median of all {5})",
-            {std::to_string(median.member), figure_title(median.figure, words),
-             words.number(grouped(median.figure.value)), median.figure.unit, words.number(grouped(median.median))});
+        source.subtitle = words("member {1}, {2} {3} {4} (median of all {5})",
+                                {std::to_string(median.member), figure_title(median.figure, words),
+                                 words.number(grouped(median.figure.value)), unit_sign(median.figure.unit),
+                                 words.number(grouped(median.median))});
         AnimationRequest film{
             animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
         film.stop_requested = [] { return stop_signal() != 0; };
@@ -270,6 +270,13 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
             if (!facts.levels.empty()) figure["lower_bound"][name] = result.quantile_bound(f, quantile.fraction, false);
         }
     }
+    if (const auto& rare = facts.rare_place)
+        json["rare_place"] = {{"gauge", rare->event.gauge},
+                              {"depth_threshold_m", rare->event.threshold},
+                              {"probability", rare->probability.value},
+                              {"standard_error", rare->probability.error},
+                              {"interval_95", {rare->probability.low(), rare->probability.high()}},
+                              {"members_that_came", rare->hits}};
     if (const auto& median = facts.median)
         json["median_member"] = {{"member", median->member},
                                  {"figure", median->figure.key},

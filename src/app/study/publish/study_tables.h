@@ -10,7 +10,7 @@
 #include "app/publish/publish_hazard.h"
 #include "app/store/result_directory.h"
 #include "app/study/plan/study_input.h"
-#include "app/study/pool/level_rounds.h"
+#include "app/study/pool/rounds.h"
 #include "app/study/pool/study_result.h"
 
 namespace frana::app::study {
@@ -53,6 +53,7 @@ struct StudyFacts {
     };
     std::vector<EmulatedMap> emulated;
     std::optional<MedianMember> median;
+    std::optional<RarePlace> rare_place;
     std::vector<LevelSummary> levels;  ///< of a multilevel study
     std::optional<ExposureTotals> exposure;
     std::string date;  ///< the day it was written, "2026-11-24"

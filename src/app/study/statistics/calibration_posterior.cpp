@@ -407,13 +407,18 @@ std::optional<Sentence> few_members(double effective) {
         {short_number(effective)});
 }
 
+std::vector<double> kernel_widths(const Places& places, const std::vector<double>& weights, double least) {
+    std::vector<double> widths = deviations(places, weights);
+    const double shrink = std::pow(effective_count(weights), -1.0 / (static_cast<double>(widths.size()) + 4));
+    for (double& width : widths) width = std::max(least, width * shrink);
+    return widths;
+}
+
 RefinedPlaces refined_places(const Places& design, const std::vector<double>& weights, std::size_t count,
                              std::int64_t seed) {
     constexpr double k_prior_part = 0.2, k_least_width = 0.02;
-    std::vector<double> widths = deviations(design, weights);
-    const double shrink = std::pow(effective_count(weights), -1.0 / (static_cast<double>(widths.size()) + 4));
-    for (double& width : widths) width = std::max(k_least_width, width * shrink);
-    return openturns().refined(design, weights, widths, k_prior_part, count, seed);
+    return openturns().refined(design, weights, kernel_widths(design, weights, k_least_width), k_prior_part, count,
+                               seed);
 }
 
 }  // namespace frana::app::study

@@ -15,12 +15,16 @@
 
 namespace frana::app::study {
 
+/// Returns by key the widths of kernels about weighted places, s_k n^(-1/(d + 4)) (Scott 1992) from the weighted
+/// standard deviation s_k, the effective number of places n and the number of keys d, at least `least`.
+/// @param weights by place; their sum is 1
+std::vector<double> kernel_widths(const Places& places, const std::vector<double>& weights, double least);
+
 /// Draws places in the unit cube from the density
 ///
 ///     q(u) = a + (1 - a) sum_i w_i prod_k t(u_k; u_ik, b_k),    a = 0.2
 ///
-/// t: normal density about a place of the design, cut off at the cube's faces; b_k = s_k n^(-1/(d + 4)) (Scott 1992)
-/// from the weighted standard deviation s_k, the effective number of places n and the number of keys d, at least 0.02.
+/// t: normal density about a place of the design, cut off at the cube's faces; b_k = kernel_widths(), at least 0.02.
 /// The part a is drawn from the prior: every weight prior / q is at most 1 / a (Hesterberg 1995).
 /// @param weights by place of the design; their sum is 1
 RefinedPlaces refined_places(const Places& design, const std::vector<double>& weights, std::size_t count,

@@ -13,17 +13,12 @@
 #include "core/error.h"
 
 namespace frana::app::study {
-namespace {
-
-/// The window that contains both.
-CellWindow around(const CellWindow& a, const CellWindow& b) {
+CellWindow window_of_both(const CellWindow& a, const CellWindow& b) {
     if (a.rows == 0 || b.rows == 0) return a.rows == 0 ? b : a;
     const std::int64_t row = std::min(a.row, b.row), column = std::min(a.column, b.column);
     return {row, column, std::max(a.row + a.rows, b.row + b.rows) - row,
             std::max(a.column + a.columns, b.column + b.columns) - column};
 }
-
-}  // namespace
 
 double effective_count(const std::vector<double>& weights) {
     double sum = 0, squares = 0;
@@ -45,7 +40,7 @@ FinishedMembers FinishedMembers::first(std::size_t count) const {
 
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) {
     CellWindow all;
-    for (const std::string& file : members.records) all = around(all, require_record(file).reached(grid));
+    for (const RecordPlace& record : members.records) all = window_of_both(all, require_record(record).reached(grid));
     return all;
 }
 
@@ -107,9 +102,15 @@ std::vector<LevelRuns> level_runs(const FinishedMembers& members, std::span<cons
 }  // namespace
 
 MeanEstimate::MeanEstimate(const FinishedMembers& members)
-    : members_(members),
-      effective_size_(members.effective_size()),
-      parts_(std::set<std::size_t>(members.replicates.begin(), members.replicates.end()).size()) {}
+    : members_(members), effective_size_(members.effective_size()) {
+    if (members.size() > 0)
+        greatest_weight_ = *std::max_element(members.weights.begin(), members.weights.end()) /
+                           std::accumulate(members.weights.begin(), members.weights.end(), 0.0);
+    for (const std::size_t part : std::set<std::size_t>(members.replicates.begin(), members.replicates.end())) {
+        parts_.resize(part / k_replicates + 1);
+        ++parts_.back();
+    }
+}
 
 MeanEstimate::MeanEstimate(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds)
@@ -157,33 +158,55 @@ Estimate MeanEstimate::of(const ValueOf& value) const {
     }
     estimate.value = sum / all;
     double squares = 0;
-    if (parts_ == 0) {
+    if (parts_.empty()) {
         for (std::size_t m = 0; m < weights.size(); ++m)
             squares += weights[m] / all * (value(m) - estimate.value) * (value(m) - estimate.value);
         estimate.error = std::sqrt(squares / effective_size_);
         estimate.margin = k_normal * estimate.error;
     } else {
-        std::array<double, k_replicates> differences{};
+        std::array<double, std::size(k_round_ends) * k_replicates> differences{};
         for (std::size_t m = 0; m < weights.size(); ++m)
             differences[members_.replicates[m]] += weights[m] / all * (value(m) - estimate.value);
-        for (const double difference : differences) squares += difference * difference;
-        const auto parts = static_cast<double>(parts_);
-        estimate.error =
-            parts_ > 1 ? std::sqrt(parts / (parts - 1) * squares) : std::numeric_limits<double>::infinity();
-        estimate.margin = parts_ > 1 ? k_student[parts_ - 2] * estimate.error : estimate.error;
+        const std::size_t fewest = *std::min_element(parts_.begin(), parts_.end());
+        for (std::size_t round = 0; round < parts_.size() && fewest > 1; ++round) {
+            const auto parts = static_cast<double>(parts_[round]);
+            double of_round = 0, mean = 0;
+            for (std::size_t part = round * k_replicates; part < (round + 1) * k_replicates; ++part) {
+                of_round += differences[part] * differences[part];
+                mean += differences[part] / parts;
+            }
+            squares += parts / (parts - 1) * std::max(0.0, of_round - parts * mean * mean);
+        }
+        estimate.error = fewest > 1 ? std::sqrt(squares) : std::numeric_limits<double>::infinity();
+        estimate.margin = fewest > 1 ? k_student[fewest - 2] * estimate.error : estimate.error;
     }
     return estimate;
 }
 
 Estimate MeanEstimate::probability(std::span<const float> values, double threshold) const {
     if (!members_.levels.empty()) return on_levels(values, threshold);
-    Estimate p = of([&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1.0 : 0.0; });
+    const auto exceeds = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1.0 : 0.0; };
+    Estimate p = of(exceeds);
     const double nearer_half = (effective_size_ * p.value + 2) / (effective_size_ + 4);
-    if (parts_ == 0) p.margin = k_normal * std::sqrt(nearer_half * (1 - nearer_half) / effective_size_);
+    if (parts_.empty()) p.margin = k_normal * std::sqrt(nearer_half * (1 - nearer_half) / effective_size_);
+    if (parts_.size() > 1) p.margin = k_student[k_replicates - 2] * std::sqrt(p.error * p.error + of_few(exceeds));
     if (!std::isfinite(p.error)) return {p.value, k_unknown_error, 1};
-    constexpr double k_rounding = 1e-9;  // of sums of weights; no member has so little
+    constexpr double k_rounding = 1e-12;  // of sums of weights; no member has so little
     const bool is_alike = p.error < k_rounding;
-    return {p.value, is_alike ? 0 : p.error, std::min(1.0, is_alike ? 3 / effective_size_ : p.margin)};
+    return {p.value, is_alike ? 0 : p.error, std::min(1.0, is_alike ? 3 * greatest_weight_ : p.margin)};
+}
+
+template <class Exceeds>
+double MeanEstimate::of_few(const Exceeds& exceeds) const {
+    std::array<double, 2> sums{}, squares{};
+    for (std::size_t m = 0; m < members_.weights.size(); ++m) {
+        const std::size_t kind = exceeds(m) > 0 ? 1 : 0;
+        sums[kind] += members_.weights[m];
+        squares[kind] += members_.weights[m] * members_.weights[m];
+    }
+    const std::size_t rarer = sums[1] < sums[0] ? 1 : 0;
+    const double one = sums[rarer] > 0 ? squares[rarer] / sums[rarer] / (sums[0] + sums[1]) : 0;
+    return 2 * one * one;
 }
 
 Estimate MeanEstimate::on_levels(std::span<const float> values, double threshold) const {
@@ -193,7 +216,7 @@ Estimate MeanEstimate::on_levels(std::span<const float> values, double threshold
     for (std::size_t m = 0; m < values.size(); ++m) {
         if (members_.levels[m] > 0) continue;
         coarsest.weights.push_back(1);
-        if (parts_ > 0) coarsest.replicates.push_back(members_.replicates[m]);
+        if (!parts_.empty()) coarsest.replicates.push_back(members_.replicates[m]);
         exceeds.push_back(static_cast<double>(values[m]) > threshold ? 1 : 0);
     }
     const Estimate first = MeanEstimate(coarsest).mean(exceeds);

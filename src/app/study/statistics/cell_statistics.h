@@ -22,9 +22,9 @@ namespace frana::app::study {
 /// Number of members with equal weights that would tell as much: (sum w)^2 / sum w^2; 0 without weight.
 double effective_count(const std::vector<double>& weights);
 
-/// The finished members of a study, in the order of their numbers, as files.
+/// The finished members of a study, in the order of their numbers.
 struct FinishedMembers {
-    std::vector<std::string> records;  ///< their files
+    std::vector<RecordPlace> records;
     /// As many; their sum is 1. In a multilevel study the coarser run of a pair has the negative weight of its finer
     /// one.
     std::vector<double> weights;
@@ -65,6 +65,9 @@ double sum_bound(const OpenRuns& runs, std::span<const float> values, double thr
 void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
 
+/// Returns the window that contains both; one without rows is none.
+CellWindow window_of_both(const CellWindow& a, const CellWindow& b);
+
 /// Returns the window that contains all cells reached by any member, in rows and columns of a grid; it may reach beyond
 /// that grid, if members had others. Empty if there is none.
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid);
@@ -80,15 +83,22 @@ struct Estimate {
     double value = 0;
     double error = 0;   ///< standard error; 0 where all members, or all replicates, are alike
     double margin = 0;  ///< value +- margin is the interval of 95 %
+
+    /// The ends of the interval of a probability.
+    [[nodiscard]] double low() const noexcept { return std::max(0.0, value - margin); }
+    [[nodiscard]] double high() const noexcept { return std::min(1.0, value + margin); }
 };
 
 /// Estimates means m = sum w_i v_i, and the probability p that a value exceeds a threshold: the mean of its indicators.
 /// Standard error of independent members: sqrt(sum w_i (v_i - m)^2 / n_effective), for p sqrt(p (1 - p) / n_effective);
-/// of replicates with the weights W_r and the means m_r: sqrt(R / (R - 1) sum W_r^2 (m_r - m)^2). Margin: with the
-/// quantile of the normal distribution, of replicates that of Student's t with R - 1 degrees of freedom; of independent
-/// members p is moved to (n p + 2) / (n + 4) for it, since an error estimated from few is too small (Agresti & Coull
-/// 1998, American Statistician 52, 119). A probability whose standard error is 0 is not certain: with p = 3 / n none of
-/// n members exceeds in 5 % of studies, and with 3 / R one of R replicates, each of n / R members, counts one more.
+/// of replicates with the weights W_r and the means m_r: sqrt(R / (R - 1) sum W_r^2 (m_r - m)^2). In rounds that is
+/// summed over them, of each without the mean of its W_r (m_r - m), as places near an event say nothing of the others.
+/// Margin: with the quantile of the normal distribution, of replicates that of Student's t with R - 1 degrees of
+/// freedom; of independent members p is moved to (n p + 2) / (n + 4) for it, since an error estimated from few is too
+/// small (Agresti & Coull 1998, American Statistician 52, 119): where p is small, that adds twice the square of what a
+/// hit weighs to the variance. So it does in rounds. A probability whose standard error is 0 is not certain: with
+/// p = 3 / n none of n members exceeds in 5 % of studies, and with 3 / R one of R replicates, each of n / R members,
+/// counts one more. Where members have weights, 1 / n is the greatest: nowhere are they drawn more thinly.
 /// With levels p is that of the coarsest cells, and from level to level p a + (1 - p) b, with the fractions a and b of
 /// pairs whose finer run exceeds where the coarser one does and where it does not (double sampling for stratification,
 /// Cochran 1977, section 12.2): in [0, 1], and at least as certain as the sum of differences. Where no coarser run
@@ -116,9 +126,14 @@ class MeanEstimate {
     };
     std::map<double, std::vector<Agreement>> agreement_;  ///< by threshold and level
 
+    /// By how much a hit, or a miss, whichever is rarer, adds to the variance that it may be known too badly.
+    template <class Exceeds>
+    [[nodiscard]] double of_few(const Exceeds& exceeds) const;
+
     const FinishedMembers& members_;
     double effective_size_;
-    std::size_t parts_ = 0;  ///< replicates that have members; 0: all members are independent
+    double greatest_weight_ = 0;        ///< of all weight
+    std::vector<std::size_t> parts_{};  ///< by round: replicates that have members; empty: all members are independent
 };
 
 /// Of the sum of weights: what additions leave.

@@ -29,15 +29,7 @@ constexpr std::size_t k_quantities = std::size(k_stored),
 
 }  // namespace
 
-MemberRecord require_record(const std::string& path) {
-    auto record = read_record(path);
-    if (!record)
-        throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", path, "", "",
-                                                    "Check the disk; --resume computes that member again"});
-    return *std::move(record);
-}
-
-CellStore::CellStore(std::vector<std::string> records) : records_(std::move(records)) {}
+CellStore::CellStore(std::vector<RecordPlace> records) : records_(std::move(records)) {}
 
 CellStore::~CellStore() = default;
 
@@ -104,7 +96,7 @@ void CellStore::add(const std::vector<std::uint64_t>& cells, const std::vector<s
 }
 
 void CellStore::write(Batch& batch) {
-    const std::string folder = std::filesystem::path(records_.front()).parent_path().string();
+    const std::string folder = std::filesystem::path(records_.front().file).parent_path().string();
     if (!file_) {
         std::string name = folder + "/cellsXXXXXX";
         const int descriptor = ::mkstemp(name.data());
@@ -132,7 +124,7 @@ CellStore::Piece CellStore::piece(const Batch& batch, std::size_t tile, std::siz
             std::memcpy(list.data(), batch.bytes.data() + from, bytes);
         } else if (std::fseek(file_.get(), static_cast<long>(batch.at + from), SEEK_SET) != 0 ||
                    std::fread(list.data(), 1, bytes, file_.get()) != bytes) {
-            fail("cannot be read from", std::filesystem::path(records_.front()).parent_path().string());
+            fail("cannot be read from", std::filesystem::path(records_.front().file).parent_path().string());
         }
     };
     get(0, piece.cells);

@@ -10,13 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "app/study/member_record.h"
+#include "app/study/record_files.h"
 #include "core/grid_spec.h"
 
 namespace frana::app::study {
-
-/// Returns the record in a file. Throws Error(environment) if it cannot be read.
-MemberRecord require_record(const std::string& path);
 
 /// The values of many records by cells of a grid. Each record is read once, whatever is asked for afterwards. What
 /// memory has no place for is in a file without a name beside the records, in batches of records, each sorted by tiles:
@@ -27,7 +24,7 @@ MemberRecord require_record(const std::string& path);
 /// memory does not.
 class CellStore {
   public:
-    explicit CellStore(std::vector<std::string> records);
+    explicit CellStore(std::vector<RecordPlace> records);
     ~CellStore();
     CellStore(const CellStore&) = delete;
     CellStore& operator=(const CellStore&) = delete;
@@ -58,7 +55,7 @@ class CellStore {
     void write(Batch& batch);
     [[nodiscard]] Piece piece(const Batch& batch, std::size_t tile, std::size_t quantity) const;
 
-    std::vector<std::string> records_;
+    std::vector<RecordPlace> records_;
     GridSpec grid_;
     bool is_loaded_ = false;
     std::uint64_t tile_cells_ = 1;

@@ -173,6 +173,18 @@ std::vector<EmulatedProbability> emulated_probabilities(const Emulation& emulati
     return all;
 }
 
+std::vector<double> distances_from_outline(const FinishedMembers& members, Quantity quantity, double threshold,
+                                           const GridSpec& grid, std::size_t cell) {
+    const auto at = static_cast<std::int64_t>(cell);
+    const CellWindow window =
+        window_of_both(reached_window(members, grid), {at / grid.columns, at % grid.columns, 1, 1});
+    std::vector<double> all;
+    for (const RecordPlace& record : members.records)
+        all.push_back(
+            places_in_outline(require_record(record), grid, window, quantity, threshold, {cell}).front().distance);
+    return all;
+}
+
 bool OutlineMaps::pays() const noexcept {
     return error_ratio < k_least_gain;
 }
@@ -213,9 +225,9 @@ OutlineMaps outline_maps(const FinishedMembers& members, const Emulation& emulat
     for (const std::vector<std::size_t>& cells : lots_of(all_cells, grid, at_once)) {
         const CellWindow window = window_around(cells, grid, reached);
         std::vector<std::vector<double>> distances(cells.size()), outputs(cells.size());
-        for (const std::string& file : members.records) {
+        for (const RecordPlace& record : members.records) {
             const std::vector<Place> places =
-                places_in_outline(require_record(file), grid, window, quantity, threshold, cells);
+                places_in_outline(require_record(record), grid, window, quantity, threshold, cells);
             for (std::size_t i = 0; i < cells.size(); ++i) {
                 distances[i].push_back(places[i].distance);
                 outputs[i].push_back(places[i].output);

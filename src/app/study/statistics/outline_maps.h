@@ -40,6 +40,11 @@ struct EmulatedProbability {
 std::vector<EmulatedProbability> emulated_probabilities(const Emulation& emulation, const FinishedMembers& members,
                                                         const std::vector<std::vector<double>>& outputs);
 
+/// Returns the signed distance of a cell from the outline of what exceeds a threshold [cells], positive inside, by
+/// member.
+std::vector<double> distances_from_outline(const FinishedMembers& members, Quantity quantity, double threshold,
+                                           const GridSpec& grid, std::size_t cell);
+
 /// What polynomials say of the outline of an event.
 struct OutlineMaps {
     /// For each key the fraction of the variance of the distance that it explains alone (Chaos::first_order). NaN where

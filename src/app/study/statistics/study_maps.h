@@ -16,7 +16,7 @@ namespace frana::app::study {
 /// A member that counts in a union.
 struct UnionMember {
     std::size_t number = 0;
-    std::string record;  ///< its file
+    RecordPlace record;
     std::optional<double> return_period{};
 };
 

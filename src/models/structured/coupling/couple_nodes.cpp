@@ -111,8 +111,7 @@ void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const 
         if (!(sums.mass > 0)) return;
         const Point slope = bed_gradient(grid, n);
         const double flatness = 1 / (1 + slope.x * slope.x + slope.y * slope.y), flat = laws.steep ? flatness : 1;
-        Point push{flat * (sums.fx / sums.mass - laws.gravity * slope.x),
-                   flat * (sums.fy / sums.mass - laws.gravity * slope.y)};
+        Point push{-flat * laws.gravity * slope.x, -flat * laws.gravity * slope.y};
         nodes.push[n] = {0, 0, flatness, 0};
         if (fluid) push = with_fluid(n, dt, grid, laws.gravity, flat, slope, push, coupling, bed, nodes, *fluid);
         nodes.push[n].ax = push.x;

@@ -15,7 +15,7 @@ SolidsOnGrid fluid_inputs(const SolidNodes& nodes);
 /// fractions. For one tile of the solids.
 void solids_to_fluid(const NodeRange& range, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
 
-/// Forces on the solids at the nodes of one of their tiles: terrain and thrust; with fluid, buoyancy, virtual mass
+/// Forces on the solids at the nodes of one of their tiles: terrain; with fluid, buoyancy, virtual mass
 /// and drag, whose reactions change the fluid's discharge, and the bed's resistance to the column.
 /// @param bed its resistance
 /// @param fluid null: none

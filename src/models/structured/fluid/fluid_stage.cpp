@@ -130,6 +130,7 @@ void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, const F
     const double half_g = 0.5 * gravity;
     // Where a surface ends exactly at a step of the bed, rounding must not decide whether the face is dry.
     const double grain = 1e-6 * dry;
+    constexpr double k_least_speed = 1e-150;  // [m/s]
     for (int a = 0; a < k_side; ++a) {
         const double z = std::max(left.bed[a], right.bed[a]);
         const double hl = std::max(0.0, left.depth[a] + (left.bed[a] - z));
@@ -141,7 +142,8 @@ void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, const F
         const double low = wet_l ? (wet_r ? std::min(ul - cl, ur - cr) : ul - cl) : ur - 2 * cr;
         const double high = wet_r ? (wet_l ? std::max(ul + cl, ur + cr) : ur + cr) : ul + 2 * cl;
         const double s1 = std::min(low, 0.0), s2 = std::max(high, 0.0);
-        const bool moves = std::max(cells.depth[c - 1][a], cells.depth[c][a]) >= dry && s2 > s1;
+        // Speeds die away to where an inverse is infinite; then nothing moves.
+        const bool moves = std::max(cells.depth[c - 1][a], cells.depth[c][a]) >= dry && s2 - s1 > k_least_speed;
         const double inverse = moves ? 1 / (s2 - s1) : 0;
         const double ql = hl * ul, qr = hr * ur;
         const double mass = (s2 * ql - s1 * qr + s1 * s2 * (hr - hl)) * inverse;

@@ -17,7 +17,8 @@ struct SolidKind {
 inline constexpr FieldMask k_solid_fields =
     k_basic_fields | FieldMask{Field::t_xx,   Field::t_yy,   Field::t_zz,     Field::t_xy,         Field::e_xx,
                                Field::e_yy,   Field::e_xy,   Field::friction, Field::bed_friction, Field::grain_density,
-                               Field::push_x, Field::push_y, Field::flatness};
+                               Field::push_x, Field::push_y, Field::flatness, Field::c_xx,         Field::c_xy,
+                               Field::c_yx,   Field::c_yy};
 inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
 inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence, Field::grain_diameter};
 inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released};
@@ -32,6 +33,12 @@ inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
     if (wet) fields = fields | k_wet_fields;
     if (cohesive && wet) fields = fields | k_release_fields;
     return fields;
+}
+
+/// Mass of a particle [kg].
+inline double particle_mass(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
+    const double confined = particles[Field::confined] != nullptr ? particles[Field::confined][p] : 0;
+    return particles[Field::grain_density][p] * particles[Field::volume][p] + laws.basal.fluid_density * confined;
 }
 
 /// A particle's column: mass, depth, load on the bed, thrust on its neighbours.
@@ -75,11 +82,17 @@ inline double held_fraction(double ratio, double bears, double weight) noexcept 
     return 2 * bears < ratio * weight ? 2 * bears / weight : ratio;
 }
 
+/// Whether a column has the passive thrust where it is compressed: it is broken, or bears next to nothing of its
+/// weight.
+inline bool pushes_back(const SolidLaws& laws, const ParticleLoad& column) noexcept {
+    constexpr double k_broken_from = 0.05;
+    return laws.earth_pressure == EarthPressure::passive && column.held < k_broken_from;
+}
+
 /// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive
 /// thrust, divergence of particle p.
 template <class Kind>
 ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
-    constexpr double k_broken_from = 0.05;  // cohesion ratio
     const double solids = particles[Field::volume][p], inverse_area = 1 / particles[Field::area][p];
     const double grain_density = particles[Field::grain_density][p], friction = particles[Field::friction][p];
     double confined = 0, submerged = 0, ratio = 0;
@@ -98,16 +111,13 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
     s.structured = laws.initial_structured * s.held;
     s.depth = (solids + confined) * inverse_area;
     s.load = laws.basal({solids * inverse_area, confined * inverse_area, s.structured, submerged}, grain_density);
-    set_thrust(
-        laws, friction,
-        laws.earth_pressure == EarthPressure::passive && ratio < k_broken_from && particles[Field::divergence][p] < 0,
-        s);
+    set_thrust(laws, friction, pushes_back(laws, s) && particles[Field::divergence][p] < 0, s);
     return s;
 }
 
-/// Whether a column's only stress is its earth pressure.
+/// Whether a column's only stress is its earth pressure. What pushes back would otherwise resist compression twice.
 inline bool flows_freely(const SolidLaws& laws, const ParticleLoad& column) noexcept {
-    return laws.broken == BrokenMaterial::earth_pressure && !(column.cohesion > 0);
+    return laws.broken == BrokenMaterial::earth_pressure && (!(column.cohesion > 0) || pushes_back(laws, column));
 }
 
 /// Greatest deceleration by friction at the bed [m/s2].

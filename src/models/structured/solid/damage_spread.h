@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <cmath>
 
 #include "core/thread_pool.h"
-#include "core/zero_array.h"
-#include "models/structured/solid/pair_work.h"
 #include "models/structured/solid/solid_laws.h"
+#include "models/structured/solid/solid_work.h"
+#include "models/structured/solid/spline_lattice.h"
 #include "particles/cell_order.h"
 #include "particles/particle_set.h"
 
@@ -21,31 +20,23 @@ namespace frana::structured {
 /// contagious. Material that does not bear its own weight when it is intact breaks as a whole: there dD is its own.
 ///
 /// K(x, y) = sum_n N_n(x) N_n(y) over the nodes n of a lattice of side sqrt(3/2) R, N the cubic splines of equation 87:
-/// two splines, each of variance side^2 / 3, one after the other, have that of a Gaussian of standard deviation R. The
-/// lattice is anchored at the local origin, whatever cells and particles there are.
+/// two splines, each of variance side^2 / 3, one after the other, have that of a Gaussian of standard deviation R.
 class DamageSpread {
   public:
     /// @param bounds of the terrain [m]
     /// @param length R [m]
-    DamageSpread(const Bounds& bounds, double length);
+    DamageSpread(const Bounds& bounds, double length) : lattice_(bounds, std::sqrt(1.5) * length) {}
 
-    /// Reads volume, and strain and places in `work`; writes damage, cohesion_ratio, and bonds in `work`. Places have
-    /// moved by at most the order's slack since it was sorted. Returns by cell of the order where cohesion was lost.
-    std::vector<std::uint8_t> operator()(const CellOrder& order, const Fragmentation& law, ParticleSet& particles,
-                                         PairWork& work, ThreadPool& pool);
+    /// Reads volume, places, and strain and bonds in `work`; writes damage, cohesion_ratio. Places have moved by at
+    /// most the order's slack since it was sorted.
+    void operator()(const CellOrder& order, const Fragmentation& law, ParticleSet& particles, const SolidWork& work,
+                    ThreadPool& pool);
 
   private:
     struct Sums {
         double weight = 0, damage = 0;
-        std::int64_t call = 0;  ///< in which they were made; those of an earlier one count as zero
     };
-    template <class Visit>
-    void at_nodes(double x, double y, const Visit& visit);
-
-    double side_;
-    std::int64_t west_, south_, columns_, rows_;
-    ZeroArray<Sums> sums_;
-    std::int64_t call_ = 0;
+    SplineLattice<Sums> lattice_;
 };
 
 }  // namespace frana::structured

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "models/structured/solid/column_state.h"
-#include "models/structured/solid/pair_work.h"
 #include "models/structured/solid/solid_laws.h"
+#include "models/structured/solid/solid_work.h"
+#include "models/structured/solid/stress_nodes.h"
 #include "particles/cell_order.h"
 
 namespace frana::structured {
@@ -30,14 +31,15 @@ inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, d
     return {{r.stress.plane + lateral, 0}, true};
 }
 
-/// Stress, strain, damage and release of confined fluid over dt, and the inputs of the next sums over neighbours. Reads
-/// the velocity gradients in `w`; writes t_*, e_*, damage, cohesion_ratio, released; mass, density, t, r and resistance
-/// in `w`.
+/// Stress, strain, damage and release of confined fluid over dt, and the forces of stress and thrust on the nodes.
+/// Reads the momenta there; writes t_*, e_*, released; opening, sound, strain, resistance in `w`. Runs that share no
+/// node may be computed concurrently.
 template <class Kind>
-void update_material(ParticleRun run, double dt, const SolidLaws& laws, ParticleSet& particles, PairWork& w) {
+void update_material(ParticleRun run, double dt, const SolidLaws& laws, StressNodes& nodes, ParticleSet& particles,
+                     SolidWork& w) {
     for (std::size_t p = run.begin; p < run.end; ++p) {
-        const Matrix2d l =
-            tensor(w[PairWork::l_xx][p], w[PairWork::l_xy][p], w[PairWork::l_yx][p], w[PairWork::l_yy][p]);
+        const StressNodes::Stencil at = nodes.at(particles[Field::x][p], particles[Field::y][p]);
+        const Matrix2d l = nodes.velocity_gradient(at, w[SolidWork::bonds][p] > 0);
         const Matrix2d turn = rotation(dt * spin(l)), strain = dt * strain_rate(l);
         if (laws.earth_pressure == EarthPressure::passive) particles[Field::divergence][p] = l.trace();
         const ParticleLoad column = particle_load<Kind>(laws, particles, p);
@@ -58,7 +60,7 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         particles[Field::e_xy][p] = total(0, 1);
         if constexpr (Kind::cohesive) {
             const bool loses = laws.fractures && yielded && particles[Field::cohesion_ratio][p] > 0;
-            w[PairWork::strain][p] = loses ? laws.fragmentation.increment(strain) : 0;
+            w[SolidWork::strain][p] = loses ? laws.fragmentation.increment(strain) : 0;
             if constexpr (Kind::wet) {
                 // Released fluid moves with the particle until the end of the step: the nodes' push was for both.
                 double& released = particles[Field::released][p];
@@ -66,20 +68,13 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
                                     particles[Field::confined][p] - particles[Field::confined_start][p] * column.held);
             }
         }
-        const double area = particles[Field::area][p], density = column.mass / area;
-        const Matrix2d t = column.depth / (density * density) * stress.plane;
-        const Matrix2d r = artificial_stress(t, laws.artificial_stress);
-        w[PairWork::mass][p] = column.mass;
-        w[PairWork::density][p] = density;
-        w[PairWork::t_xx][p] = t(0, 0);
-        w[PairWork::t_yy][p] = t(1, 1);
-        w[PairWork::t_xy][p] = t(0, 1);
-        w[PairWork::r_xx][p] = r(0, 0);
-        w[PairWork::r_yy][p] = r(1, 1);
-        w[PairWork::r_xy][p] = r(0, 1);
-        w[PairWork::sound][p] = flows ? std::sqrt(laws.gravity * column.depth) : laws.viscosity.sound;
-        w[PairWork::resistance][p] =
-            bed_resistance(laws, column, density, particles[Field::bed_friction][p], particles[Field::flatness][p]);
+        const double area = particles[Field::area][p];
+        const double thrust = column.thrust * (laws.steep ? particles[Field::flatness][p] : 1);
+        StressNodes::add_force(at, area * (column.depth * stress.plane - thrust * Matrix2d::Identity()), nodes.side());
+        w[SolidWork::opening][p] = l.trace();
+        w[SolidWork::sound][p] = flows ? std::sqrt(laws.gravity * column.depth) : laws.wave_speed;
+        w[SolidWork::resistance][p] = bed_resistance(laws, column, column.mass / area,
+                                                     particles[Field::bed_friction][p], particles[Field::flatness][p]);
     }
 }
 

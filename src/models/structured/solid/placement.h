@@ -40,7 +40,7 @@ struct SolidMaterial : SolidValues {
 /// solids, confined that of the fluid that the structure confines. The fraction that it does not confine is omitted: it
 /// is free fluid; without solids all of it.
 /// @param thinnest columns thinner than this [m] are omitted, and both their volumes shared out to the others in
-/// proportion: beside thick columns the neighbour sums would fling them away (share/doc/structured.md, "Solids with
+/// proportion: they would be particles of next to no mass beside thick ones (share/doc/structured.md, "Solids with
 /// confined fluid")
 ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material,
                          double thinnest = 0);

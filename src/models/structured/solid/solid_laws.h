@@ -7,7 +7,6 @@
 
 #include "core/default_values.h"
 #include "models/structured/coupling/basal_pressure.h"
-#include "models/structured/solid/pair_laws.h"
 
 namespace frana::structured {
 
@@ -50,19 +49,6 @@ inline Matrix2d rotation(double angle) noexcept {
 /// Jaumann rate (share/doc/structured.md, "Solids with confined fluid").
 inline Matrix2d rotated(const Matrix2d& s, const Matrix2d& rotation) noexcept {
     return rotation * s * rotation.transpose();
-}
-
-/// Repulsion of material in tension, against clumping (Monaghan 2000, Gray et al. 2001; paper, equation 86, with the
-/// missing test for tension): along each principal direction of t, -strength times the positive part,
-///     R = -strength sum over n of max(t_n, 0) P_n,   P_1 = (t - t_2) / (t_1 - t_2)
-/// @param t depth-integrated stress over areal density squared
-inline Matrix2d artificial_stress(const Matrix2d& t, double strength) noexcept {
-    const double mean = 0.5 * t.trace(), half = 0.5 * (t(0, 0) - t(1, 1));
-    const double radius = std::sqrt(half * half + t(0, 1) * t(0, 1));
-    const double first = mean + radius, second = mean - radius;
-    if (!(first > 0)) return Matrix2d::Zero();
-    if (second > 0) return -strength * t;
-    return -strength * first / (first - second) * (t - second * Matrix2d::Identity());
 }
 
 /// The strain by which yielding material loses its cohesion.
@@ -282,9 +268,11 @@ enum class BrokenMaterial {
 };
 
 /// Laws and parameters of the solids; constant during a run. Lengths in metres, in map view.
-struct SolidLaws : PairLaws {
-    explicit SolidLaws(double smoothing_length) : PairLaws(smoothing_length), damage_length(smoothing_length) {}
+struct SolidLaws {
+    explicit SolidLaws(double node_spacing) : side(node_spacing) {}
 
+    double side;         ///< of the stress's nodes [m]
+    double spacing = 1;  ///< of particles at the start, dp [m]
     double gravity = k_standard_gravity;
     bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
     Elasticity elastic;
@@ -295,14 +283,12 @@ struct SolidLaws : PairLaws {
     BasalPressure basal;
     bool fractures = true;  ///< cohesion can be lost
     Fragmentation fragmentation;
-    double damage_length;           ///< R, over which damage is averaged; half of the smoothing length or more [m]
+    double damage_length = 1;       ///< R, over which damage is averaged [m]
     double initial_structured = 1;  ///< f_sc of intact material
 
-    double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
-    double artificial_stress = 0.5;
-    double elastic_cfl = 0.5;  ///< fraction of the smoothing length that elastic waves cross in a substep
-    bool skips_rest = true;    ///< cells at rest are skipped; false, for tests: computed, with the same bits
-    double pic_fraction = 0;   ///< fraction of the grid's velocity that particles adopt in a step
+    double wave_speed = 0;    ///< of pressure waves in the lightest material [m/s]
+    double wave_cfl = 0.8;    ///< fraction of the stress's node spacing that waves cross in a substep
+    double pic_fraction = 0;  ///< fraction of the grid's velocity that particles adopt in a step
 };
 
 }  // namespace frana::structured

@@ -19,7 +19,6 @@ struct alignas(64) SolidSums {
     double solids = 0;      ///< volume [m3]
     double confined = 0;    ///< volume [m3]
     double structured = 0;  ///< volume of solids that is structured [m3]
-    double fx = 0, fy = 0;  ///< force of the lateral thrust [N]
 };
 
 /// Additional sums at a node in scenes with fluid.

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "models/structured/solid/material_update.h"
-#include "models/structured/solid/rest.h"
 #include "models/structured/solid/transfer.h"
 
 namespace frana::structured {
@@ -15,38 +14,21 @@ template <class Kind>
 SolidStages stages_of() {
     SolidStages stages;
     stages.update_material = update_material<Kind>;
-    stages.still_report = still_report<Kind>;
     stages.solids_to_nodes = solids_to_nodes<Kind>;
     stages.nodes_to_solids = nodes_to_solids<Kind>;
     return stages;
 }
 
-double particle_mass(const ParticleSet& particles, const SolidLaws& laws, std::size_t p) {
-    const double confined = particles[Field::confined] != nullptr ? particles[Field::confined][p] : 0;
-    return particles[Field::grain_density][p] * particles[Field::volume][p] + laws.basal.fluid_density * confined;
-}
-
-void load_work(SolidState& state, const SolidLaws& laws, ThreadPool& pool) {
+// Which particles are bonded: cohesive, and strong enough to bear their weight.
+void find_bonds(SolidState& state, const SolidLaws& laws) {
     const ParticleSet& particles = state.particles;
-    constexpr std::size_t k_block = 16384;
-    state.work.resize(state.particles.size());
-    pool.for_blocks(state.particles.size(), k_block, [&](std::size_t begin, std::size_t end) {
-        const std::pair<Field, PairWork::Array> copied[] = {{Field::x, PairWork::x},
-                                                            {Field::y, PairWork::y},
-                                                            {Field::u, PairWork::u},
-                                                            {Field::v, PairWork::v},
-                                                            {Field::area, PairWork::area}};
-        for (const auto& [field, array] : copied)
-            std::copy(particles[field] + begin, particles[field] + end, state.work[array] + begin);
-        if (!particles.mask().has(Field::cohesion)) return;
-        for (std::size_t p = begin; p < end; ++p) {
-            const double bears =
-                DruckerPrager::of(particles[Field::friction][p], particles[Field::cohesion][p]).uniaxial();
-            const double weight = laws.gravity * particle_mass(particles, laws, p) / particles[Field::area][p];
-            state.work[PairWork::bonds][p] = particles[Field::cohesion_ratio][p] > 0 && 2 * bears >= weight;
-        }
-    });
-    find_neighbours(state, pool);
+    state.work.resize(particles.size());
+    if (!particles.mask().has(Field::cohesion)) return;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double bears = DruckerPrager::of(particles[Field::friction][p], particles[Field::cohesion][p]).uniaxial();
+        const double weight = laws.gravity * particle_mass(laws, particles, p) / particles[Field::area][p];
+        state.work[SolidWork::bonds][p] = particles[Field::cohesion_ratio][p] > 0 && 2 * bears >= weight;
+    }
 }
 
 }  // namespace
@@ -56,7 +38,7 @@ bool fits(const SolidState& state) {
     const std::size_t count = state.particles.size();
     const bool unused = state.order.rows() == 0 && count == 0;
     for (const std::vector<double>& array : state.work.arrays) {
-        if (array.size() != count + PairWork::k_padding && !(unused && array.empty())) return false;
+        if (array.size() != count && !unused) return false;
     }
     for (const Field field : {Field::x, Field::y}) {
         const double* const place = state.particles[field];
@@ -65,16 +47,10 @@ bool fits(const SolidState& state) {
     return state.order.orders(count);
 }
 
-void find_neighbours(SolidState& state, ThreadPool& pool) {
-    PairWork& work = state.work;
-    work.near.find(state.order, work[PairWork::x], work[PairWork::y], state.particles.size(), pool);
-}
-
-SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast) {
+SolidStages choose_solid_stages(bool cohesive, bool wet) {
     SolidStages stages = cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
                                   : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
     stages.fields = solid_fields(cohesive, wet);
-    stages.pairs = fast ? &pair_kernels() : &plain_pair_kernels();
     stages.releases = cohesive && wet;
     return stages;
 }
@@ -87,7 +63,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
         const double x = particles[Field::x][p], y = particles[Field::y][p];
         const double u = particles[Field::u][p], v = particles[Field::v][p], solids = particles[Field::volume][p];
         const double confined = particles[Field::confined] ? particles[Field::confined][p] : 0;
-        const double m = particle_mass(particles, laws, p);
+        const double m = particle_mass(laws, particles, p);
         if (grid.bounds().contains(x, y)) {
             mass += m;
             px += m * u;
@@ -105,7 +81,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
     state.order.sort(particles, keep, pool);
     state.mean = mass > 0 ? Point{px / mass, py / mass} : Point{};
     state.drift = state.moved = 0;
-    load_work(state, laws, pool);
+    find_bonds(state, laws);
 }
 
 void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,

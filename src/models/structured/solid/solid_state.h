@@ -6,9 +6,9 @@
 
 #include "models/structured/solid/damage_spread.h"
 #include "models/structured/solid/move_particles.h"
-#include "models/structured/solid/pair_kernels.h"
 #include "models/structured/solid/solid_laws.h"
 #include "models/structured/solid/solid_nodes.h"
+#include "models/structured/solid/stress_nodes.h"
 
 namespace frana::structured {
 
@@ -22,13 +22,14 @@ struct LeftDomain {
 struct SolidState {
     SolidState(ParticleSet set, const SolidLaws& laws, const Bounds& bounds, SolidNodes on_grid)
         : particles(std::move(set)),
-          order(laws.kernel.reach()),
+          order(2.5 * laws.side),
           nodes(std::move(on_grid)),
+          stress(bounds, laws.side),
           spread(bounds, laws.damage_length) {}
 
     ParticleSet particles;
     CellOrder order;
-    PairWork work;  ///< in the particles' order; includes x, y, u, v, area
+    SolidWork work;  ///< in the particles' order
     SolidNodes nodes;
     Point mean;                                              ///< velocity against which `drift` is measured [m/s]
     double drift = std::numeric_limits<double>::infinity();  ///< of a particle relative to others since the sort [m]
@@ -37,7 +38,8 @@ struct SolidState {
     bool elastic = true;  ///< whether any particle has stress other than earth pressure; at the last step's end
     double sound = 0;     ///< of shallow water with the greatest depth of a column, sqrt(g h) [m/s]; likewise
     LeftDomain left;
-    DamageSpread spread;  ///< holds nothing between substeps
+    StressNodes stress;  ///< these two hold nothing between substeps
+    DamageSpread spread;
 };
 
 /// Checks, after reading a state, that order and work are those of the particles, and that their places are finite.
@@ -51,8 +53,8 @@ void serialise(Archive& archive, LeftDomain& left) {
 
 template <class Archive>
 void serialise(Archive& archive, SolidState& state) {
-    [[maybe_unused]] auto& [particles, order, work, nodes, mean, drift, moved, last, elastic, sound, left, spread] =
-        state;
+    [[maybe_unused]] auto& [particles, order, work, nodes, mean, drift, moved, last, elastic, sound, left, stress,
+                            spread] = state;
     archive(particles, order, work, nodes, mean.x, mean.y, drift, moved, last, elastic, sound, left);
     if constexpr (Archive::k_reads) archive.require(fits(state));
 }
@@ -60,9 +62,7 @@ void serialise(Archive& archive, SolidState& state) {
 /// The sweeps over solids, chosen for a scene.
 struct SolidStages {
     FieldMask fields;
-    const PairKernels* pairs = nullptr;
-    void (*update_material)(ParticleRun, double dt, const SolidLaws&, ParticleSet&, PairWork&) = nullptr;
-    SolidReport (*still_report)(ParticleRun, const SolidLaws&, Point mean, const ParticleSet&) = nullptr;
+    void (*update_material)(ParticleRun, double dt, const SolidLaws&, StressNodes&, ParticleSet&, SolidWork&) = nullptr;
     void (*solids_to_nodes)(ParticleRun, const SolidLaws&, const ParticleSet&, const NodeGrid&, SolidNodes&) = nullptr;
     void (*nodes_to_solids)(ParticleRun, const SolidLaws&, double dt, const NodeGrid&, const SolidNodes&,
                             ParticleSet&) = nullptr;
@@ -70,19 +70,15 @@ struct SolidStages {
 };
 
 /// Returns the stages for solids with or without cohesion that can be lost, and with or without fluid in the scene.
-SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast = true);
+SolidStages choose_solid_stages(bool cohesive, bool wet);
 
 /// Sorts the particles, dropping those beyond the edges, and sets `mean`.
 void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid, ThreadPool& pool);
 
-/// Lists the neighbours of each particle; valid until the next sort.
-void find_neighbours(SolidState& state, ThreadPool& pool);
-
-/// Longest substep of the solids alone (share/doc/structured.md, "Time step") [s]: waves, viscosity, acceleration.
-///     dt <= 0.5 l / c,   0.8 l / (s + 0.6 (a s + b |phi|)),   0.25 sqrt(l / |a|)
-/// The sums' greatest frequency is 1.07 c / l and their greatest damping 1.9 a s / l on an even lattice of any spacing
-/// (ours: usual is min(l, dp)): alone, symplectic steps are stable up to 1.9 l / c and 1.0 l / s. Columns of uneven
-/// mass are stiffer by up to the root of their ratio. If all material is broken, c is 0 and s that of shallow water.
+/// Longest substep of the solids alone (share/doc/structured.md, "Time step") [s]: waves, acceleration.
+///     dt <= 0.8 d / c,   0.28 sqrt(d / |a|)
+/// The nodes' greatest frequency is under c / d: symplectic steps are stable beyond 2 d / c; shorter ones follow the
+/// waves. If all material is broken, c is the speed of shallow water.
 double stable_substep(const SolidState& state, const SolidLaws& laws);
 
 /// Advances the solids by dt in as many substeps as necessary, under the push of the grid. Returns their number; the

@@ -7,9 +7,7 @@
 
 namespace frana::structured {
 
-/// Adds a run of particles to the nodes: mass, momentum, volumes and the force of their lateral thrust,
-///     f_i = sum_p A_p P_p grad N_i      (the weak form of -grad P; its sum over nodes is zero)
-/// Runs that share no node may be added concurrently.
+/// Adds a run of particles to the nodes: mass, momentum, volumes. Runs that share no node may be added concurrently.
 template <class Kind>
 void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& particles, const NodeGrid& grid,
                      SolidNodes& nodes) {
@@ -18,7 +16,7 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
         if (!stencil.any) continue;
         const ParticleLoad column = particle_load<Kind>(laws, particles, p);
         const double u = particles[Field::u][p], v = particles[Field::v][p], area = particles[Field::area][p];
-        const double solids = particles[Field::volume][p], push = area * column.thrust;
+        const double solids = particles[Field::volume][p];
         const double friction = Kind::wet ? area * column.load * particles[Field::bed_friction][p] : 0;
         for (int b = 0; b < 4; ++b) {
             const std::size_t row = stencil.first + static_cast<std::size_t>(b * grid.stride());
@@ -29,8 +27,6 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
                 node.px += w * column.mass * u;
                 node.py += w * column.mass * v;
                 node.solids += w * solids;
-                node.fx += push * stencil.gx[b][a];
-                node.fy += push * stencil.gy[b][a];
                 node.structured += w * solids * column.structured;
                 if constexpr (Kind::wet) {
                     node.confined += w * particles[Field::confined][p];

@@ -75,6 +75,14 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
                     "correlate.material.friction-coefficient material.turbulence", "-0.3"));
     EXPECT_TRUE(has_problem(problems(head + "sampling = grid\nuntil = 0.02\n" + two), "study.sampling", "grid"));
     EXPECT_TRUE(has_problem(problems(head + "sampling = table:t.csv\n" + two), "study.sampling"));
+    const std::string rare = "sampling = importance\nrare-place = house\n";
+    EXPECT_TRUE(problems(head + rare + two).empty());
+    EXPECT_TRUE(has_problem(problems(head + "sampling = importance\n" + two), "study.sampling", "importance"));
+    EXPECT_TRUE(has_problem(problems(head + "rare-place = house\n" + two), "study.rare-place", "house"));
+    EXPECT_TRUE(has_problem(problems(head + "samples = 63\n" + rare + two), "study.samples", "63", "at least 64"));
+    for (const std::string other : {"until = 0.02\n", "levels = 3\n"})
+        EXPECT_TRUE(has_problem(problems(head + rare + other + two), "study.sampling", "importance")) << other;
+    EXPECT_TRUE(has_problem(problems(head + rare + two + correlated), "study.sampling", "importance"));
     EXPECT_TRUE(has_problem(problems(head), "study.ini: vary"));
     EXPECT_TRUE(has_problem(problems("[vary]\nmaterial.turbulence = uniform(500, 900)\n"), "study.scene"));
 }

@@ -54,8 +54,7 @@ TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
     add(record(0, {1, 1}));  // finished
     add(record(0, {0.1F}));  // finished
     add(record(4, {1}));     // cut: it counts as far as it came
-    const std::string failed = (folder_ / "failed").string();
-    write_record(failed, record(8, {2}));
+    const RecordPlace failed = keep("failed", record(8, {2}));
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
     OpenRuns runs{members_, {false, false, true, true}};
     runs.runs.records.push_back(failed);
@@ -73,8 +72,7 @@ TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
 TEST_F(Cells, AQuantileIsBoundedByTheRunsThatEnded) {
     for (const float depth : {1, 2, 3, 4}) add(record(0, {depth}));
     OpenRuns runs{members_, {false, false, false, false, true}};
-    runs.runs.records.push_back((folder_ / "open").string());
-    write_record(runs.runs.records.back(), record(0, {0.5F}));
+    runs.runs.records.push_back(keep("open", record(0, {0.5F})));
     runs.runs.weights.assign(5, 0.2);
     const auto upper = quantile_bounds(runs, true, Quantity::depth, grid_);
     ASSERT_TRUE(upper[0] && upper[1]);
@@ -125,7 +123,7 @@ TEST_F(Cells, WeightsCountAsCopiesOfMembers) {
     EXPECT_DOUBLE_EQ(weighted.probability[0].at(0, 0), copies.probability[0].at(0, 0));
     EXPECT_DOUBLE_EQ(weighted.mean.at(0, 0), copies.mean.at(0, 0));
     for (std::size_t q = 0; q < 3; ++q) EXPECT_EQ(weighted.quantile[q].at(0, 0), copies.quantile[q].at(0, 0)) << q;
-    EXPECT_DOUBLE_EQ((FinishedMembers{{"a", "b"}, {0.75, 0.25}, {}}.effective_size()), 1.6);  // 1 / (9/16 + 1/16)
+    EXPECT_DOUBLE_EQ(effective_count({0.75, 0.25}), 1.6);  // 1 / (9/16 + 1/16)
 }
 
 TEST(WeightedQuantile, IsTheLeastValueWithEnoughWeightBelow) {
@@ -165,7 +163,6 @@ TEST_F(Cells, OnLevelsSmallProbabilitiesAreRightOnAverage) {
     grid_.north = 10;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> even(0, 1);
-    const std::string file = (folder_ / "r").string();
     double rare = 0, rare_exact = 0, squares = 0, stated = 0;
     for (int study = 0; study < k_studies; ++study) {
         FinishedMembers members;
@@ -175,8 +172,7 @@ TEST_F(Cells, OnLevelsSmallProbabilitiesAreRightOnAverage) {
             one.north = 10;
             one.columns = k_cells;
             one.rows = 1;
-            members.records.push_back(file + std::to_string(members.records.size()));
-            std::ofstream(members.records.back(), std::ios::binary) << bytes_of(one);
+            members.records.push_back(keep("r" + std::to_string(members.records.size()), one));
             members.weights.push_back(weight);
             members.levels.push_back(level);
         };
@@ -215,21 +211,23 @@ double bytes_read() {
     return bytes;
 }
 
-// Ten times as many members make three quantities read ten times as many bytes: each record once, and of those that
-// have no place in memory the values of a quantity whenever it is asked for.
+// Ten times as many members make three quantities read ten times as many bytes: each record once from one file, and of
+// those that have no place in memory the values of a quantity whenever it is asked for.
 TEST_F(Cells, TenThousandMembersAreReadOnce) {
     grid_.columns = grid_.rows = 100;
     grid_.north = 1000;
     double read[2], size = 0;
     std::size_t count = 0;
+    std::filesystem::create_directories(folder_ / "records");
+    RecordFiles files(folder_.string());
     for (const std::size_t members : {1000U, 10000U}) {
         for (std::size_t m = members_.records.size(); m < members; ++m) {
             MemberRecord one = record(m * 37 % 5000, std::vector<float>(250, static_cast<float>(m % 7)));
             one.north = 1000;
             one.columns = one.rows = 100;
             const std::string bytes = bytes_of(one);
-            members_.records.push_back((folder_ / ("r" + std::to_string(m))).string());
-            std::ofstream(members_.records.back(), std::ios::binary) << bytes;
+            files.append(m, bytes);
+            members_.records.push_back(files.place(m));
             size = static_cast<double>(bytes.size());
         }
         members_.weights.assign(members, 1.0 / static_cast<double>(members));

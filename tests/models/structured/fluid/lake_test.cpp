@@ -97,6 +97,14 @@ TEST(FluidLake, RestsAgainstWallsAndGaps) {
     stays_at_rest(basin, {});
 }
 
+// Water against a step of the bed whose speed has died away to less than a number's least inverse.
+TEST(FluidLake, SpeedsThatHaveDiedAwayStayNumbers) {
+    Basin basin(sample_raster(plain_grid(20, 20, 1), [](Point p) { return p.x < 10 ? 0.0 : 5.0; }), still_laws());
+    basin.fill([](Point p) { return Water{p.x < 10 ? 1.0 : 0.0, 1e-310, 0}; });
+    basin.advance(0.1);
+    EXPECT_EQ(basin.volume(), 200);
+}
+
 // The test can fail: the same water with a level that is off by a millimetre in one cell moves.
 TEST(FluidLake, MovesWhereItIsNotLevel) {
     Basin basin(Raster(plain_grid(20, 20, 1), 0.0), still_laws());

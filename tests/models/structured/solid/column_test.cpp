@@ -22,7 +22,6 @@ TEST(Fragmentation, ReleasesInProportion) {
     c.fill(40, 40, 1, 1, [](Point) { return bench::Seed{4, 3, -1}; });
     State state = c.start(flat(50, 50, 2), pool, true);
     ParticleSet& p = state.solid->particles;
-    PairWork& w = state.solid->work;
     const double confined = p[Field::confined][0], solids = p[Field::volume][0];
     const double eps = c.laws.solid.fragmentation.critical_strain;
     constexpr double dt = 0.01;
@@ -31,23 +30,20 @@ TEST(Fragmentation, ReleasesInProportion) {
     const double uniaxial = 3e3 / root / (1 / std::sqrt(3.0) - tangent / root);
     const double borne = 2 * uniaxial * p[Field::area][0] / (k_standard_gravity * (1700 * solids + 1000 * confined));
     ASSERT_LT(borne, 0.2);
-    w[PairWork::l_xx][0] = 0.1;
-    w[PairWork::l_yy][0] = 0.1;
-    w[PairWork::l_xy][0] = w[PairWork::l_yx][0] = 0;
     double opened = 0;
     for (int i = 0; i < 60; ++i) {
         const double before = p[Field::cohesion_ratio][0];
-        state.stages.update_material({0, 1}, dt, c.laws.solid, p, w);
+        deform(state, c.laws.solid, 0.105 * Matrix2d::Identity(), dt);
         // What it no longer confines follows the cohesion that it had at the start of the substep.
         EXPECT_NEAR(confined - p[Field::released][0], confined * before * borne, 1e-13 * confined);
-        state.solid->spread(state.solid->order, c.laws.solid.fragmentation, p, w, pool);
+        state.solid->spread(state.solid->order, c.laws.solid.fragmentation, p, state.solid->work, pool);
         opened = p[Field::damage][0];
-        // The integral of tr e = 0.2 per second, from the first step on: 8 m of overburden have it at its yield
-        // surface.
-        EXPECT_NEAR(opened, std::min((i + 1) * dt * 0.2, 2 * eps), 1e-12);
+        // The integral of tr e = 0.21 per second until all is lost, from the first step on: 8 m of overburden have it
+        // at its yield surface.
+        EXPECT_NEAR(opened, std::min(i + 1, 48) * dt * 0.21, 1e-12);
         EXPECT_LE(p[Field::cohesion_ratio][0], before);
         EXPECT_NEAR(p[Field::cohesion_ratio][0], std::max(0.0, 1 - opened / (2 * eps)), 1e-14);
-        EXPECT_EQ(w[PairWork::mass][0],
+        EXPECT_EQ(particle_mass(c.laws.solid, p, 0),
                   1700 * solids + 1000 * confined);  // it goes with the particle till the step's end
     }
     EXPECT_EQ(p[Field::cohesion_ratio][0], 0);
@@ -63,11 +59,7 @@ TEST(Fragmentation, ReleasesInProportion) {
     EXPECT_NEAR(y, -confined, 1e-12 * confined);
     // And closing harms nothing.
     State again = c.start(flat(50, 50, 2), pool, true);
-    PairWork& closing = again.solid->work;
-    closing[PairWork::l_xx][0] = closing[PairWork::l_yy][0] = -0.1;
-    closing[PairWork::l_xy][0] = closing[PairWork::l_yx][0] = 0;
-    for (int i = 0; i < 60; ++i)
-        again.stages.update_material({0, 1}, dt, c.laws.solid, again.solid->particles, closing);
+    for (int i = 0; i < 60; ++i) deform(again, c.laws.solid, -0.1 * Matrix2d::Identity(), dt);
     EXPECT_EQ(again.solid->particles[Field::cohesion_ratio][0], 1);
 }
 
@@ -106,10 +98,12 @@ TEST(Thrust, PassiveActsOnMotion) {
         c.laws.solid.earth_pressure = law;
         c.fill(20, 20, 60, 30, [](Point p) { return bench::Seed{4, -0.3 * (p.x - 40), 0}; });
         State state = c.start(flat(40, 30, 2), pool);
-        step(state, c.laws, 0.01, pool);
+        std::fill_n(state.solid->particles[Field::c_xx], state.solid->particles.size(), -0.3);
+        const ParticleSet start = state.solid->particles;
+        step(state, c.laws, 1e-4, pool);
         force = 0;
-        const ZeroArray<SolidSums>& sums = state.solid->nodes.sums;
-        for (std::size_t n = 0; n < sums.size(); ++n) force += std::abs(sums[n].fx);
+        for (std::size_t i = 0; i < start.size(); ++i)
+            force += std::abs(state.solid->particles[Field::u][i] - start[Field::u][i]);
         advance_to(state, c.laws, time, pool);
         double kinetic = 0;
         const ParticleSet& p = state.solid->particles;
@@ -119,12 +113,22 @@ TEST(Thrust, PassiveActsOnMotion) {
     double active = 0, passive = 0;
     const double left = run(EarthPressure::active, 1, active), less = run(EarthPressure::passive, 1, passive);
     const double k_p = (1 + std::sin(28 * k_degree)) / (1 - std::sin(28 * k_degree));
-    EXPECT_NEAR(passive / active, k_p * k_p, 0.02 * k_p * k_p);
+    EXPECT_NEAR(passive / active, k_p * k_p, 1e-3 * k_p * k_p);
     EXPECT_LT(less, 0.7 * left);
 }
 
-// A column that spreads on and on gets no wider than the nodes see a lone particle; its area weighs in its neighbours'
-// velocity gradients, and one without bound would throw them off.
+// However fast loose columns meet, a substep changes no area by so much that it would be left as it is.
+TEST(Column, SubstepsAreShortWhereColumnsMeet) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.cohesion = 0;
+    c.laws.solid.gravity = 1e-3;
+    c.fill(30, 40, 6, 1, [](Point p) { return bench::Seed{1, p.x < 32 ? 8.0 : -8.0, 0}; });
+    State state = c.start(flat(40, 40, 2), pool);
+    for (int i = 0; i < 40; ++i) EXPECT_EQ(step(state, c.laws, 0.05, pool).solids.clamped, 0);
+}
+
+// A column that spreads on and on gets no wider than the nodes see a lone particle.
 TEST(Column, GetsNoWiderThanTheNodesSeeIt) {
     ThreadPool pool(1);
     Case c(2);
@@ -137,8 +141,8 @@ TEST(Column, GetsNoWiderThanTheNodesSeeIt) {
     const double mean = 0.5 * c.laws.solid.spacing;  // they swing to and fro, drawn apart faster than together
     for (int i = 0; i < 4000; ++i) {
         for (std::size_t p = 0; p < 2; ++p) {
-            solid.particles[Field::x][p] = solid.work[PairWork::x][p] = 41 + (p == 0 ? -mean : mean);
-            solid.particles[Field::u][p] = solid.work[PairWork::u][p] = p == 0 ? -1 : 1;
+            solid.particles[Field::x][p] = 41 + (p == 0 ? -mean : mean);
+            solid.particles[Field::u][p] = p == 0 ? -1 : 1;
         }
         SolidReport seen;
         run_substeps(solid, state.stages, c.laws.solid, state.grid, {&state.grid}, 0.01, seen, pool);

@@ -7,7 +7,6 @@
 
 #include "models/structured/solid/cubic_stencil.h"
 #include "models/structured/solid/material_update.h"
-#include "models/structured/solid/pair_laws.h"
 #include "models/structured/solid/solid_laws.h"
 
 namespace frana::structured::test {
@@ -19,29 +18,6 @@ Stress stress(double xx, double yy, double zz, double xy) {
     return {symmetric(xx, yy, xy), zz};
 }
 const Elasticity k_flume{23e6, 4.246e6};
-
-TEST(Kernel, IntegratesToOneAndSlopesAsItsDerivative) {
-    const CubicKernel kernel(1.7);
-    // Simpson's rule; each of the two pieces is a polynomial of degree 4 in r with the ring's factor: errors of the
-    // rule vanish with the fourth power of 1 / n.
-    double integral = 0;
-    for (const double piece : {0.0, 1.0}) {
-        constexpr int n = 200;
-        for (int i = 0; i <= n; ++i) {
-            const double r = 1.7 * (piece + static_cast<double>(i) / n);
-            const double weight = i == 0 || i == n ? 1 : i % 2 == 0 ? 2 : 4;
-            integral += weight * 2 * M_PI * r * kernel.value(r) * 1.7 / n / 3;
-        }
-    }
-    EXPECT_NEAR(integral, 1, 1e-6);
-    EXPECT_NEAR(kernel.value(0) * 1.7 * 1.7, 0.454728, 1e-6);
-    EXPECT_NEAR(kernel.value(1.7) * 1.7 * 1.7, 0.113682, 1e-6);
-    EXPECT_EQ(kernel.value(3.4), 0);
-    for (const double r : {0.1, 0.9, 1.6, 1.8, 2.5, 3.3}) {
-        constexpr double e = 1e-5;
-        EXPECT_NEAR(kernel.derivative(r), (kernel.value(r + e) - kernel.value(r - e)) / (2 * e), 1e-6) << r;
-    }
-}
 
 TEST(CubicSpline, AddsUpToOneAndReproducesLines) {
     std::mt19937_64 random(1);
@@ -298,21 +274,6 @@ TEST(Bell, ThrustWithATensionCrack) {
     EXPECT_NEAR(active_thrust(k, 100e3, 8, c), 0.5 * k * w * (8 - crack) * (8 - crack), 1e-9 * 100e3);
     EXPECT_DOUBLE_EQ(passive_thrust(1 / k, 100e3, 8, 0), 0.5 / k * 100e3 * 8);
     EXPECT_EQ(active_thrust(k, 0, 0, 0), 0);
-}
-
-TEST(ArtificialStress, OpposesTensionAlongItsDirection) {
-    const Matrix2d none = artificial_stress(symmetric(-3, -1, 0.2), 0.5);
-    EXPECT_EQ(none(0, 0), 0);
-    EXPECT_EQ(none(1, 1), 0);
-    const Matrix2d both = artificial_stress(symmetric(3, 1, 0.2), 0.5);
-    EXPECT_DOUBLE_EQ(both(0, 0), -1.5);
-    EXPECT_DOUBLE_EQ(both(0, 1), -0.1);
-    // One principal stress of 2 at 30 degrees, the other -5 across it: R = -1 along 30 degrees.
-    const double c = std::cos(30 * k_degree), s = std::sin(30 * k_degree);
-    const Matrix2d one = artificial_stress(symmetric(2 * c * c - 5 * s * s, 2 * s * s - 5 * c * c, 7 * c * s), 0.5);
-    EXPECT_NEAR(one(0, 0), -c * c, 1e-12);
-    EXPECT_NEAR(one(1, 1), -s * s, 1e-12);
-    EXPECT_NEAR(one(0, 1), -c * s, 1e-12);
 }
 
 TEST(Fragmentation, CohesionIsLostInLineWithOpening) {

@@ -45,4 +45,8 @@ bool run_levels(StudyInput& input, const std::string& folder, const std::functio
 /// the same study has the same members on any machine.
 void add_level_members(StudyInput& input, const std::string& folder, double fraction);
 
+/// Runs a study by importance sampling: each round follows from the runs of those before (ImportanceSampling), with
+/// their distances from the study's rare place. Returns false if it was stopped.
+bool run_importance(StudyInput& input, const std::string& folder, const std::function<bool(std::size_t)>& run_until);
+
 }  // namespace frana::app::study

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/record_files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <utility>
+
+#include "app/store/interrupted_run.h"
+#include "app/store/result_files.h"
+#include "app/text/text_file.h"
+#include "core/error.h"
+#include "core/files.h"
+
+namespace frana::app::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t k_most_bytes = 256'000'000;  // of a file that still gets another record
+// Synced together they cost little more than one. What a power failure damages is seen by its CRC, and computed again.
+constexpr std::size_t k_together = 64;
+constexpr double k_longest_wait = 1;  // [s]
+
+[[noreturn]] void fail(const std::string& what, int reason, const std::string& path) {
+    throw Error(ErrorKind::environment,
+                Problem{what + ": " + std::strerror(reason), path, "", "", "Check the place's rights and free space"});
+}
+
+/// A file of which no byte is read before somebody asks for it.
+std::ifstream opened(const std::string& path) {
+    std::ifstream file;
+    file.rdbuf()->pubsetbuf(nullptr, 0);
+    file.open(path, std::ios::binary);
+    return file;
+}
+
+/// The next place from `at` on where a record may begin; `size` if there is none.
+std::uint64_t next_beginning(std::ifstream& file, std::uint64_t at, std::uint64_t size) {
+    std::string block(1 << 20, '\0');
+    const std::string magic(RecordHead::k_magic, sizeof RecordHead::k_magic);
+    for (; at < size; at += block.size() - magic.size()) {
+        file.clear();
+        file.seekg(static_cast<std::streamoff>(at));
+        file.read(block.data(), static_cast<std::streamsize>(block.size()));
+        const std::size_t found = block.substr(0, static_cast<std::size_t>(file.gcount())).find(magic);
+        if (found != std::string::npos) return at + found;
+    }
+    return size;
+}
+
+std::string bytes_at(const RecordPlace& place) {
+    std::ifstream file = opened(place.file);
+    std::string bytes(place.bytes, '\0');
+    file.seekg(static_cast<std::streamoff>(place.at));
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return file ? bytes : "";
+}
+
+}  // namespace
+
+std::optional<MemberRecord> read_record(const RecordPlace& place) {
+    return record_from(bytes_at(place));
+}
+
+MemberRecord require_record(const RecordPlace& place) {
+    auto record = read_record(place);
+    if (!record)
+        throw Error(ErrorKind::environment, Problem{"the record of a member cannot be read", place.file, "", "",
+                                                    "Check the disk; --resume computes that member again"});
+    return *std::move(record);
+}
+
+void for_each_record(const std::string& path,
+                     const std::function<void(std::uint64_t member, const RecordPlace& place)>& visit) {
+    std::ifstream file = opened(path);
+    std::error_code error;
+    const std::uint64_t size = fs::file_size(path, error);
+    if (!file || error) return;
+    for (std::uint64_t at = 0; at < size;) {
+        std::string head(RecordHead::k_bytes, '\0');
+        file.clear();
+        file.seekg(static_cast<std::streamoff>(at));
+        file.read(head.data(), static_cast<std::streamsize>(head.size()));
+        const auto found = file ? record_head(head) : std::nullopt;
+        if (!found || found->bytes > size - at) {
+            at = next_beginning(file, at + 1, size);
+            continue;
+        }
+        visit(found->member, {path, at, found->bytes});
+        at += found->bytes;
+    }
+}
+
+RecordFiles::RecordFiles(std::string folder) : folder_(std::move(folder)) {
+    for (const std::string& file : records_in(folder_))
+        for_each_record(file, [this](std::uint64_t member, const RecordPlace& place) { places_[member] = place; });
+}
+
+RecordPlace RecordFiles::place(std::uint64_t member) const {
+    const auto found = places_.find(member);
+    return found == places_.end() ? RecordPlace{} : found->second;
+}
+
+void RecordFiles::append(std::uint64_t member, const std::string& bytes) {
+    if (file_.empty() || size_ >= k_most_bytes) {
+        sync();
+        for (int number = 1; file_.empty() || fs::exists(file_); ++number) file_ = record_file(folder_, number);
+        size_ = 0;
+    }
+    std::ofstream file(file_, std::ios::binary | std::ios::app);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) fail("cannot be written", errno, file_);
+    places_[member] = {file_, size_, bytes.size()};
+    size_ += bytes.size();
+    if (++unsynced_ >= k_together || since_sync_.seconds() > k_longest_wait) sync();
+}
+
+void RecordFiles::sync() {
+    if (unsynced_ == 0) return;
+    for (const std::string& path : {file_, fs::path(file_).parent_path().string()})
+        if (const int reason = sync_path(path); reason != 0) fail("cannot be stored", reason, path);
+    unsynced_ = 0;
+    since_sync_ = {};
+}
+
+std::size_t count_records(const std::string& folder) {
+    std::set<std::pair<fs::path, std::uint64_t>> found;
+    for (const std::string& file : records_in(folder))
+        for_each_record(file, [&](std::uint64_t member, const RecordPlace&) {
+            found.emplace(fs::path(file).parent_path(), member);
+        });
+    return found.size();
+}
+
+void join_records(const std::string& folder) {
+    const std::string path = (fs::path(folder) / k_joined_records).string();
+    const RecordFiles records(folder);
+    std::ofstream file(path, std::ios::binary);
+    const auto add = [&](const std::string& bytes) {
+        const std::uint64_t size = bytes.size();
+        file.write(reinterpret_cast<const char*>(&size), sizeof size);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    };
+    add(read_text_file((fs::path(folder) / k_record_identity).string()));
+    for (std::size_t member = 0; member < records.count(); ++member) add(bytes_at(records.place(member)));
+    file.close();
+    if (!file) fail("cannot be written", errno, path);
+}
+
+JoinedRecords split_records(const std::string& result, RecordFiles* to) {
+    const std::string path = (fs::path(result) / k_joined_records).string();
+    JoinedRecords joined;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return joined;
+    std::error_code error;
+    const std::uint64_t most = fs::file_size(path, error);
+    for (bool is_identity = true; file.peek() != std::ifstream::traits_type::eof(); is_identity = false) {
+        std::uint64_t size = 0;
+        file.read(reinterpret_cast<char*>(&size), sizeof size);
+        if (!is_identity && to == nullptr) {
+            file.seekg(static_cast<std::streamoff>(size), std::ios::cur);
+            ++joined.members;
+            continue;
+        }
+        std::string bytes(file && size <= most ? size : 0, '\0');
+        file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        if (!file || bytes.size() != size)
+            throw Error(ErrorKind::environment,
+                        Problem{"is damaged", path, "", "", "Run the study anew with more samples and --overwrite"});
+        if (is_identity) {
+            joined.identity = std::move(bytes);
+            continue;
+        }
+        const std::size_t member = joined.members++;
+        if (to != nullptr && to->place(member).file.empty()) to->append(member, bytes);
+    }
+    return joined;
+}
+
+}  // namespace frana::app::study
