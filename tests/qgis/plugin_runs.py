@@ -138,6 +138,9 @@ def test_refusals_elsewhere():
     assert message.startswith("Uncertain values: material.friction-angel: unknown key"), message
     assert "\nUncertain values: Release: Volume: 'unif' is not a distribution" in message, message
     assert refusal("ensemble", scene("range")).startswith("Uncertain values: no row is given")
+    message = refusal("ensemble", scene("rare", VARY=["release.volume", "uniform(3e4, 5e4)"], SAMPLES=10,
+                                        SAMPLING="importance", RARE_PLACE="house"))
+    assert "are too few for the rounds of sampling = importance" in message and "rare-place" not in message, message
     first = scene("taken")
     run("run", first)
     for name, parameters, said in (

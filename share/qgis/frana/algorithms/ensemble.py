@@ -6,7 +6,7 @@ import os
 from typing import Any
 
 from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
-                       QgsProcessingOutputRasterLayer, QgsProcessingParameterEnum)
+                       QgsProcessingOutputRasterLayer, QgsProcessingParameterEnum, QgsProcessingParameterString)
 
 from ..fields import Values, number_parameter, number_text
 from ..loading import load_result
@@ -14,7 +14,7 @@ from ..outputs import ENSEMBLE, declare
 from ..translation import tr
 from .study import StudyAlgorithm, by_key, section, vary_parameter
 
-_SAMPLINGS = ["sobol", "latin-hypercube", "random", "grid", "saltelli", "morris"]
+_SAMPLINGS = ["sobol", "latin-hypercube", "random", "importance", "grid", "saltelli", "morris"]
 
 
 class EnsembleAlgorithm(StudyAlgorithm):
@@ -34,6 +34,8 @@ class EnsembleAlgorithm(StudyAlgorithm):
         self.add_file()
         self.add_advanced(QgsProcessingParameterEnum("SAMPLING", "Sampling (sobol)", _SAMPLINGS, False, None,
                                                      True, True), "How the values of the runs are drawn.")
+        self.add_advanced(QgsProcessingParameterString("RARE_PLACE", "Gauge that few runs reach", None, False, True),
+                          "With the sampling importance: half of the runs are drawn near what makes the flow come there.")
         self.add_seed()
         self.add_advanced(number_parameter("UNTIL", "Standard error at which no more runs are made", (0, 0.5)),
                           "The number of runs is then the most.")
@@ -56,6 +58,7 @@ class EnsembleAlgorithm(StudyAlgorithm):
                                             "study file"))
         entries = [("scene", scene), ("samples", str(values.whole("SAMPLES")))]
         entries += [("sampling", values.word("SAMPLING"))] if values.has("SAMPLING") else []
+        entries += [("rare-place", values.text("RARE_PLACE"))] if values.has("RARE_PLACE") else []
         entries += [("seed", str(values.whole("SEED")))] if values.has("SEED") else []
         entries += [("until", number_text(values.number("UNTIL")))] if values.has("UNTIL") else []
         entries += [("levels", str(values.whole("LEVELS")))] if values.has("LEVELS") else []
