@@ -101,7 +101,8 @@ void check_table_values(const FrictionTableSpec& spec, std::size_t period, const
         if (range.has(worst)) return;
         problems.add({"brings the friction table beyond the limits of " + std::string(key),
                       file + ": " + (factor == 1 ? "material.friction-table" : factor_key),
-                      (factor == 1 ? *spec.name : shortest_text(factor)) + ", which gives " + shortest_text(worst),
+                      (factor == 1 ? *spec.name : shortest_text(factor)) + ", which gives " +
+                          shortest_text(std::round(1e6 * worst) / 1e6),
                       range.text(), factor == 1 ? "Correct the table" : "Choose a factor nearer to 1"});
     };
     check("material.friction-coefficient", "material.table-friction-factor", spec.friction_factor, mu);

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "gis/access/table_in.h"
 #include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
 #include "study/tiny_study.h"
 #include "support/html_check.h"
 

@@ -171,7 +171,7 @@ TEST_F(OwnFrictionTable, FactorsKeepItsValuesWithinTheLimitsOfTheKeys) {
     const std::string of_own = k_scene + "friction-table = own.ini\nreturn-period = 30\n";
     EXPECT_TRUE(problems(of_own).empty());
     EXPECT_TRUE(has_problem(problems(of_own + "forest = wood.shp\n"), "material.friction-table",
-                            "own.ini, which gives 2.1", "0 to 2"));
+                            own + ", which gives 2.1", "0 to 2"));
     EXPECT_TRUE(has_problem(problems(of_own + "table-turbulence-factor = 3\n"), "material.table-turbulence-factor",
                             "3, which gives 1.5e+09"));
 }
