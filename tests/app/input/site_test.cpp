@@ -163,7 +163,8 @@ TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
     EXPECT_EQ(told["volume_to_m3"], 5000);
     // A table of the program's own is an input like others, with its hash.
     std::string recorded;
-    for (const Json& file : parse_json(read_text(path("out/inputs.json")))["files"])
+    const Json inputs = parse_json(read_text(path("out/inputs.json")))["files"];
+    for (const Json& file : inputs)
         if (file["key"] == "material.friction-table")
             recorded = file["place"].get<std::string>() + file["xxh128"].get<std::string>();
     EXPECT_NE(recorded.find("friction/ramms-avalanche.ini"), std::string::npos) << recorded;

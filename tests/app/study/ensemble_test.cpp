@@ -65,14 +65,17 @@ std::map<std::string, std::string> metadata_of(const std::string& raster) {
 
 TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
     write_scene(k_numbers_only + "charts = off\n");
-    const std::string scene = read_text(path("scene.ini")), given = "friction-angle = ";
-    const auto at = scene.find(given);
-    ASSERT_NE(at, std::string::npos);
-    write("scene.ini", scene.substr(0, at) + "friction-table = ramms-avalanche\nreturn-period = 100" +
-                           scene.substr(scene.find('\n', at)));
+    const std::string scene = read_text(path("scene.ini"));
+    const auto at = scene.find("friction-angle = "), end = scene.find("[time]", at);
+    ASSERT_TRUE(at != std::string::npos && end != std::string::npos) << scene;
+    write("scene.ini",
+          scene.substr(0, at) + "friction-table = ramms-avalanche\nreturn-period = 100\n" + scene.substr(end));
     write_study("samples = 4\n",
                 "[vary]\nmaterial.table-friction-factor = uniform(0.8, 1)\n"
-                "release.volume = uniform(3000, 4000)\noutput.trace-threshold = uniform(0.1, 0.2)\n");
+                "release.volume = uniform(3000, 4000)\nmaterial.density = uniform(1900, 2100)\n");
+    const Outcome checked = frana({"check", "study.ini"});
+    EXPECT_NE(checked.out.find("of the central scene: RAMMS Avalanche"), std::string::npos) << checked.out;
+    EXPECT_NE(checked.out.find("varies with material.table-friction-factor, release.volume"), std::string::npos);
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json table = parse_json(read_text(path("out/summary.json")))["friction_table"];
