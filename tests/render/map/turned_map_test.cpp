@@ -81,8 +81,9 @@ TEST(TurnedMap, TurnAndItsInverseAgree) {
     EXPECT_EQ(MapTurn(0).page({0.1, 5094567.8}).y, 5094567.8) << "not turned: the same bits";
 }
 
-// A strip towards N 60 E, 800 m by 40 m on cells of 10 m: the steps of its edge turn the least frame by up to 40 / 800.
-TEST(TurnedMap, TheLongerSideOfAFlowLiesAlongThePage) {
+// A strip towards N 60 E, 800 m by 40 m: its cells are to half a cell those of the strip, which at its ends turns the
+// axis by 5 / 400, less than a degree; another half is that of whole degrees.
+TEST(TurnedMap, TheLongerAxisOfAFlowLiesAlongThePage) {
     const Raster ground = test::terrain();
     Raster strip(ground.grid, k_no_data);
     const Point from{527200, 5094300};
@@ -95,13 +96,18 @@ TEST(TurnedMap, TheLongerSideOfAFlowLiesAlongThePage) {
             if (along > 0 && along < 800 && std::fabs(across) < 20) strip.at(row, column) = 1;
         }
     MapSpec spec = map_of_patches(ground, strip);
-    EXPECT_NEAR(turn_along_content(spec, false).deg, 30, 3);
-    EXPECT_NEAR(turn_along_content(spec, true).deg, -60, 3);
-    MapLayout north_up, turned;
-    (void)draw_map(spec, &north_up);
-    spec.turn = turn_along_content(spec, false);
-    (void)draw_map(spec, &turned);
-    EXPECT_LT(turned.metres_per_pixel, north_up.metres_per_pixel) << "it has more room";
+    EXPECT_NEAR(turn_along_content(spec, false).deg, 30, 1.2);
+    EXPECT_NEAR(turn_along_content(spec, true).deg, -60, 1.2);
+    // A strip to the north takes less room lying: 650 m by 200 m on a page wider than high.
+    const Raster north = test::tongue();
+    MapSpec of_north = map_of_patches(ground, north);
+    of_north.categories.clear();
+    MapLayout upright, lying;
+    (void)draw_map(of_north, &upright);
+    of_north.turn = turn_along_content(of_north, false);
+    (void)draw_map(of_north, &lying);
+    EXPECT_EQ(std::fabs(of_north.turn.deg), 90);
+    EXPECT_LT(lying.metres_per_pixel, upright.metres_per_pixel);
 }
 
 // Turned by 90 degrees to the right, north is to the right: northings stand below, eastings beside the frame.
