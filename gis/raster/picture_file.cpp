@@ -11,17 +11,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/geometry.h"
 #include "core/text.h"
 #include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
@@ -338,9 +341,17 @@ GdalDataset in_memory(const PicturePixels& picture, const std::string& path, con
     return dataset;
 }
 
-void set_place(GDALDatasetH dataset, const Bounds& box, const std::string& crs_wkt) {
-    std::array<double, 6> geo{box.west, box.width() / GDALGetRasterXSize(dataset),  0, box.north,
-                              0,        -box.height() / GDALGetRasterYSize(dataset)};
+/// Map coordinates of a point of a page on which the map is turned; exactly the same if it is not.
+Point unturned(Point page, double turn_deg) {
+    const double angle = turn_deg * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    return {page.x * c - page.y * s, page.y * c + page.x * s};
+}
+
+void set_place(GDALDatasetH dataset, const Bounds& box, const std::string& crs_wkt, double turn_deg) {
+    const Point corner = unturned({box.west, box.north}, turn_deg),
+                right = unturned({box.width() / GDALGetRasterXSize(dataset), 0}, turn_deg),
+                down = unturned({0, -box.height() / GDALGetRasterYSize(dataset)}, turn_deg);
+    std::array<double, 6> geo{corner.x, right.x, down.x, corner.y, right.y, down.y};
     GDALSetGeoTransform(dataset, geo.data());
     if (crs_wkt.empty()) return;
     OGRSpatialReferenceH crs = OSRNewSpatialReference(crs_wkt.c_str());
@@ -363,20 +374,26 @@ void write(const std::string& path, GDALDatasetH dataset, const char* driver, co
     memory.write_to_disk(path, Sync::no);
 }
 
-std::string neat_line(const Bounds& map) {
-    std::array<char, 320> text{};
-    std::snprintf(text.data(), text.size(), "POLYGON ((%.3f %.3f,%.3f %.3f,%.3f %.3f,%.3f %.3f,%.3f %.3f))", map.west,
-                  map.north, map.east, map.north, map.east, map.south, map.west, map.south, map.west, map.north);
-    return text.data();
+std::string neat_line(const Bounds& map, double turn_deg) {
+    std::string text;
+    for (const Point page : {Point{map.west, map.north}, Point{map.east, map.north}, Point{map.east, map.south},
+                             Point{map.west, map.south}, Point{map.west, map.north}}) {
+        const Point corner = unturned(page, turn_deg);
+        std::array<char, 64> pair{};
+        std::snprintf(pair.data(), pair.size(), "%.3f %.3f", corner.x, corner.y);
+        text += (text.empty() ? "" : ",") + std::string(pair.data());
+    }
+    return "POLYGON ((" + text + "))";
 }
 
 }  // namespace
 
 void write_picture_geotiff(const std::string& path, const PicturePixels& picture, const Bounds& box,
-                           const std::string& crs_wkt, const std::map<std::string, std::string>& metadata) {
+                           const std::string& crs_wkt, const std::map<std::string, std::string>& metadata,
+                           double turn_deg) {
     const GdalSession session;
     const GdalDataset dataset = in_memory(picture, path, session);
-    set_place(dataset.get(), box, crs_wkt);
+    set_place(dataset.get(), box, crs_wkt, turn_deg);
     for (const auto& [key, value] : metadata)
         GDALSetMetadataItem(dataset.get(), key.c_str(), valid_utf8(value).c_str(), nullptr);
     CPLStringList options;
@@ -413,8 +430,8 @@ void write_pdf(const std::string& path, const std::string& bytes, const std::opt
         const ThreadOption encoding("GDAL_PDF_GEO_ENCODING", "ISO32000");
         const GdalDataset page(GDALOpenEx(copy.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
         if (!page) session.refuse_written("the picture", path);
-        set_place(page.get(), place->page, place->crs_wkt);
-        GDALSetMetadataItem(page.get(), "NEATLINE", neat_line(place->map).c_str(), nullptr);
+        set_place(page.get(), place->page, place->crs_wkt, place->turn_deg);
+        GDALSetMetadataItem(page.get(), "NEATLINE", neat_line(place->map, place->turn_deg).c_str(), nullptr);
     }
     if (session.failed()) session.refuse_written("the picture", path);
     memory.write_to_disk(path, Sync::no);

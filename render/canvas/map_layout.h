@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/colour.h"
+#include "core/geometry.h"
 #include "core/grid_spec.h"
 
 namespace frana::render {
@@ -22,6 +25,23 @@ struct PageBox {
     [[nodiscard]] bool inside(const PageBox& other) const noexcept {
         return left >= other.left && right <= other.right && top >= other.top && bottom <= other.bottom;
     }
+};
+
+/// A map turned on its page. Coordinates of the page are metres to the right and upwards; not turned they are those of
+/// the map.
+struct MapTurn {
+    double deg = 0;  ///< direction of grid north, clockwise from straight up on the page
+    double c = 1, s = 0;
+
+    MapTurn() = default;
+    explicit MapTurn(double degrees)
+        : deg(degrees),
+          c(degrees == 0 ? 1 : std::cos(degrees * std::numbers::pi / 180)),
+          s(degrees == 0 ? 0 : std::sin(degrees * std::numbers::pi / 180)) {}
+    [[nodiscard]] Point page(Point map) const { return {map.x * c + map.y * s, map.y * c - map.x * s}; }
+    [[nodiscard]] Point map(Point page) const { return {page.x * c - page.y * s, page.y * c + page.x * s}; }
+    /// Whether eastings vary more than northings along a level line of the page.
+    [[nodiscard]] bool east_is_level() const { return std::fabs(c) >= std::fabs(s); }
 };
 
 /// A piece of text and the pixels that its ink covers.
@@ -42,8 +62,9 @@ struct LegendEntry {
 /// Places of everything drawn, for tests and for placing further things on a map.
 struct MapLayout {
     PageBox page;
-    PageBox map;                  ///< inside of the frame
-    Bounds window;                ///< map coordinates shown inside the frame
+    PageBox map;    ///< inside of the frame
+    Bounds window;  ///< coordinates of the page (MapTurn) shown inside the frame
+    MapTurn turn;
     double metres_per_pixel = 0;  ///< the same in both directions
     double scale = 0;             ///< n of 1 : n when printed; 0: not printed
     PageBox title_block;          ///< empty: none, or its lines are at the foot

@@ -107,6 +107,7 @@ struct MapSpec {
     std::vector<Outline> outlines;
     std::vector<std::string> side_notes;  ///< lines of values beside the map, below the legend
     double convergence_deg = 0;           ///< true north from grid north, clockwise positive
+    MapTurn turn{};                       ///< of the map on its page
     std::string crs_label;                ///< "EPSG:32632 (WGS 84 / UTM zone 32N)"
     int width = 1600;                     ///< pixels
     int height = 1200;
@@ -122,6 +123,10 @@ struct MapSpec {
     std::function<Point(Point)> longitude_latitude;
     Words words{};  ///< of the furniture; the texts above are in its language already
 };
+
+/// Returns the turn with which the longer principal axis of the flow's cells lies level, or `upright`, grid north as
+/// far up as possible. In whole degrees.
+MapTurn turn_along_content(const MapSpec& spec, bool upright);
 
 /// The scales at which a map's content fits its frame.
 struct FittingScale {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "render/canvas/image.h"
@@ -10,6 +11,18 @@
 #include "render/map/relief.h"
 
 namespace frana::render {
+
+Bounds MapFrame::ground_bounds() const {
+    std::optional<Bounds> all;
+    for (const double x : {window.west, window.east})
+        for (const double y : {window.south, window.north}) {
+            const Point p = turn.map({x, y});
+            if (!all) all = Bounds{p.x, p.y, p.x, p.y};
+            *all = {std::min(all->west, p.x), std::min(all->south, p.y), std::max(all->east, p.x),
+                    std::max(all->north, p.y)};
+        }
+    return *all;
+}
 
 ReliefTones::ReliefTones(const Raster& shade) {
     std::vector<double> values;
@@ -51,7 +64,7 @@ double ReliefTones::fit(std::vector<double>& values) {
 
 void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
     const std::int64_t most_cells = 2 * static_cast<std::int64_t>(std::max(frame.width, frame.height));
-    const Raster part = raster_window(terrain, frame.window, most_cells);
+    const Raster part = raster_window(terrain, frame.ground_bounds(), most_cells);
     if (part.grid.columns == 0) return;
     const Raster shade = hillshade(part);
     const ReliefTones tones(shade);
@@ -69,13 +82,22 @@ void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
 }
 
 void paint_background(Image& page, const MapFrame& frame, const Background& background) {
-    const OverlayImage picture = background(frame.window, frame.width, frame.height);
+    const Bounds box = frame.ground_bounds();
+    const double metre = frame.metres_per_pixel();
+    const bool turned = frame.turn.deg != 0;
+    const int columns = turned ? static_cast<int>(std::ceil(box.width() / metre)) : frame.width,
+              rows = turned ? static_cast<int>(std::ceil(box.height() / metre)) : frame.height;
+    const OverlayImage picture =
+        background({box.west, box.north - rows * metre, box.west + columns * metre, box.north}, columns, rows);
     constexpr double k_lighter = 0.18;  // of the way to white
     for (int row = 0; row < frame.height; ++row) {
         for (int column = 0; column < frame.width; ++column) {
+            const Point at = frame.ground(column, row);
+            const int x = turned ? std::clamp(static_cast<int>((at.x - box.west) / metre), 0, columns - 1) : column,
+                      y = turned ? std::clamp(static_cast<int>((box.north - at.y) / metre), 0, rows - 1) : row;
             const std::uint8_t* from =
-                picture.rgba.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width) +
-                                           static_cast<std::size_t>(column));
+                picture.rgba.data() +
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x));
             std::uint8_t* to = page.pixel(frame.left + column, frame.top + row);
             for (int k = 0; k < 3; ++k) {  // colours are premultiplied by their opacity
                 const double under = to[k] * (255 - from[3]) / 255.0;

@@ -15,19 +15,24 @@ namespace frana::render {
 /// A window of the ground in whole pixels of a page.
 struct MapFrame {
     int left = 0, top = 0, width = 0, height = 0;  ///< [px]
-    Bounds window;
+    Bounds window;                                 ///< in coordinates of the page (MapTurn)
+    MapTurn turn{};
 
     [[nodiscard]] double metres_per_pixel() const { return window.width() / width; }
     /// Map coordinates of a pixel's centre.
     [[nodiscard]] Point ground(int column, int row) const {
-        return {window.west + (column + 0.5) * metres_per_pixel(), window.north - (row + 0.5) * metres_per_pixel()};
+        return turn.map(
+            {window.west + (column + 0.5) * metres_per_pixel(), window.north - (row + 0.5) * metres_per_pixel()});
     }
     /// Pixels of the page, from its upper left corner.
     [[nodiscard]] Point page(Point map) const {
-        return {left + (map.x - window.west) / metres_per_pixel(), top + (window.north - map.y) / metres_per_pixel()};
+        const Point p = turn.page(map);
+        return {left + (p.x - window.west) / metres_per_pixel(), top + (window.north - p.y) / metres_per_pixel()};
     }
+    /// The least box of map coordinates that contains the window.
+    [[nodiscard]] Bounds ground_bounds() const;
     /// The same window in the corner of a picture of its own.
-    [[nodiscard]] MapFrame alone() const { return {0, 0, width, height, window}; }
+    [[nodiscard]] MapFrame alone() const { return {0, 0, width, height, window, turn}; }
     [[nodiscard]] PageBox box() const {
         return {static_cast<double>(left), static_cast<double>(top), static_cast<double>(left + width),
                 static_cast<double>(top + height)};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -140,8 +142,55 @@ const GridSpec& map_grid(const MapSpec& spec) {
     return (spec.layer != nullptr ? spec.layer : spec.extent != nullptr ? spec.extent : spec.terrain)->grid;
 }
 
-/// The flow and the outlines; none without either.
+/// The least box in coordinates of the page.
+std::optional<Bounds> box_of(const std::vector<Point>& points, const MapTurn& turn) {
+    std::optional<Bounds> box;
+    for (const Point map : points) {
+        const Point p = turn.page(map);
+        include(box, {p.x, p.y, p.x, p.y});
+    }
+    return box;
+}
+
+std::vector<Point> corners(const Bounds& box) {
+    return {{box.west, box.south}, {box.east, box.south}, {box.east, box.north}, {box.west, box.north}};
+}
+
+/// Corners of the first and the last cell with a value of each row.
+void add_ends(const Raster& raster, std::vector<Point>& points) {
+    const GridSpec& grid = raster.grid;
+    std::map<std::int64_t, std::pair<std::int64_t, std::int64_t>> ends;
+    raster.values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value)) return;
+        const auto at = static_cast<std::int64_t>(cell), column = at % grid.columns;
+        const auto [row, is_new] = ends.try_emplace(at / grid.columns, column, column);
+        row->second = {std::min(row->second.first, column), std::max(row->second.second, column)};
+    });
+    for (const auto& [row, columns] : ends) {
+        const double north = grid.north - static_cast<double>(row) * grid.cell_size;
+        for (const Point corner :
+             corners({grid.west + static_cast<double>(columns.first) * grid.cell_size, north - grid.cell_size,
+                      grid.west + static_cast<double>(columns.second + 1) * grid.cell_size, north}))
+            points.push_back(corner);
+    }
+}
+
+/// The flow and the outlines: points that together lie as far out as they do. Empty without either.
+std::vector<Point> content_points(const MapSpec& spec) {
+    std::vector<Point> points;
+    for (const Raster* raster : {spec.extent, spec.layer}) {
+        if (raster == nullptr || (raster == spec.layer && !spec.layer_frames_map)) continue;
+        add_ends(*raster, points);
+    }
+    for (const Outline& outline : spec.outlines)
+        for (const Polygon& polygon : outline.polygons)
+            if (outline.frames_map) points.insert(points.end(), polygon.outer.begin(), polygon.outer.end());
+    return points;
+}
+
+/// The flow and the outlines in coordinates of the page; none without either.
 std::optional<Bounds> content(const MapSpec& spec) {
+    if (spec.turn.deg != 0) return box_of(content_points(spec), spec.turn);
     std::optional<Bounds> shown;
     for (const Raster* raster : {spec.extent, spec.layer}) {
         if (raster == nullptr || (raster == spec.layer && !spec.layer_frames_map)) continue;
@@ -155,10 +204,33 @@ std::optional<Bounds> content(const MapSpec& spec) {
 
 }  // namespace
 
+MapTurn turn_along_content(const MapSpec& spec, bool upright) {
+    const Raster* const flow = spec.extent != nullptr ? spec.extent : spec.layer;
+    if (flow == nullptr) return {};
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // moments of the cells' places
+    flow->values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value)) return;
+        const auto at = static_cast<std::int64_t>(cell);
+        const auto east = static_cast<double>(at % flow->grid.columns),
+                   north = -static_cast<double>(at / flow->grid.columns);
+        n += 1;
+        x += east;
+        y += north;
+        xx += east * east;
+        xy += east * north;
+        yy += north * north;
+    });
+    if (!(n > 1)) return {};
+    const double axis = std::atan2(2 * (xy - x * y / n), xx - yy - (x * x - y * y) / n) / 2;
+    const double level = std::round(axis * 180 / std::numbers::pi);  // anticlockwise from east
+    return MapTurn(upright ? level > 0 ? level - 90 : level + 90 : level);
+}
+
 Bounds required_window(const MapSpec& spec) {
-    if (spec.window) return *spec.window;
+    const auto turned = [&](const Bounds& box) { return *box_of(corners(box), spec.turn); };
+    if (spec.window) return turned(*spec.window);
     if (const auto shown = content(spec)) return *shown;
-    return spec.terrain != nullptr ? spec.terrain->grid.bounds() : map_grid(spec).bounds();
+    return turned(spec.terrain != nullptr ? spec.terrain->grid.bounds() : map_grid(spec).bounds());
 }
 
 Bounds map_window(const MapSpec& spec, int frame_width, int frame_height) {
@@ -175,7 +247,7 @@ Bounds map_window(const MapSpec& spec, int frame_width, int frame_height) {
     const double x = (window.west + window.east) / 2, y = (window.south + window.north) / 2;
     window = {x - width / 2, y - height / 2, x + width / 2, y + height / 2};
     window = window_at_scale(spec.print, required, window, frame_width, frame_height);
-    if (!spec.window && spec.terrain != nullptr) {
+    if (!spec.window && spec.terrain != nullptr && spec.turn.deg == 0) {
         const Bounds ground = spec.terrain->grid.bounds();
         keep_within(window.west, window.east, ground.west, ground.east);
         keep_within(window.south, window.north, ground.south, ground.north);
@@ -184,7 +256,7 @@ Bounds map_window(const MapSpec& spec, int frame_width, int frame_height) {
 }
 
 void keep_to_ground(const MapSpec& spec, MapFrame& frame) {
-    if (spec.window || spec.terrain == nullptr) return;
+    if (spec.window || spec.terrain == nullptr || spec.turn.deg != 0) return;
     std::optional<Bounds> ground = spec.terrain->grid.bounds();
     include(ground, required_window(spec));
     const double metre = frame.metres_per_pixel();
@@ -227,8 +299,8 @@ bool same(const Outline& a, const Outline& b) {
 
 bool same(const MapFrame& a, const MapFrame& b) {
     return a.left == b.left && a.top == b.top && a.width == b.width && a.height == b.height &&
-           a.window.west == b.window.west && a.window.south == b.window.south && a.window.east == b.window.east &&
-           a.window.north == b.window.north;
+           a.turn.deg == b.turn.deg && a.window.west == b.window.west && a.window.south == b.window.south &&
+           a.window.east == b.window.east && a.window.north == b.window.north;
 }
 
 /// The cells that the raster, or all rasters of a series, may colour.

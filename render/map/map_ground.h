@@ -10,7 +10,8 @@
 
 namespace frana::render {
 
-/// Returns what a map must show: the requested window, else the flow and the outlines, else the whole terrain.
+/// Returns what a map must show, in coordinates of the page (MapTurn): the requested window, else the flow and the
+/// outlines, else the whole terrain.
 Bounds required_window(const MapSpec& spec);
 
 /// Returns the ground shown in a frame of width x height pixels: what the map must show, with a margin and at the scale

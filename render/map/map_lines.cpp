@@ -140,7 +140,7 @@ class LabelPlaces {
 double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Raster& terrain,
                      const Raster* layer, const std::vector<Outline>& outlines, const Words& words) {
     // Two pixels per cell: finer crossings cannot be distinguished on the page.
-    const Raster part = raster_window(terrain, frame.window, std::max(frame.width, frame.height) / 2);
+    const Raster part = raster_window(terrain, frame.ground_bounds(), std::max(frame.width, frame.height) / 2);
     if (part.grid.columns < 2 || part.grid.rows < 2) return 0;
     const ValueRange heights = value_range(part);
     if (heights.empty() || heights.greatest - heights.least < 1e-6) return 0;
@@ -209,32 +209,45 @@ void draw_place(Sheet& sheet, const PageStyle& style, Point at, Rgb colour) {
 void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected, const Words& words) {
     const Lettering& lettering = sheet.lettering();
     const PageBox box = frame.box();
-    const double widest = std::max(lettering.width(words.number(grouped(frame.window.east)) + " E", style.small),
-                                   lettering.width(words.number(grouped(frame.window.north)) + " N", style.small));
+    const Bounds ground = frame.ground_bounds(), &window = frame.window;
+    const MapTurn& turn = frame.turn;
+    const bool east_is_level = turn.east_is_level();
+    const double widest = std::max(lettering.width(words.number(grouped(ground.east)) + " E", style.small),
+                                   lettering.width(words.number(grouped(ground.north)) + " N", style.small));
     const double metre = frame.metres_per_pixel();
     // Coordinates are labelled in full metres, so the step is at least one.
     const double step = std::max(1.0, nice_step_above(1.7 * widest * metre));
-    const std::vector<double> eastings = multiples(frame.window.west, frame.window.east, step);
-    const std::vector<double> northings = multiples(frame.window.south, frame.window.north, step);
+    const std::vector<double> eastings = multiples(ground.west, ground.east, step);
+    const std::vector<double> northings = multiples(ground.south, ground.north, step);
+    const auto words_of = [&](double value, bool east) {
+        return words.number(grouped(value)) + (projected ? east ? " E" : " N" : "");
+    };
     const double tick = style.length(8), text_gap = tick + 0.45 * style.small.size_px;
     const LineStyle line{style.line(1.2), k_ink, 1, {}};
 
-    for (const double easting : eastings) {
-        const double x = frame.page({easting, 0}).x;
+    for (const double value : east_is_level ? eastings : northings) {
+        // Where the line of this coordinate crosses the lower side.
+        const double at =
+            east_is_level ? (value + window.south * turn.s) / turn.c : (value - window.south * turn.c) / turn.s;
+        const double x = box.left + (at - window.west) / metre;
+        if (x < box.left || x > box.right) continue;
         const std::array<Point, 2> mark{{{x, box.bottom}, {x, box.bottom + tick}}};
         sheet.line(mark, line);
-        const std::string label = words.number(grouped(easting)) + (projected ? " E" : "");
+        const std::string label = words_of(value, east_is_level);
         const double half = lettering.width(label, style.small) / 2;
         if (x - half < box.left || x + half > box.right) continue;
         sheet.text(label, {x, box.bottom + text_gap}, style.small, Across::centre, Upright::top);
     }
     TextStyle upright = style.small;
     upright.angle_deg = 90;
-    for (const double northing : northings) {
-        const double y = frame.page({0, northing}).y;
+    for (const double value : east_is_level ? northings : eastings) {
+        const double at =
+            east_is_level ? (value - window.west * turn.s) / turn.c : (window.west * turn.c - value) / turn.s;
+        const double y = box.top + (window.north - at) / metre;
+        if (y < box.top || y > box.bottom) continue;
         const std::array<Point, 2> mark{{{box.left - tick, y}, {box.left, y}}};
         sheet.line(mark, line);
-        const std::string label = words.number(grouped(northing)) + (projected ? " N" : "");
+        const std::string label = words_of(value, !east_is_level);
         const double half = lettering.width(label, style.small) / 2;
         if (y - half < box.top || y + half > box.bottom) continue;
         sheet.text(label, {box.left - text_gap, y}, upright, Across::centre, Upright::baseline);
@@ -246,8 +259,9 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
             const Point p = frame.page({easting, northing});
             if (p.x < box.left + arm || p.x > box.right - arm || p.y < box.top + arm || p.y > box.bottom - arm)
                 continue;
-            const std::array<Point, 2> level{{{p.x - arm, p.y}, {p.x + arm, p.y}}};
-            const std::array<Point, 2> vertical{{{p.x, p.y - arm}, {p.x, p.y + arm}}};
+            const double c = arm * turn.c, s = arm * turn.s;
+            const std::array<Point, 2> level{{{p.x - c, p.y - s}, {p.x + c, p.y + s}}};
+            const std::array<Point, 2> vertical{{{p.x + s, p.y - c}, {p.x - s, p.y + c}}};
             sheet.line(level, cross);
             sheet.line(vertical, cross);
         }
@@ -329,18 +343,21 @@ void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
                     const std::function<Point(Point)>& longitude_latitude, const Words& words) {
     const PageBox box = frame.box();
     const Bounds& window = frame.window;
-    const auto longitude = [&](double t) {
-        return longitude_latitude({window.west + t * window.width(), window.north}).x;
+    const bool east_is_level = frame.turn.east_is_level();  // longitudes along the upper side
+    const auto degrees_at = [&](Point page, bool east) {
+        const Point at = longitude_latitude(frame.turn.map(page));
+        return east ? at.x : at.y;
     };
-    const auto latitude = [&](double t) {
-        return longitude_latitude({window.east, window.south + t * window.height()}).y;
+    const auto upper = [&](double t) {
+        return degrees_at({window.west + t * window.width(), window.north}, east_is_level);
     };
-    double east, west, north, south;
+    const auto right = [&](double t) {
+        return degrees_at({window.east, window.south + t * window.height()}, !east_is_level);
+    };
+    double span_x, span_y;
     try {
-        west = longitude(0);
-        east = longitude(1);
-        south = latitude(0);
-        north = latitude(1);
+        span_x = upper(1) - upper(0);
+        span_y = right(1) - right(0);
     } catch (const Error&) {
         return;  // the projection has no inverse there
     }
@@ -351,22 +368,22 @@ void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
         const double widest = lettering.width("000\u00B000\u203200\u2033 W", style.small);
         return degree_step_above(1.5 * widest * std::fabs(span) / pixels);
     };
-    const double step_x = step_for(east - west, box.width());
-    for (const RoundPlace& one : round_places(longitude, step_x)) {
+    const double step_x = step_for(span_x, box.width());
+    for (const RoundPlace& one : round_places(upper, step_x)) {
         const double x = box.left + one.place * box.width();
         sheet.line(std::array<Point, 2>{{{x, box.top - tick}, {x, box.top}}}, line);
-        const std::string label = words.number(degree_words(one.value, step_x, words("EW")));
+        const std::string label = words.number(degree_words(one.value, step_x, east_is_level ? words("EW") : "NS"));
         const double half = lettering.width(label, style.small) / 2;
         if (x - half < box.left || x + half > box.right) continue;
         sheet.text(label, {x, box.top - text_gap}, style.small, Across::centre, Upright::baseline);
     }
-    const double step_y = step_for(north - south, box.height());
+    const double step_y = step_for(span_y, box.height());
     TextStyle upright = style.small;
     upright.angle_deg = 90;
-    for (const RoundPlace& one : round_places(latitude, step_y)) {
+    for (const RoundPlace& one : round_places(right, step_y)) {
         const double y = box.bottom - one.place * box.height();
         sheet.line(std::array<Point, 2>{{{box.right, y}, {box.right + tick, y}}}, line);
-        const std::string label = words.number(degree_words(one.value, step_y, "NS"));
+        const std::string label = words.number(degree_words(one.value, step_y, east_is_level ? "NS" : words("EW")));
         const double half = lettering.width(label, style.small) / 2;
         if (y - half < box.top || y + half > box.bottom) continue;
         sheet.text(label, {box.right + text_gap, y}, upright, Across::centre, Upright::top);

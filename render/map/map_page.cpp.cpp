@@ -44,16 +44,20 @@ std::optional<MapFrame> inset_frame(const Bounds& terrain, const Bounds& window,
 /// Draws the relief of all the terrain, of the inset's size; its frame and the map's window as a rectangle in it go to
 /// the sheet.
 Image draw_inset(Sheet& sheet, const PageStyle& style, const MapFrame& inset, const Raster& terrain,
-                 const Bounds& window) {
+                 const MapFrame& map) {
     Image picture(inset.width, inset.height, k_no_terrain);
     paint_relief(picture, inset.alone(), terrain);
     const PageBox box = inset.box();
-    const Point low = inset.page({window.west, window.south}), high = inset.page({window.east, window.north});
-    const PageBox shown{std::max(low.x, box.left), std::max(high.y, box.top), std::min(high.x, box.right),
-                        std::min(low.y, box.bottom)};
+    const Bounds& window = map.window;
+    Polyline shown;
+    for (const Point corner : {Point{window.west, window.south}, Point{window.east, window.south},
+                               Point{window.east, window.north}, Point{window.west, window.north}}) {
+        const Point p = inset.page(map.turn.map(corner));
+        shown.push_back({std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)});
+    }
     constexpr Rgb k_here{180, 0, 40};
-    sheet.frame(shown, {style.line(2) + 2 * style.line(1.2), {255, 255, 255}});
-    sheet.frame(shown, {style.line(2), k_here});
+    sheet.line(shown, {style.line(2) + 2 * style.line(1.2), {255, 255, 255}, 1, {}}, true);
+    sheet.line(shown, {style.line(2), k_here, 1, {}}, true);
     sheet.frame(box, {style.line(1.2), k_ink});
     return picture;
 }
@@ -274,8 +278,8 @@ double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spe
     }
     const double reach = north_arrow_height(style) / 2;
     y -= 2 * reach;
-    layout.north_arrow = draw_north_arrow(sheet, style, {column.left + reach, y + reach}, spec.convergence_deg);
-    layout.north_arrow_deg = spec.convergence_deg;
+    layout.north_arrow_deg = spec.convergence_deg + spec.turn.deg;
+    layout.north_arrow = draw_north_arrow(sheet, style, {column.left + reach, y + reach}, layout.north_arrow_deg);
     if (spec.print.dots_per_inch > 0) {
         layout.scale = scale_of(frame.metres_per_pixel(), spec.print.dots_per_inch);
         const double left = column.left + 2 * reach + style.gap, width = column.right - left;
@@ -380,6 +384,7 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
                                 notes_at_foot ? &nothing : &spec.side_notes};
     const double inner = spec.width - 2 * plan.style.margin;
     frame_ = plan.frame;
+    frame_.turn = spec.turn;
     frame_.window = map_window(spec, frame_.width, frame_.height);
     keep_to_ground(spec, frame_);
     double lacking = 0;
@@ -392,6 +397,7 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
         layout_.page = {0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
         layout_.map = frame_.box();
         layout_.window = frame_.window;
+        layout_.turn = frame_.turn;
         layout_.metres_per_pixel = frame_.metres_per_pixel();
         layout_.font_px = style.label.size_px;
         const double titles_bottom = draw_page_head(sheet, plan, spec, for_frames, subtitle_at_);
@@ -438,9 +444,9 @@ void MapPage::furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle
             : nullptr;
     std::optional<MapFrame> inset;
     if (spec.inset && spec.terrain != nullptr)
-        inset = inset_frame(spec.terrain->grid.bounds(), frame_.window, style, free);
+        inset = inset_frame(spec.terrain->grid.bounds(), frame_.ground_bounds(), style, free);
     if (inset) {
-        inset_ = std::make_shared<const Image>(draw_inset(sheet, style, *inset, *spec.terrain, frame_.window));
+        inset_ = std::make_shared<const Image>(draw_inset(sheet, style, *inset, *spec.terrain, frame_));
         layout_.inset = inset->box();
         layout_.inset_window = inset->window;
     }

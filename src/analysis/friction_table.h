@@ -32,6 +32,7 @@ struct FrictionTable {
     };
 
     std::string name{};               ///< of the file, without .ini
+    std::string file{};               ///< where it was read
     std::string called{};             ///< its title
     std::string named_source{};       ///< of the values
     std::string quote{}, read_at{};   ///< words of it and where they were read; empty: not read
@@ -97,6 +98,8 @@ class FrictionByPlace {
     [[nodiscard]] std::optional<Place> at(std::int64_t row, std::int64_t column) const;
     [[nodiscard]] const FrictionChoice& choice() const noexcept { return choice_; }
     [[nodiscard]] const Raster& terrain() const noexcept { return terrain_; }
+    /// Returns the spacing of the elevations used for the curvature [m]: the table's, in whole cells, at least one.
+    [[nodiscard]] double spacing() const { return static_cast<double>(step_) * terrain_.grid.cell_size; }
 
   private:
     FrictionChoice choice_;

@@ -67,6 +67,16 @@ double critical_speed(double gravity, double discharge, double length) {
     return std::cbrt(gravity * discharge / length);
 }
 
+double volume_of(const Inflow& inflow, double end) {
+    double volume = 0;
+    for (std::size_t i = 0; i + 1 < inflow.hydrograph.size(); ++i) {
+        const HydrographPoint &a = inflow.hydrograph[i], &b = inflow.hydrograph[i + 1];
+        const double span = b.time - a.time, time = std::min(b.time, end) - a.time;
+        if (time > 0) volume += time * (a.discharge + 0.5 * (b.discharge - a.discharge) * time / span);
+    }
+    return volume;
+}
+
 double particles_of(const Inflow& inflow, double spacing, double end) {
     double way = 0;
     for (std::size_t i = 0; i + 1 < inflow.hydrograph.size(); ++i) {

@@ -32,6 +32,8 @@ double length_of(const Polyline& line);
 /// Returns the critical speed (g Q / L)^(1/3) [m/s], with which material crosses a line of length L [m] if a hydrograph
 /// gives none.
 double critical_speed(double gravity, double discharge, double length);
+/// Returns the volume that an inflow gives until `end` [m3].
+double volume_of(const Inflow& inflow, double end);
 /// Returns the number of particles that an inflow gives until `end`, `spacing` apart.
 double particles_of(const Inflow& inflow, double spacing, double end);
 

@@ -182,12 +182,9 @@ std::shared_ptr<const FrictionByPlace> set_table_friction(const SceneSpec& spec,
     if (!keys.altitude_limits.empty()) table.altitudes = keys.altitude_limits;
     choice.period = static_cast<std::size_t>(
         std::find(table.periods.begin(), table.periods.end(), *keys.return_period) - table.periods.begin());
-    if (!keys.volume && scene.release.empty()) {
-        problems.add({"needs material.table-volume: the scene has no release, only inflow", where, table.name, "",
-                      "Give the volume of the event"});
-        return nullptr;
-    }
     choice.volume = keys.volume ? *keys.volume : make_release(scene).volume;
+    for (const Inflow& inflow : scene.inflows)
+        if (!keys.volume) choice.volume += volume_of(inflow, scene.time.end);
     double greatest = 0;
     for (std::size_t kind = 0; kind < table.terrain.size(); ++kind)
         for (std::size_t band = 0; band <= table.altitudes.size(); ++band)

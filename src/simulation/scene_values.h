@@ -41,7 +41,8 @@ void check_inside(const Polyline& places, const GridSpec& grid, const std::strin
 /// The scene's laws are defined up to this friction coefficient, the zones' greatest.
 void check_zone_friction(const SceneSpec& spec, double greatest, const std::string& where, Problems& problems);
 /// Gives `scene` bed friction by place after its friction table, where [zones] has no value; the scene is complete
-/// otherwise. The volume is that of the release, unless a key gives it. Ground of which nothing is read yet stays so.
+/// otherwise. The volume is that of release and inflow, unless a key gives it. Ground of which nothing is read yet
+/// stays so.
 /// @param forest anything but NaN where forest stands
 /// Returns what was chosen; null without a table, or with a problem. Throws as make_release does.
 std::shared_ptr<const FrictionByPlace> set_table_friction(const SceneSpec& spec, std::optional<Raster> forest,

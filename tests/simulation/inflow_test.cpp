@@ -33,6 +33,13 @@ TEST(CutHydrograph, ConservesTheVolumeUntilTheEnd) {
     const auto cut = cut_hydrograph(triangle, 2.5, 150);
     EXPECT_NEAR(sum_of(cut), 937.5, 1e-12 * 937.5);
     EXPECT_EQ(cut.back().time, 150);
+    Inflow inflow;
+    inflow.hydrograph = triangle;
+    EXPECT_EQ(volume_of(inflow, 1000), 1500);
+    EXPECT_EQ(volume_of(inflow, 150), 937.5);
+    EXPECT_EQ(volume_of(inflow, 0), 0);
+    inflow.hydrograph = {{0, 3, 2}, {10, 3, 2}, {10, 5, 2}, {20, 5, 2}};  // a step
+    EXPECT_EQ(volume_of(inflow, 15), 30 + 25);
 }
 
 // A row that is full exactly where the hydrograph bends ends there, and the next begins.

@@ -19,11 +19,13 @@
 #include "app/input/memory_bound.h"
 #include "app/input/on_demand.h"
 #include "app/input/prepare.h"
+#include "app/input/prepare_zones.h"
 #include "app/input/share_directory.h"
 #include "app/input/used_file.h"
 #include "app/process/machine_memory.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish_pictures.h"
+#include "app/publish/summary.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_directory.h"
 #include "app/study/plan/read_calibration.h"
@@ -96,6 +98,7 @@ Json check_document(const CheckedScene& checked) {
                        {"inflow_m3", expected.inflow},
                        {"dtm_contains_release", prepared.scene.terrain_contains_release},
                        {"ground", ground_json(prepared.release.ground)}};
+    if (prepared.friction) json["friction_table"] = friction_json(*prepared.friction, {});
     const auto& trial = checked.trial;
     const double engine = engine_seconds(expected, trial);
     json["run"] = {{"particles", expected.particles},
@@ -252,6 +255,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     std::printf("\nRun\n");
     print_fact("released",
                words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
+    if (prepared.friction) print_fact("friction", friction_text(prepared.friction->choice()).text());
     if (expected.inflow > 0) print_fact("flows in", grouped(expected.inflow) + " m3 until the end");
     print_fact("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                               : "is the bed: the release lies on top of it");

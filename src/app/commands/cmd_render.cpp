@@ -54,11 +54,22 @@ void read_scale(const boost::program_options::variables_map& values, MapStyle& s
     }
 }
 
+void read_turn(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
+    const auto text = text_option(values, "turn");
+    if (!text) return;
+    style.turn_deg = *text == "auto" ? std::nullopt : number_from_text(*text);
+    if (*text != "auto" && (!style.turn_deg || std::abs(*style.turn_deg) > 180))
+        problems.add({"is not a turn", "--turn", *text, "auto, or -180 to 180 degrees", "Write for example 30"});
+}
+
 /// Adds the options of `frana render` that override the style of the scene's pictures.
 void add_style_options(CommandForm& form) {
     form.options.add_options()("size", one("SIZE"), k_sizes)("scale", one("N"),
                                                              "maps on paper sizes: 5000 for exactly 1 : 5000 (default: "
                                                              "a round scale, if the flow still fills the page well)")(
+        "turn", one("DEGREES"),
+        "maps: direction of grid north, clockwise from straight up (default: 0); auto: the flow's longer axis lies "
+        "along the page's longer side")(
         "format", many("png|pdf|svg|tif"),
         "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
         "legend", one("classed|continuous"), "classed (default) or continuous")(
@@ -116,6 +127,7 @@ void read_style(const boost::program_options::variables_map& values, MapStyle& s
     style.attribution = given("attribution").value_or(style.attribution);
     read_title_block(values, style, problems);
     read_scale(values, style, problems);
+    read_turn(values, style, problems);
 }
 
 /// The other sheets of paper, from small to large.

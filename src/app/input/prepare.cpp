@@ -208,8 +208,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     problems.throw_if_any();
     if (const HazardSpec& hazard = reading.scene.hazard; hazard.resolved && is_own_file(*hazard.scheme))
         files.push_back(used_data_file(worded("Hazard scheme"), *hazard.scheme, hazard.resolved->called));
-    if (const FrictionTableSpec& table = reading.scene.friction_table; table.resolved && is_own_file(*table.name))
-        files.push_back(used_data_file(worded("Friction table"), *table.name, table.resolved->called));
+    if (const FrictionTableSpec& table = reading.scene.friction_table; table.resolved)
+        files.push_back(used_data_file(worded("Friction table"), table.resolved->file, table.resolved->called));
     refuse_unread_files(reading, files, problems);
 
     Prepared prepared;

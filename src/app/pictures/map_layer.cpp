@@ -21,6 +21,7 @@
 #include "gis/raster/raster_out.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/used_keys.h"
 
 namespace frana::app {
 namespace {
@@ -175,8 +176,16 @@ std::vector<std::string> friction_notes(const Metadata& metadata, const Words& w
     const auto table = metadata.find(k_friction_item), source = metadata.find(k_friction_source_item);
     if (table == metadata.end() || source == metadata.end()) return {};
     const std::string unread = metadata.contains(k_friction_read_item) ? "" : " (" + words("not read") + ")";
-    return {words.labelled(words("Friction table"), words_of_scheme(metadata, words)(table->second)),
-            words.labelled(words("Source"), source->second + unread)};
+    std::vector<std::string> notes{
+        words.labelled(words("Friction table"), words_of_scheme(metadata, words)(table->second)),
+        words.labelled(words("Source"), source->second + unread)};
+    if (const auto of = metadata.find(k_friction_of_item); of != metadata.end()) {
+        const auto varied = metadata.find(k_friction_varied_item);
+        for (const std::string& note :
+             study_friction_notes(of->second, varied == metadata.end() ? "" : varied->second, words))
+            notes.push_back(note);
+    }
+    return notes;
 }
 
 /// Whether a raster of maxima of a result omits what flew over its cells.
@@ -203,6 +212,17 @@ std::vector<std::string> needed_notes(const std::string& path, const Words& word
                                          ? scheme_notes(kind, text.metadata, words_of_scheme(text.metadata, words))
                                          : friction_notes(text.metadata, words);
     if (omits_flights(path, kind)) notes.push_back(words(k_high_flights));
+    return notes;
+}
+
+std::vector<std::string> study_friction_notes(const std::string& of, const std::string& varied, const Words& words) {
+    std::vector<std::string> notes{
+        of == k_largest_friction
+            ? words("Friction of the largest source; that of each other one follows from its own volume")
+            : words("Friction of the study's central scene: medians and likeliest choices")};
+    std::vector<std::string> titles;
+    for (const std::string& key : words_of(varied)) titles.push_back(title_in(key, words));
+    if (!titles.empty()) notes.push_back(words("Between the runs it varies with: {1}", {joined(titles, ", ")}));
     return notes;
 }
 

@@ -59,6 +59,11 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
 /// of a scheme's classes and the source of their limits; that high flights are not shown.
 std::vector<std::string> needed_notes(const std::string& path, const Words& words);
 
+/// Whose friction a study shows, and by which keys ("a, b"; empty: none) it differs between the runs.
+/// @param of k_central_friction or k_largest_friction
+std::vector<std::string> study_friction_notes(const std::string& of, const std::string& varied, const Words& words);
+inline constexpr const char *k_central_friction = "central scene", *k_largest_friction = "largest source";
+
 /// Returns the name of the map of probability that a file contains, whatever the file's own name; none for others.
 /// Throws Error(input) if it cannot be read.
 std::optional<std::string> probability_name(const std::string& path);

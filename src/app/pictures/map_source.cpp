@@ -283,12 +283,18 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     spec.inset = true;
     if (layer.is_ground) {
         spec.layer_frames_map = source.extent.grid.columns == 0;
-        spec.outlines.push_back({spec.words("Outline of all ground reached"), source.trace, k_trace_colour, 2, false});
+        if (!source.trace.empty())
+            spec.outlines.push_back(
+                {spec.words("Outline of all ground reached"), source.trace, k_trace_colour, 2, false});
     }
     spec.print = {source.style.size.dots_per_inch, source.style.size.paper, source.style.scale};
     spec.block = title_block(source.style);
     spec.series = render::SeriesText{own_title(source), scenario_line(source), source.notes};
     spec.longitude_latitude = source.longitude_latitude;
+    const Size& wanted = source.style.size;
+    const bool upright = wanted.height > wanted.width && !wanted.turns;
+    spec.turn =
+        source.style.turn_deg ? render::MapTurn(*source.style.turn_deg) : render::turn_along_content(spec, upright);
     const Bounds shown = render::required_window(spec);
     const Size size = size_for_ground(source.style.size, shown.width(), shown.height());
     spec.width = size.width;
@@ -308,6 +314,7 @@ render::MapSpec unprinted(render::MapSpec spec) {
     spec.print = {};
     spec.block = {};
     spec.series.reset();
+    spec.turn = {};
     return spec;
 }
 
@@ -372,12 +379,12 @@ std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std:
     PageFiles writer(page, spec.title, source_.style.size.dots_per_inch);
     for (const std::string& file : files) {
         if (!file.ends_with(".tif")) {
-            writer.write(file, gis::PicturePlace{ground_of_page(layout), layout.window, crs});
+            writer.write(file, gis::PicturePlace{ground_of_page(layout), layout.window, crs, layout.turn.deg});
         } else {
             const render::Image face = face_of(writer.pixels(), layout.map);
             gis::write_picture_geotiff(
                 file, pixels(face), layout.window, crs,
-                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}});
+                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}}, layout.turn.deg);
         }
     }
     return files;

@@ -38,12 +38,13 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words);
 /// Appearance of pictures: the keys output.map-... of a scene, or the options of `frana render`.
 struct MapStyle {
     Size size = *size_from_text("auto");
-    std::vector<std::string> formats{"png"};       ///< of png, pdf, svg, tif
-    bool continuous = false;                       ///< legend
-    std::string background;                        ///< orthophoto or topographic raster; empty: the relief
-    std::string attribution;                       ///< of data and author, at the foot
-    std::string background_licence;                ///< the same, of the background
-    std::optional<double> scale;                   ///< of maps on paper, n of 1 : n
+    std::vector<std::string> formats{"png"};  ///< of png, pdf, svg, tif
+    bool continuous = false;                  ///< legend
+    std::string background;                   ///< orthophoto or topographic raster; empty: the relief
+    std::string attribution;                  ///< of data and author, at the foot
+    std::string background_licence;           ///< the same, of the background
+    std::optional<double> scale;              ///< of maps on paper, n of 1 : n
+    std::optional<double> turn_deg{0};  ///< of maps on their page; none: the flow's longer axis along the page's side
     std::string author, organisation, logo, date;  ///< title block of maps; empty: none
     double exaggeration = 1;                       ///< of heights in views
     bool sky = true;                               ///< in views; else white

@@ -269,7 +269,8 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
     for (const Named& one : table) {
         if (friction_table && gives_by_table(one.key)) continue;
         const bool varies = *one.by_place != '\0' && facts.value(one.by_place);
-        const auto text = facts.value(one.key);
+        auto text = facts.value(one.key);
+        if (text == "off") text.reset();
         constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
         const double number = text ? number_from_text(*text).value_or(k_none) : k_none;
         if (varies || (text && std::isnan(number)))

@@ -102,7 +102,8 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
             write(directory, row, *raster, origin, prepared.spec.output, words_of(prepared.spec));
 }
 
-void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
+void publish_dtm(const Prepared& prepared, const ResultDirectory& directory,
+                 const std::map<std::string, std::string>& friction_items) {
     std::map<std::string, std::string> origin = provenance(prepared);
     const auto write_one = [&](const std::string& name, const Raster& raster) {
         write(directory, *find_result_raster(name), raster, origin, prepared.spec.output, words_of(prepared.spec));
@@ -114,13 +115,15 @@ void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
     origin[k_friction_source_item] = table.named_source;
     if (table.is_source_read()) origin[k_friction_read_item] = table.read_at;
     if (!table.texts.empty()) origin[k_scheme_words_item] = Json(table.texts).dump();
+    for (const auto& [name, text] : friction_items) origin[name] = text;
     for (const ZoneKey& key : zone_keys())  // named as their columns
         if (find_result_raster(key.columns.back()) != nullptr)
             write_one(key.columns.back(), *(prepared.scene.zones.*raster_of(key)));
 }
 
-void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
-    publish_dtm(prepared, directory);
+void publish_ground(const Prepared& prepared, const ResultDirectory& directory,
+                    const std::map<std::string, std::string>& friction_items) {
+    publish_dtm(prepared, directory, friction_items);
     gis::OutlineLayer release{"release", {}};
     for (std::size_t i = 0; i < prepared.scene.release.size(); ++i)
         release.features.push_back(release_outline(prepared.scene.release[i], i));

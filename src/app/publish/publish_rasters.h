@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "analysis/runout.h"
 #include "app/input/prepare.h"
 #include "app/store/result_directory.h"
@@ -8,15 +11,19 @@
 
 namespace frana::app {
 
-/// Writes dtm.tif; of a large DTM the part that was read. Throws Error(environment).
-void publish_dtm(const Prepared& prepared, const ResultDirectory& directory);
+/// Writes dtm.tif; of a large DTM the part that was read; after a friction table also mu.tif and xi.tif. Throws
+/// Error(environment).
+/// @param friction_items more metadata of these
+void publish_dtm(const Prepared& prepared, const ResultDirectory& directory,
+                 const std::map<std::string, std::string>& friction_items = {});
 
 /// The outline of an area with the name of its polygon, else its number, in a result's layer `release`.
 PolygonFeature release_outline(const ReleaseArea& area, std::size_t index);
 
-/// Writes what is known before a run: dtm.tif, scene.ini, and in extent.gpkg release and scar. Throws
+/// Writes what is known before a run: what publish_dtm does, scene.ini, and in extent.gpkg release and scar. Throws
 /// Error(environment).
-void publish_ground(const Prepared& prepared, const ResultDirectory& directory);
+void publish_ground(const Prepared& prepared, const ResultDirectory& directory,
+                    const std::map<std::string, std::string>& friction_items = {});
 
 /// Writes the result's rasters with their styles, and the ground: bed.tif, release.tif.
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);

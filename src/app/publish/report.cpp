@@ -283,7 +283,8 @@ void add_details(Document& page, const ReportInput& input) {
     if (input.facts.accuracy) page.box(words("Accuracy"), accuracy_tables(*input.facts.accuracy, words));
     if (input.facts.release_ground || input.facts.path_ground)
         page.box(words("Ground"), ground_table(input.facts, words));
-    if (input.facts.friction) page.box(words("Friction by place"), friction_table(input.facts, words));
+    if (const auto& friction = input.facts.friction)
+        page.box(words("Friction by place"), friction_table(*friction, input.facts.friction_areas, words));
     page.columns(Document()
                      .box(words("Mass budget"), budget_table(input.result, words))
                      .box(words("Numerical checks"), numerics_table(input)))

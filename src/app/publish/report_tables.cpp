@@ -271,20 +271,19 @@ Document release_table(const RunResult& result, const Words& words) {
     return table;
 }
 
-Document friction_table(const SummaryFacts& facts, const Words& words) {
+Document friction_table(const FrictionByPlace& friction, const std::vector<FrictionArea>& areas, const Words& words) {
     const ReportNumbers n(words);
-    const FrictionChoice& choice = facts.friction->choice();
+    const FrictionChoice& choice = friction.choice();
     const FrictionTable& source = choice.table;
     Table table({words("terrain"), words("elevation"), "μ", "ξ [m/s²]", words("area [m²]")});
     std::vector<std::string> crossed;
     for (std::size_t band = 1; band <= source.altitudes.size(); ++band) {
         const auto is_at = [&](std::size_t of) {
-            return std::any_of(facts.friction_areas.begin(), facts.friction_areas.end(),
-                               [&](const FrictionArea& area) { return area.band == of; });
+            return std::any_of(areas.begin(), areas.end(), [&](const FrictionArea& area) { return area.band == of; });
         };
         if (is_at(band - 1) && is_at(band)) crossed.push_back(n.grouped(source.altitudes[band - 1]));
     }
-    for (const FrictionArea& area : facts.friction_areas) {
+    for (const FrictionArea& area : areas) {
         const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
         table.row({words(source.terrain[area.kind].name) + (area.forest ? ", " + words("forest") : ""),
                    class_text(source.altitudes, area.band, "m").in(words),
@@ -293,11 +292,17 @@ Document friction_table(const SummaryFacts& facts, const Words& words) {
                    {n.grouped(area.area_m2), "n"}});
     }
     Document told;
-    told.paragraph(friction_text(choice).in(words)).add(table);
+    told.paragraph(friction_text(choice).in(words));
+    if (choice.friction_factor != 1 || choice.turbulence_factor != 1)
+        told.paragraph(words("Every μ of the table is multiplied by {1}, every ξ by {2}.",
+                             {n(choice.friction_factor, 3), n(choice.turbulence_factor, 3)}));
+    if (!areas.empty()) told.add(table);
     if (source.terrain.size() > 1)
         told.small(
             words("Of the area reached, by the nearest class. Between two classes of terrain the values are "
-                  "interpolated by the curvature across the slope; mu.tif and xi.tif have those used."));
+                  "interpolated by the curvature across the slope, from elevations {1} m apart (whole cells); mu.tif "
+                  "and xi.tif have those used.",
+                  {n(friction.spacing(), 4)}));
     if (!crossed.empty())
         told.small(words("At {1} m the flow comes into another band of altitude: there μ and ξ change in a step.",
                          {joined(crossed, ", ")}));

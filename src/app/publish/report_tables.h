@@ -63,8 +63,8 @@ Document numerics_table(const ReportInput& input);
 std::string terms_note(const ReportInput& input);
 /// Each area that failed: name, start, area, volume.
 Document release_table(const RunResult& result, const Words& words);
-/// By which part of a friction table the flow ran where, and where that comes from. `facts.friction` is given.
-Document friction_table(const SummaryFacts& facts, const Words& words);
+/// By which part of a friction table the flow ran where, and where that comes from.
+Document friction_table(const FrictionByPlace& friction, const std::vector<FrictionArea>& areas, const Words& words);
 Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words);
 /// Returns every file read, with its CRS, the coordinate operation and its accuracy; the comments of a preset.
 Document inputs_table(const Prepared& prepared, const Words& words);

@@ -266,30 +266,6 @@ void add_hazard(Json& json, const SummaryFacts& facts) {
     if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
 }
 
-void add_friction(Json& json, const SummaryFacts& facts) {
-    if (!facts.friction) return;
-    const FrictionChoice& choice = facts.friction->choice();
-    const FrictionTable& table = choice.table;
-    Json areas = Json::array();
-    for (const FrictionArea& area : facts.friction_areas) {
-        const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
-        Json& row = areas.emplace_back(Json{{"terrain", table.terrain[area.kind].name},
-                                            {"forest", area.forest},
-                                            {"friction_coefficient", pair.coefficient},
-                                            {"turbulence", pair.turbulence},
-                                            {"area_m2", area.area_m2}});
-        row["from_m"] = area.band > 0 ? Json(table.altitudes[area.band - 1]) : Json();
-        row["to_m"] = area.band < table.altitudes.size() ? Json(table.altitudes[area.band]) : Json();
-    }
-    json["friction_table"] = {{"name", table.name},
-                              {"title", table.called},
-                              {"source", table.named_source},
-                              {"source_read", !table.quote.empty()},
-                              {"return_period", table.periods[choice.period]},
-                              {"volume_m3", choice.volume},
-                              {"areas", std::move(areas)}};
-}
-
 void add_cost(Json& json, const RunResult& result, const SummaryFacts& facts) {
     json["wall_seconds"] = {{"total", facts.wall.total},
                             {"input", facts.wall.input},
@@ -305,6 +281,37 @@ void add_cost(Json& json, const RunResult& result, const SummaryFacts& facts) {
 }
 
 }  // namespace
+
+Json friction_json(const FrictionByPlace& friction, const std::vector<FrictionArea>& areas) {
+    const FrictionChoice& choice = friction.choice();
+    const FrictionTable& table = choice.table;
+    const auto add_class = [](Json& json, const std::vector<double>& limits, std::size_t at, const std::string& from,
+                              const std::string& to) {
+        json[from] = at > 0 ? Json(limits[at - 1]) : Json();
+        json[to] = at < limits.size() ? Json(limits[at]) : Json();
+    };
+    Json json{{"name", table.name},
+              {"title", table.called},
+              {"source", table.named_source},
+              {"source_read", table.is_source_read()},
+              {"return_period", table.periods[choice.period]},
+              {"volume_m3", choice.volume},
+              {"friction_factor", choice.friction_factor},
+              {"turbulence_factor", choice.turbulence_factor},
+              {"curvature_spacing_m", friction.spacing()}};
+    add_class(json, table.volumes, choice.volume_class(), "volume_from_m3", "volume_to_m3");
+    for (const FrictionArea& area : areas) {
+        const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
+        Json row{{"terrain", table.terrain[area.kind].name},
+                 {"forest", area.forest},
+                 {"friction_coefficient", pair.coefficient},
+                 {"turbulence", pair.turbulence},
+                 {"area_m2", area.area_m2}};
+        add_class(row, table.altitudes, area.band, "from_m", "to_m");
+        json["areas"].push_back(std::move(row));
+    }
+    return json;
+}
 
 std::int64_t peak_memory_bytes() {
     rusage usage{};
@@ -342,7 +349,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     add_trace(json, {trace.threshold, trace.covered_area_m2, trace.run_outs, facts.high, facts.release_ground,
                      facts.path_ground});
     add_hazard(json, facts);
-    add_friction(json, facts);
+    if (facts.friction) json["friction_table"] = friction_json(*facts.friction, facts.friction_areas);
     add_run_problems(json, result);
     if (facts.accuracy) json["accuracy"] = accuracy_json(*facts.accuracy);
     json["warnings"] = texts_of(facts.warnings);

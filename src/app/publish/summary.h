@@ -100,6 +100,8 @@ struct SummaryFacts {
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data
 };
 
+/// Returns the part of a friction table that was chosen, and its source, for it; of no areas nothing is said.
+Json friction_json(const FrictionByPlace& friction, const std::vector<FrictionArea>& areas);
 /// Returns the sums over exposed features for it.
 Json exposure_json(const ExposureTotals& totals);
 

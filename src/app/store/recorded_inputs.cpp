@@ -107,6 +107,8 @@ void map_scene_files(SceneSpec& scene, const NamingText::FileMap& map) {
     static const std::vector<Parameter>& k_keys = scene_parameters();
     for (const Parameter& key : k_keys)
         if (key.reads_files()) key.map_files(scene, [&](const std::string& path) { return map(key.name(), path); });
+    for (const NamedFile& file : named_files(scene))  // one of the program cannot be elsewhere, but may have changed
+        if (file.of_program) map(file.key, file.path);
 }
 
 }  // namespace
@@ -128,7 +130,8 @@ std::string recorded_inputs(const std::vector<NamedFile>& files, const std::stri
             const FileMark mark = mark_at(part);
             json["files"].push_back(
                 {{"key", named.key},
-                 {"file", escaped_name(folder.empty() ? part.string() : relative_path(part.string(), folder))},
+                 {"file", escaped_name(folder.empty() || named.of_program ? part.string()
+                                                                          : relative_path(part.string(), folder))},
                  {"place", escaped_name(part.string())},
                  {"bytes", mark.bytes},
                  {"xxh128", mark.checksum.empty() ? Json() : Json(mark.checksum)}});

@@ -75,6 +75,8 @@ inline constexpr const char *k_scheme_item = "HAZARD_SCHEME", *k_scheme_title_it
 /// Of mu.tif and xi.tif: the table's title, its source, and where that was read; absent if it was not.
 inline constexpr const char *k_friction_item = "FRICTION_TABLE", *k_friction_source_item = "FRICTION_SOURCE",
                             *k_friction_read_item = "FRICTION_SOURCE_READ_AT";
+/// Of those of a study: whose they are, and the keys by which they differ between its runs.
+inline constexpr const char *k_friction_of_item = "FRICTION_OF", *k_friction_varied_item = "FRICTION_VARIED_BY";
 inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
 inline constexpr const char* k_comparison_outline = "comparison.gpkg";  ///< that of a survey given to `frana compare`

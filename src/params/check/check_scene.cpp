@@ -74,9 +74,40 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
     }
 }
 
-constexpr const char* k_table_keys[] = {"material.return-period",         "material.table-volume",
-                                        "material.altitude-limits",       "material.forest",
-                                        "material.table-friction-factor", "material.table-turbulence-factor"};
+/// Checks that the table's values, with forest and factors, are within the limits of the keys that they replace: those
+/// of the class of the volume, of every class if the volume is not known yet.
+void check_table_values(const FrictionTableSpec& spec, std::size_t period, const std::string& file,
+                        Problems& problems) {
+    FrictionChoice choice{.table = *spec.resolved,
+                          .period = period,
+                          .friction_factor = spec.friction_factor,
+                          .turbulence_factor = spec.turbulence_factor};
+    const FrictionTable& table = choice.table;
+    std::vector<double> volumes{0}, mu, xi;
+    volumes.insert(volumes.end(), table.volumes.begin(), table.volumes.end());
+    if (spec.volume) volumes = {*spec.volume};
+    for (const double volume : volumes)
+        for (std::size_t place = 0; place < table.terrain.size() * (table.altitudes.size() + 1); ++place)
+            for (const bool forest : {false, spec.forest.has_value()}) {
+                choice.volume = volume;
+                const FrictionPair pair = choice.at(place % table.terrain.size(), place / table.terrain.size(), forest);
+                mu.push_back(pair.coefficient);
+                xi.push_back(pair.turbulence);
+            }
+    const auto check = [&](const char* key, const char* factor_key, double factor, const std::vector<double>& values) {
+        const NumberRange& range = *find_parameter(scene_parameters(), key)->range;
+        const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+        const double worst = range.has(*greatest) ? *least : *greatest;
+        if (range.has(worst)) return;
+        problems.add({"brings the friction table beyond the limits of " + std::string(key),
+                      file + ": " + (factor == 1 ? "material.friction-table" : factor_key),
+                      (factor == 1 ? *spec.name : shortest_text(factor)) + ", which gives " +
+                          shortest_text(std::round(1e6 * worst) / 1e6),
+                      range.text(), factor == 1 ? "Correct the table" : "Choose a factor nearer to 1"});
+    };
+    check("material.friction-coefficient", "material.table-friction-factor", spec.friction_factor, mu);
+    check("material.turbulence", "material.table-turbulence-factor", spec.turbulence_factor, xi);
+}
 
 /// Checks the keys by which a friction table is read.
 void check_friction_table(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
@@ -85,16 +116,15 @@ void check_friction_table(const SceneSpec& scene, const std::set<std::string>& g
     const std::string table_key = "material.friction-table";
     const SceneSpec usual;
     for (const Parameter& key : scene_parameters()) {
-        // A key given with its default value requests nothing: every echo has those.
-        if (given.count(key.name()) == 0 || key.write(scene) == key.write(usual)) continue;
-        const bool reads_table =
-            std::find(std::begin(k_table_keys), std::end(k_table_keys), key.name()) != std::end(k_table_keys);
-        if (reads_table && !spec.name)
-            problems.add({"needs " + table_key, file + ": " + key.name(), key.write(scene).value_or(""), "",
-                          "Name the table, or remove the key"});
+        if (given.count(key.name()) == 0) continue;
         if (gives_by_table(key.name()) && spec.name)
             problems.add({"contradicts " + table_key + ", which gives it by place", file + ": " + key.name(),
                           key.write(scene).value_or(""), "", "Keep one of the two"});
+        // A key given with its default value requests nothing: every echo has those.
+        if (key.write(scene) == key.write(usual)) continue;
+        if (reads_friction_table(key.name()) && !spec.name)
+            problems.add({"needs " + table_key, file + ": " + key.name(), key.write(scene).value_or(""), "",
+                          "Name the table, or remove the key"});
     }
     if (!spec.name) return;
     const std::vector<const Law*> selected = laws_of(scene);
@@ -106,8 +136,10 @@ void check_friction_table(const SceneSpec& scene, const std::set<std::string>& g
     const FrictionTable& table = *spec.resolved;
     std::vector<std::string> periods;
     for (const double period : table.periods) periods.push_back(shortest_text(period));
-    if (!spec.return_period ||
-        std::find(table.periods.begin(), table.periods.end(), *spec.return_period) == table.periods.end())
+    const auto period = std::find(table.periods.begin(), table.periods.end(), spec.return_period.value_or(0));
+    if (period != table.periods.end())
+        check_table_values(spec, static_cast<std::size_t>(period - table.periods.begin()), file, problems);
+    else
         problems.add({spec.return_period ? "is not in the friction table" : "is missing",
                       file + ": material.return-period", spec.return_period ? shortest_text(*spec.return_period) : "",
                       joined(periods, ", ") + " years", "Choose one of them"});

@@ -245,7 +245,7 @@ void add_friction_table(std::vector<Parameter>& list) {
                           Range{0, 1e5, true}, "Return period by which the friction table is read.",
                           "required with material.friction-table"));
     list.push_back(number("material.table-volume", FRANA_MEMBER(friction_table.volume), "m3", Range{0, 1e12, true},
-                          "Volume by which the friction table is read.", "the release's"));
+                          "Volume by which the friction table is read.", "that of release and inflow"));
     list.push_back(declare::rising_numbers("material.altitude-limits", FRANA_MEMBER(friction_table.altitude_limits),
                                            "m", "Elevations that separate the friction table's bands of altitude."));
     list.back().absent = "the table's";

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/scene_spec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
@@ -32,6 +34,14 @@ SlopeCorrection slope_correction(const Numerics& numerics) {
 
 bool well_balanced(const Numerics& numerics) {
     return numerics.well_balanced.value_or(numerics.scheme != Scheme::paper);
+}
+
+bool reads_friction_table(const std::string& key) {
+    constexpr const char* k_keys[] = {"friction-table",         "return-period", "table-volume",
+                                      "altitude-limits",        "forest",        "table-friction-factor",
+                                      "table-turbulence-factor"};
+    return std::any_of(std::begin(k_keys), std::end(k_keys),
+                       [&](const char* one) { return key == std::string("material.") + one; });
 }
 
 bool curvature(const Numerics& numerics) {

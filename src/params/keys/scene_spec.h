@@ -207,6 +207,8 @@ struct SceneSpec {
 inline bool gives_by_table(const std::string& key) {
     return key == "material.friction-angle" || key == "material.friction-coefficient" || key == "material.turbulence";
 }
+/// Whether a key names a friction table or says how it is read.
+bool reads_friction_table(const std::string& key);
 /// Returns the interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 if nothing
 /// needs frames.
 double frame_interval(const SceneSpec& scene);

@@ -180,7 +180,7 @@ constexpr Condition k_conditions[] = {
 };
 
 bool is_read(const SceneSpec& scene, const std::string& name, const std::string& section) {
-    if (!model_reads(scene, name)) return false;
+    if (!model_reads(scene, name) || (scene.friction_table.name && gives_by_table(name))) return false;
     for (const Condition& condition : k_conditions)
         if (name == condition.key) return condition.holds(scene);
     if (section == "scene" || section == "output") return false;

@@ -27,10 +27,10 @@ std::string plain_text(double value) {
 class TableReader : DataFile {
   public:
     TableReader(const std::string& path, const std::string& label, Problems& problems)
-        : DataFile(path, label, "share/doc/input.md", problems) {}
+        : DataFile(path, label, "share/doc/input.md", problems), path_(path) {}
 
     FrictionTable read(const std::string& name) {
-        FrictionTable table{.name = name};
+        FrictionTable table{.name = name, .file = path_};
         describe("table", table);
         table.note = taken("table.note").value_or("");
         table.periods = rising("table.return-periods", required("table.return-periods"));
@@ -102,6 +102,8 @@ class TableReader : DataFile {
                    "Write for example 0.33 1250, 0.305 1400, 0.29 1500");
         values.resize(first + bands);
     }
+
+    std::string path_;
 };
 
 }  // namespace

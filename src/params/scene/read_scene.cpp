@@ -6,6 +6,7 @@
 
 #include "core/json.h"
 #include "params/check/check_scene.h"
+#include "params/grammar/data_file.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
@@ -30,6 +31,9 @@ std::vector<NamedFile> named_files(const SceneSpec& scene) {
             return path;
         });
     }
+    const FrictionTableSpec& table = scene.friction_table;
+    if (table.resolved && !is_own_file(*table.name))
+        files.push_back({"material.friction-table", table.resolved->file, true});
     return files;
 }
 

@@ -51,8 +51,10 @@ std::vector<std::string> input_files(const SceneSpec& scene);
 /// A file named by a key.
 struct NamedFile {
     std::string key, path;
+    bool of_program = false;  ///< in the share folder, by a name without a path
 };
-/// Returns the files named by keys, in the order of the keys; without the scene file itself.
+/// Returns the files named by keys, in the order of the keys, then a friction table of the share folder; without the
+/// scene file itself.
 std::vector<NamedFile> named_files(const SceneSpec& scene);
 
 /// Reads a scene without a file: its keys alone, "section.key=value", named in messages as they are. `label` stands for

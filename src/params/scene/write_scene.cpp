@@ -122,7 +122,8 @@ std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::
                        one_line(scene.file) + "\n";
     std::string section;
     for (const Parameter& parameter : scene_parameters()) {
-        if (!model_reads(scene, parameter.name())) continue;
+        const bool by_table = scene.friction_table.name && gives_by_table(parameter.name());
+        if (by_table || !model_reads(scene, parameter.name())) continue;
         if (parameter.section != section) {
             section = parameter.section;
             text += "\n[" + section + "]\n";

@@ -158,6 +158,16 @@ TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
         << log;
     const Json told = parse_json(read_text(path("out/summary.json")))["friction_table"];
     EXPECT_EQ(told["source_read"], true);
+    EXPECT_EQ(told["curvature_spacing_m"], 10);
+    EXPECT_TRUE(told["volume_from_m3"].is_null());
+    EXPECT_EQ(told["volume_to_m3"], 5000);
+    // A table of the program's own is an input like others, with its hash.
+    std::string recorded;
+    const Json inputs = parse_json(read_text(path("out/inputs.json")))["files"];
+    for (const Json& file : inputs)
+        if (file["key"] == "material.friction-table")
+            recorded = file["place"].get<std::string>() + file["xxh128"].get<std::string>();
+    EXPECT_NE(recorded.find("friction/ramms-avalanche.ini"), std::string::npos) << recorded;
     double area = 0;
     for (const Json& one : told["areas"]) area += one["area_m2"].get<double>();
     EXPECT_NEAR(area, summary("covered_area_m2"), 1e-6);
@@ -166,7 +176,41 @@ TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
              {table[0], table[1], "material.table-volume=60000", "material.altitude-limits=1000 2000",
               "material.table-friction-factor=0.5"});
     EXPECT_NEAR(result("mu", "other").at(0, 20), 0.5 * 0.15, 1e-6);
+    EXPECT_EQ(parse_json(read_text(path("other/summary.json")))["friction_table"]["friction_factor"], 0.5);
     EXPECT_GT(summary("horizontal_m", "other"), summary("horizontal_m"));
+}
+
+// 4000 m3 released, and 1000 m3 each second: 5000, 25 000 and 60 000 m3 separate the classes. On cells of 8 m the
+// elevations for the curvature are 8 m apart, not 10.
+TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
+    write_features("line", {{{{60, 60}, {60, 90}}, R"("name": "gully")"}}, "LineString");
+    write("flood.csv", "time,discharge,velocity\n0,1000,5\n50,1000,5\n");
+    const std::string inflow = "[inflow]\nline = line.geojson\nhydrograph = flood.csv\n";
+    const auto checked = [&](double end, const std::string& more) {
+        std::vector<std::string> arguments{
+            "check", "scene.ini", "--json", "--set", "time.end=" + std::to_string(end), "--set", "terrain.cell-size=8"};
+        for (const std::string one : {"friction-table=ramms-avalanche", "return-period=300"}) {
+            arguments.emplace_back("--set");
+            arguments.push_back("material." + one);
+        }
+        write_scene(more + k_numbers_only);
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return parse_json(outcome.out)["friction_table"];
+    };
+    EXPECT_NEAR(checked(10, "")["volume_m3"], 4000, 1);
+    const Json table = checked(10, inflow);
+    EXPECT_NEAR(table["volume_m3"], 14000, 1);
+    EXPECT_EQ(table["name"], "ramms-avalanche");
+    EXPECT_EQ(table["volume_from_m3"], 5000);
+    EXPECT_EQ(table["volume_to_m3"], 25000);
+    EXPECT_EQ(table["curvature_spacing_m"], 8);
+    EXPECT_NEAR(checked(40, inflow)["volume_m3"], 44000, 1);
+    const Outcome shown = frana({"check", "scene.ini", "--set", "material.friction-table=ramms-avalanche", "--set",
+                                 "material.return-period=300"});
+    EXPECT_NE(shown.out.find("RAMMS Avalanche"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("class of volume"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("ramms-avalanche.ini"), std::string::npos) << shown.out;
 }
 
 TEST_F(Site, ForestAndZonesChangeTheValuesOfAFrictionTable) {

@@ -2,10 +2,13 @@
 // Maps as they are handed over: scale on paper, title block, one frame for all pages, differences of results.
 #include <gdal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <regex>
 
+#include "gis/raster/raster_in.h"
 #include "support/files.h"
 #include "support/pdf_check.h"
 #include "support/tiny_scene.h"
@@ -68,6 +71,78 @@ TEST_F(MapSheet, MetresPerMillimetreAreExact) {
     }
     EXPECT_NE(read_text(path("sheet/max_depth.svg")).find(">1 : 2 000</text>"), std::string::npos);
     EXPECT_NE(read_text(path("sheet/max_depth.svg")).find(">on A4</text>"), std::string::npos);
+}
+
+// A map turned by 30 degrees: GDAL reads the same places from its GeoTIFF, which is the inside of the frame, and from
+// its geospatial PDF, which is the whole page.
+TEST_F(MapSheet, ATurnedMapIsWhereItsFilesSay) {
+    run("");
+    for (const double turn : {30.0, -100.0}) {
+        const Outcome outcome = render({"--map", "max_depth", "--size", "A4", "--turn", std::to_string(turn),
+                                        "--format", "pdf", "--format", "tif", "--out", "turned"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Placed face = placed(path("turned/max_depth.tif")), page = placed(path("turned/max_depth.pdf"));
+        const double angle = turn * std::numbers::pi / 180, metre = std::hypot(face.geo[1], face.geo[4]);
+        // A step to the right on the page goes `turn` anticlockwise from east on the ground, a step down at right
+        // angles.
+        EXPECT_NEAR(face.geo[1], metre * std::cos(angle), 1e-9 * metre);
+        EXPECT_NEAR(face.geo[4], metre * std::sin(angle), 1e-9 * metre);
+        EXPECT_NEAR(face.geo[2], metre * std::sin(angle), 1e-9 * metre);
+        EXPECT_NEAR(face.geo[5], -metre * std::cos(angle), 1e-9 * metre);
+        std::array<double, 6> to_page{}, to_face{};
+        ASSERT_EQ(GDALInvGeoTransform(const_cast<double*>(page.geo.data()), to_page.data()), 1);
+        ASSERT_EQ(GDALInvGeoTransform(const_cast<double*>(face.geo.data()), to_face.data()), 1);
+        const auto pixel_of = [&](double column, double row) {
+            double x = 0, y = 0, page_x = 0, page_y = 0;
+            GDALApplyGeoTransform(const_cast<double*>(face.geo.data()), column, row, &x, &y);
+            GDALApplyGeoTransform(to_page.data(), x, y, &page_x, &page_y);
+            return std::pair(page_x, page_y);
+        };
+        // The frame is upright on the page, as large there, and inside it; PDFs keep degrees with few digits.
+        const auto [left, top] = pixel_of(0, 0);
+        const auto [right, bottom] = pixel_of(face.columns, face.rows);
+        const auto [left_below, bottom_left] = pixel_of(0, face.rows);
+        EXPECT_NEAR(right - left, face.columns, 1.5);
+        EXPECT_NEAR(bottom - top, face.rows, 1.5);
+        EXPECT_NEAR(left_below, left, 1.5);
+        EXPECT_NEAR(bottom_left, bottom, 1.5);
+        EXPECT_TRUE(left > 0 && top > 0 && right < page.columns && bottom < page.rows);
+        // Where the flow was deep, the pixel has the colour of a class; far from it, the grey of the relief.
+        const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+        const auto pixels = gis::test::pixels_of(path("turned/max_depth.tif"));
+        int coloured = 0, checked = 0;
+        for (std::int64_t row = 1; row + 1 < depth.grid.rows; ++row)
+            for (std::int64_t column = 1; column + 1 < depth.grid.columns; ++column) {
+                bool is_deep = true, is_dry = true;
+                for (int i = -1; i <= 1; ++i)
+                    for (int j = -1; j <= 1; ++j) {
+                        const double value = depth.at(row + i, column + j);
+                        is_deep = is_deep && value > 0.1;
+                        is_dry = is_dry && std::isnan(value);
+                    }
+                if (!is_deep && !is_dry) continue;
+                const Point place = depth.grid.cell_centre(row, column);
+                double x = 0, y = 0;
+                GDALApplyGeoTransform(to_face.data(), place.x, place.y, &x, &y);
+                if (x < 0 || y < 0 || x >= pixels.width || y >= pixels.height) continue;
+                const std::uint8_t* p =
+                    pixels.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                                             static_cast<std::size_t>(x));
+                const bool is_grey = std::max({p[0], p[1], p[2]}) - std::min({p[0], p[1], p[2]}) < 16;
+                ++checked;
+                coloured += is_grey != is_deep;
+            }
+        EXPECT_GT(checked, 200);
+        // Outlines and their names stand over some cells.
+        EXPECT_GT(coloured, 0.9 * checked) << turn;
+    }
+    EXPECT_EQ(render({"--map", "max_depth", "--turn", "auto", "--out", "along"}).exit_code, 0);
+    for (const char* wrong : {"north", "181"}) {
+        const Outcome outcome = render({"--map", "max_depth", "--turn", wrong, "--out", "none"});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("--turn: is not a turn"), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(fs::exists(path("none")));
 }
 
 TEST_F(MapSheet, EveryPageStatesItsScale) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -21,6 +23,22 @@ TEST(RunEnd, TellsAFrontThatMovesFromADepositThatCreeps) {
     // A seventh of the volume that moves behind a front at rest pushed it on 80 s later (S-1000, end = 120 and 200 s).
     EXPECT_TRUE(run_end(at_end, 120, 2, 0.17, true).is_cut_short);
     EXPECT_NE(creeping_sentence(creeps).text().find("0.3 m/s"), std::string::npos);
+}
+
+// "Off" is no value that differs from place to place.
+TEST(ScenarioWords, TellTurbulenceThatIsOffFromTurbulenceByPlace) {
+    std::map<std::string, std::string> keys{{"material.model", "voellmy-bingham"},
+                                            {"release.thickness", "2"},
+                                            {"material.friction-angle", "12"},
+                                            {"material.turbulence", "off"}};
+    ScenarioFacts facts;
+    facts.value = [&](const std::string& key) {
+        return keys.contains(key) ? std::optional(keys.at(key)) : std::nullopt;
+    };
+    EXPECT_NE(scenario_words(facts, {}).find("no turbulence"), std::string::npos);
+    EXPECT_EQ(scenario_words(facts, {}).find("by place"), std::string::npos);
+    keys["zones.turbulence"] = "raster:xi.tif";
+    EXPECT_NE(scenario_words(facts, {}).find("turbulence by place"), std::string::npos);
 }
 
 }  // namespace

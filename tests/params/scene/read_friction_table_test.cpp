@@ -141,13 +141,39 @@ TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_TRUE(has_problem(problems(k_least + "table-friction-factor = 2\n"), "material.table-friction-factor", "2"));
     EXPECT_TRUE(problems(k_least + "table-friction-factor = 1\n").empty()) << "as the echo of every scene has it";
     const SceneReading table = read(k_table + "return-period = 30\n");
-    EXPECT_TRUE(problems(scene_text(table.scene, {})).empty()) << "its echo";
+    const std::string echo = scene_text(table.scene, {});
+    EXPECT_TRUE(problems(echo).empty()) << "its echo";
+    EXPECT_EQ(echo.find("\nturbulence ="), std::string::npos) << "which has no effect";
+    EXPECT_NE(scene_text(read(k_least).scene, {}).find("\nturbulence = off"), std::string::npos);
+    EXPECT_TRUE(
+        has_problem(problems(k_table + "return-period = 30\nturbulence = off\n"), "material.turbulence", "off"));
     // It replaces what a preset, or an earlier source, gives.
     const SceneReading preset = read(k_table + "preset = snow-avalanche\nreturn-period = 30\n");
     EXPECT_TRUE(preset.problems.empty());
     EXPECT_FALSE(preset.scene.material.turbulence || preset.scene.material.friction_coefficient ||
                  preset.scene.material.friction_angle);
     EXPECT_TRUE(problems(k_least, {"material.friction-table=ramms-avalanche", "material.return-period=30"}).empty());
+}
+
+// The greatest mu of 30 years is 0.46, from 60 000 m3 on 0.33; the least and greatest xi are 900 and 4000.
+TEST_F(OwnFrictionTable, FactorsKeepItsValuesWithinTheLimitsOfTheKeys) {
+    const std::string years = k_table + "return-period = 30\n", factor = years + "table-friction-factor = ";
+    EXPECT_TRUE(problems(factor + "4.34\n").empty());
+    EXPECT_TRUE(
+        has_problem(problems(factor + "5\n"), "material.table-friction-factor", "5, which gives 2.3", "0 to 2"));
+    EXPECT_TRUE(problems(factor + "6\ntable-volume = 60000\n").empty());
+    EXPECT_TRUE(has_problem(problems(factor + "6.1\ntable-volume = 60000\n"), "material.table-friction-factor"));
+    EXPECT_TRUE(problems(years + "table-turbulence-factor = 10\n").empty());
+    const std::string own = write(k_head +
+                                      "[forest]\nmore-friction = 1.9\nturbulence = 1\n[class-1]\nname = All\n"
+                                      "30-years-from-0-m3 = 0.2 5e8\n",
+                                  "own.ini");
+    const std::string of_own = k_scene + "friction-table = own.ini\nreturn-period = 30\n";
+    EXPECT_TRUE(problems(of_own).empty());
+    EXPECT_TRUE(has_problem(problems(of_own + "forest = wood.shp\n"), "material.friction-table",
+                            own + ", which gives 2.1", "0 to 2"));
+    EXPECT_TRUE(has_problem(problems(of_own + "table-turbulence-factor = 3\n"), "material.table-turbulence-factor",
+                            "3, which gives 1.5e+09"));
 }
 
 }  // namespace

@@ -391,7 +391,12 @@ std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
 }
 
 void publish_study_ground(const StudyInput& input, const ResultDirectory& directory) {
-    publish_ground(input.base, directory);
+    std::map<std::string, std::string> items;
+    if (input.base.friction) {
+        const ShownFriction shown = shown_friction(input);
+        items = {{k_friction_of_item, shown.of}, {k_friction_varied_item, joined(shown.varied, ", ")}};
+    }
+    publish_ground(input.base, directory, items);
 }
 
 void publish_study_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
@@ -433,6 +438,8 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
                 facts.reached_threshold = events.thresholds.front();
+                if (input.base.friction && result.grid.same_cells(input.base.friction->terrain().grid))
+                    facts.friction_areas = friction_areas(*input.base.friction, maps.probability.front());
                 for (const StudyQuantile& quantile : k_study_quantiles)
                     facts.reached_m2.push_back(
                         area_at_least(maps.probability.front(), quantile.fraction, maps.margin.front()));

@@ -523,6 +523,13 @@ void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& w
     page.heading("inputs", words("Distributions and inputs"));
     if (!input.reading.study.vary.empty()) page.add(keys_table(input, words));
     if (!facts.levels.empty()) page.subheading(words("Levels")).add(levels_table(facts.levels, words));
+    if (input.base.friction) {
+        const ShownFriction shown = shown_friction(input);
+        const auto notes = study_friction_notes(shown.of, joined(shown.varied, ", "), words);
+        page.subheading(words("Friction by place"))
+            .paragraph(joined(notes, ". ") + ".")
+            .add(friction_table(*input.base.friction, facts.friction_areas, words));
+    }
     page.add(inputs_table(input.base, words)).folded(words("Keys used"), parameters_table(input.base, true, words));
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pictures/animation.h"
+#include "app/pictures/map_layer.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/publish/summary.h"
@@ -201,6 +202,18 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
     return text;
 }
 
+ShownFriction shown_friction(const StudyInput& input) {
+    ShownFriction shown{input.reading.study.per_polygon() ? k_largest_friction : k_central_friction, {}};
+    const bool by_release = !input.base.spec.friction_table.volume.has_value();
+    for (const std::string& key : input.table.keys) {
+        const std::string section = key.substr(0, key.find('.'));
+        if (reads_friction_table(key) || section == "zones" || section == "terrain" ||
+            (by_release && (section == "release" || section == "inflow")))
+            shown.varied.push_back(key);
+    }
+    return shown;
+}
+
 std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts) {
     const StudySpec& study = input.reading.study;
     const GridSpec& grid = result.grid;
@@ -254,6 +267,12 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     json["velocity_thresholds_ms"] = input.base.spec.output.velocity_thresholds;
     json["pressure_thresholds_kpa"] = input.base.spec.output.pressure_thresholds;
     if (const auto& scheme = input.base.spec.hazard.scheme) json["hazard_scheme"] = *scheme;
+    if (input.base.friction) {
+        const ShownFriction shown = shown_friction(input);
+        Json& table = json["friction_table"] = friction_json(*input.base.friction, facts.friction_areas);
+        table["of"] = shown.of;
+        table["varied_by"] = shown.varied;
+    }
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         Json& figure = json["figures"][result.figures()[f].key];
         figure["mean"] = result.mean_of(f).value;

@@ -56,7 +56,8 @@ struct StudyFacts {
     std::optional<RarePlace> rare_place;
     std::vector<LevelSummary> levels;  ///< of a multilevel study
     std::optional<ExposureTotals> exposure;
-    std::string date;  ///< the day it was written, "2026-11-24"
+    std::vector<FrictionArea> friction_areas;  ///< of the ground that at least one run reached
+    std::string date;                          ///< the day it was written, "2026-11-24"
     /// Areas deeper than the threshold at some time [m2]: with the probability of each of k_study_quantiles at least;
     /// of sources that fail alone one value, that of all of them. Empty: there is no such map.
     std::vector<double> reached_m2;
@@ -68,6 +69,13 @@ struct StudyFacts {
     int threads = 1;
     std::vector<Sentence> warnings;
 };
+/// Whose friction a study shows, and by which of its keys that differs between the runs; of one with a friction table.
+struct ShownFriction {
+    std::string of;  ///< k_central_friction or k_largest_friction
+    std::vector<std::string> varied;
+};
+ShownFriction shown_friction(const StudyInput& input);
+/// Returns summary.json.
 std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts);
 
 }  // namespace frana::app::study

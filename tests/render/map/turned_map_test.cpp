@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps turned on their page: where a place lies, where north is, what the coordinates beside the frame say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "render/map/legend.h"
+#include "render/map/map2d.h"
+#include "scenes.h"
+
+namespace frana::render {
+namespace {
+
+constexpr double k_degree = std::numbers::pi / 180;
+
+/// Two patches of cells in two classes: the first at row 50, column 60, the second 200 m further north.
+Raster patches() {
+    Raster raster(test::terrain().grid, k_no_data);
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 5; ++column) {
+            raster.at(48 + row, 58 + column) = 1;
+            raster.at(28 + row, 58 + column) = 2;
+        }
+    return raster;
+}
+
+MapSpec map_of_patches(const Raster& ground, const Raster& layer) {
+    MapSpec spec = test::full_map(ground, layer, 1400, 1100);
+    spec.outlines.clear();
+    spec.contours = false;
+    spec.categories = {{1, "first", {200, 0, 0}}, {2, "second", {0, 0, 200}}};
+    return spec;
+}
+
+/// Middle of the pixels of a colour inside the frame.
+Point middle_of(const Image& picture, const PageBox& frame, Rgb colour) {
+    double x = 0, y = 0, count = 0;
+    for (int row = static_cast<int>(frame.top) + 3; row < frame.bottom - 3; ++row)
+        for (int column = static_cast<int>(frame.left) + 3; column < frame.right - 3; ++column)
+            if (picture.colour(column, row) == colour) {
+                x += column + 0.5;
+                y += row + 0.5;
+                ++count;
+            }
+    EXPECT_GT(count, 100);
+    return {x / count, y / count};
+}
+
+// North on the page is `deg` clockwise from straight up: 200 m northwards, the second patch lies so from the first.
+TEST(TurnedMap, NorthIsWhereTheArrowPoints) {
+    const Raster ground = test::terrain(), layer = patches();
+    for (const double deg : {0.0, 30.0, -75.0, 90.0, 135.0, 180.0}) {
+        MapSpec spec = map_of_patches(ground, layer);
+        spec.turn = MapTurn(deg);
+        MapLayout layout;
+        const Image picture = draw_map(spec, &layout);
+        const Point first = middle_of(picture, layout.map, {200, 0, 0}),
+                    second = middle_of(picture, layout.map, {0, 0, 200});
+        const double metre = layout.metres_per_pixel;
+        // The middles of some hundred pixels are known to a pixel.
+        EXPECT_NEAR((second.x - first.x) * metre, 200 * std::sin(deg * k_degree), metre) << deg;
+        EXPECT_NEAR((first.y - second.y) * metre, 200 * std::cos(deg * k_degree), metre) << deg;
+        EXPECT_NEAR(layout.north_arrow_deg, deg + spec.convergence_deg, 1e-12);
+        // A place by the layout: page coordinates are metres to the right and upwards.
+        const Point place = ground.grid.cell_centre(50, 60), page = layout.turn.page(place);
+        EXPECT_NEAR(layout.map.left + (page.x - layout.window.west) / metre, first.x, 1) << deg;
+        EXPECT_NEAR(layout.map.top + (layout.window.north - page.y) / metre, first.y, 1) << deg;
+    }
+}
+
+TEST(TurnedMap, TurnAndItsInverseAgree) {
+    for (const double deg : {0.0, 17.0, -120.0}) {
+        const MapTurn turn(deg);
+        const Point map{527123.4, 5094567.8}, back = turn.map(turn.page(map));
+        // Rounding of numbers of seven digits.
+        EXPECT_NEAR(back.x, map.x, 1e-8);
+        EXPECT_NEAR(back.y, map.y, 1e-8);
+    }
+    EXPECT_EQ(MapTurn(0).page({0.1, 5094567.8}).y, 5094567.8) << "not turned: the same bits";
+}
+
+// A strip towards N 60 E, 800 m by 40 m: its cells are to half a cell those of the strip, which at its ends turns the
+// axis by 5 / 400, less than a degree; another half is that of whole degrees.
+TEST(TurnedMap, TheLongerAxisOfAFlowLiesAlongThePage) {
+    const Raster ground = test::terrain();
+    Raster strip(ground.grid, k_no_data);
+    const Point from{527200, 5094300};
+    for (std::int64_t row = 0; row < strip.grid.rows; ++row)
+        for (std::int64_t column = 0; column < strip.grid.columns; ++column) {
+            const Point p = strip.grid.cell_centre(row, column);
+            const double x = p.x - from.x, y = p.y - from.y;
+            const double along = x * std::sin(60 * k_degree) + y * std::cos(60 * k_degree),
+                         across = y * std::sin(60 * k_degree) - x * std::cos(60 * k_degree);
+            if (along > 0 && along < 800 && std::fabs(across) < 20) strip.at(row, column) = 1;
+        }
+    MapSpec spec = map_of_patches(ground, strip);
+    EXPECT_NEAR(turn_along_content(spec, false).deg, 30, 1.2);
+    EXPECT_NEAR(turn_along_content(spec, true).deg, -60, 1.2);
+    // A strip to the north takes less room lying: 650 m by 200 m on a page wider than high.
+    const Raster north = test::tongue();
+    MapSpec of_north = map_of_patches(ground, north);
+    of_north.categories.clear();
+    MapLayout upright, lying;
+    (void)draw_map(of_north, &upright);
+    of_north.turn = turn_along_content(of_north, false);
+    (void)draw_map(of_north, &lying);
+    EXPECT_EQ(std::fabs(of_north.turn.deg), 90);
+    EXPECT_LT(lying.metres_per_pixel, upright.metres_per_pixel);
+}
+
+// Turned by 90 degrees to the right, north is to the right: northings stand below, eastings beside the frame.
+TEST(TurnedMap, CoordinatesBesideTheFrameAreThoseOfItsSides) {
+    const Raster ground = test::terrain(), layer = patches();
+    MapSpec spec = map_of_patches(ground, layer);
+    spec.longitude_latitude = test::degrees_at;
+    for (const double deg : {20.0, 90.0, -110.0}) {
+        spec.turn = MapTurn(deg);
+        MapLayout layout;
+        (void)draw_map(spec, &layout);
+        const double metre = layout.metres_per_pixel;
+        int below = 0, beside = 0, above = 0;
+        for (const TextBox& text : layout.texts) {
+            int thousands = 0, millions = 0, units = 0, degrees = 0, minutes = 0, seconds = 0;
+            char side = 0;
+            const Point centre{(text.box.left + text.box.right) / 2, (text.box.top + text.box.bottom) / 2};
+            const auto ground_at = [&](double x, double y) {
+                return layout.turn.map({layout.window.west + (x - layout.map.left) * metre,
+                                        layout.window.north - (y - layout.map.top) * metre});
+            };
+            if (std::sscanf(text.text.c_str(), "%d°%d′%d″ %c", &degrees, &minutes, &seconds, &side) == 4) {
+                const double value = degrees + minutes / 60.0 + seconds / 3600.0;
+                const bool is_above = centre.y < layout.map.top;
+                const Point at = test::degrees_at(is_above ? ground_at(centre.x, layout.map.top)
+                                                           : ground_at(layout.map.right, centre.y));
+                // A pixel and a half, as on a map that is not turned, at most 1.5 times as far along the side.
+                EXPECT_NEAR(side == 'E' ? at.x : at.y, value, 2.2 * metre / 80e3) << text.text << " at " << deg;
+                above += is_above;
+                continue;
+            }
+            double value = 0;
+            if (std::sscanf(text.text.c_str(), "%d %d %d %c", &millions, &thousands, &units, &side) == 4)
+                value = millions * 1e6 + thousands * 1e3 + units;
+            else if (std::sscanf(text.text.c_str(), "%d %d %c", &thousands, &units, &side) == 3)
+                value = thousands * 1e3 + units;
+            if (value == 0 || (side != 'E' && side != 'N')) continue;
+            const bool is_below = centre.y > layout.map.bottom;
+            const Point at = is_below ? ground_at(centre.x, layout.map.bottom) : ground_at(layout.map.left, centre.y);
+            EXPECT_NEAR(side == 'E' ? at.x : at.y, value, 2.2 * metre) << text.text << " at " << deg;
+            EXPECT_EQ(side == 'E', (deg == 20) == is_below) << text.text << " at " << deg;
+            (is_below ? below : beside) += 1;
+        }
+        EXPECT_GE(below, 2) << deg;
+        EXPECT_GE(beside, 1) << deg;
+        EXPECT_GE(above, 1) << deg;
+    }
+}
+
+}  // namespace
+}  // namespace frana::render
