@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The language of pictures, from the scene's key or the locale to the letters on the page.
+#include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
 
 #include "core/words/words.h"
 #include "gis/raster/raster_out.h"
@@ -95,6 +97,35 @@ TEST_F(Languages, ChartsOfAStudyNameKeysAndUnitsAsPrintDoes) {
         EXPECT_TRUE(has(file, text)) << chart << ": " << text;
         EXPECT_FALSE(has(file, "material.friction-angle")) << chart;
     }
+}
+
+// Maps are passed on without the log: what the run warned of stands on each, in its language, and on QGIS's sheets.
+TEST_F(Languages, AWarningOfARunStandsOnItsMapsAndSheets) {
+    const auto on_map = [&] {  // in one line, whatever the page wraps
+        const std::string svg = read_text(path("result/maps/max_depth.svg"));
+        return std::regex_replace(std::regex_replace(svg, std::regex("<[^>]*>"), " "), std::regex("\\s+"), " ");
+    };
+    const auto has_all = [](const std::string& text, const std::vector<std::string>& parts) {
+        for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+    };
+    run("language = it\n", {"time.end=3", "time.stop-when-still=off"});
+    const std::string told = "il flusso si muove ancora quando si raggiunge time.end: il";
+    has_all(on_map(), {"Avviso: " + told});
+    std::string project(1 << 20, '\0');
+    VSILFILE* const file = VSIFOpenL(("/vsizip/{" + path("result/result.qgz") + "}/result.qgs").c_str(), "rb");
+    ASSERT_NE(file, nullptr);
+    project.resize(VSIFReadL(project.data(), 1, project.size(), file));
+    VSIFCloseL(file);
+    const std::size_t sheet = project.find("<Layout name=");
+    ASSERT_NE(sheet, std::string::npos);
+    EXPECT_NE(project.find("Avviso: " + told, sheet), std::string::npos) << project.substr(sheet, 4000);
+    // Drawn again, from summary.json, in another language; and two warnings are counted.
+    ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--language", "de"}).exit_code, 0);
+    has_all(on_map(), {"Warnung: der Strom bewegt sich noch, wenn time.end erreicht ist:"});
+    run("language = en\n", {"time.end=3", "time.stop-when-still=off", "numerics.particles-per-cell=1"});
+    has_all(on_map(), {"2 warnings (see summary.json), the first: the flow still moves when time.end is reached:"});
+    run("language = en\n", {"time.end=300"});
+    EXPECT_EQ(on_map().find("arning"), std::string::npos) << "a run without warnings";
 }
 
 TEST_F(Languages, TheLocaleOfTheRunIsKeptInTheResult) {
