@@ -25,6 +25,7 @@
 #include "simulation/arrivals.h"
 #include "simulation/release.h"
 #include "simulation/run_check.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 #include "simulation/scene_values.h"
 
@@ -192,7 +193,8 @@ void add_initial_fluid(const Scene::Data& data, const SceneSpec& spec, const Gri
 
 /// The structured model's material, where that is the scene's model. Needs release and inflows.
 std::optional<StructuredMaterial> structured_material(const Scene::Data& data, const SceneSpec& spec,
-                                                      const frana::Scene& scene, Problems& problems) {
+                                                      const frana::Scene& scene, std::vector<std::string>& warnings,
+                                                      Problems& problems) {
     std::optional<StructuredMaterial> material = structured_of(spec);
     for (const auto& [key, values] : data.by_place)
         if (key.starts_with("structured.") && !(material && (material->solids || key == k_initial_fluid)))
@@ -203,9 +205,22 @@ std::optional<StructuredMaterial> structured_material(const Scene::Data& data, c
     if (material->solids) add_solids_by_place(data, spec, scene.release, scene.grid, *material, problems);
     add_initial_fluid(data, spec, scene.grid, *material, problems);
     if (!problems.empty()) return material;
-    for (const frana::Problem& problem :
-         structured_problems(*material, scene.grid.cell_size, [](const std::string& key) { return key; }))
+    const auto where = [](const std::string& key) { return key; };
+    for (const frana::Problem& problem : structured_problems(*material, scene.grid.cell_size, where))
         problems.add(problem);
+    double thickest = 0;
+    for (const Release& release : data.release) {
+        if (release.thicknesses.empty()) thickest = std::max(thickest, release.thickness);
+        for (const double thickness : release.thicknesses.cells)
+            if (thickness > thickest) thickest = thickness;
+    }
+    const auto is_given = [&](const std::string& key) {
+        return data.by_place.count(key) > 0 ||
+               std::any_of(data.keys.begin(), data.keys.end(), [&](const auto& given) { return given.first == key; });
+    };
+    if (material->solids)
+        for (const Sentence& warning : structured_warnings(*material, thickest, scene.grid.cell_size, where, is_given))
+            warnings.push_back(warning.text());
     return material;
 }
 
@@ -414,7 +429,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     scene.inflows = inflows_of(data, spec, problems);
     add_recorded(data, scene.grid, scene.recording, problems);
     scene.zones = material_zones(data, spec, scene.grid, problems);
-    scene.structured = structured_material(data, spec, scene, problems);
+    scene.structured = structured_material(data, spec, scene, prepared.warnings, problems);
     check_inflow_counts(scene, problems);
     problems.throw_if_any();
     place_origin(scene);

@@ -98,9 +98,10 @@ void require_finite(const MixedShape& shape) {
     }
 }
 
-/// As frana run warns, in its order: of the keys, the ground under the release, the run, the ground under its path.
+/// As frana run warns, in its order: of the run, the keys, the ground under the release, the ground under its path.
 std::vector<std::string> warnings_of(const RunResult& result, const EngineScene& prepared, const TraceFigures& trace) {
-    std::vector<std::string> all = prepared.warnings;
+    std::vector<std::string> all = texts_of(result_warnings(result, prepared.scene));
+    all.insert(all.end(), prepared.warnings.begin(), prepared.warnings.end());
     const auto add = [&](const std::vector<Sentence>& more) {
         for (const Sentence& warning : more) all.push_back(warning.text());
     };
@@ -109,7 +110,6 @@ std::vector<std::string> warnings_of(const RunResult& result, const EngineScene&
     if (trace.release_ground)
         add(release_ground_warnings(*trace.release_ground, may_be_held ? sure_friction(prepared.spec) : 0,
                                     k_held_remedy));
-    add(result_warnings(result, prepared.scene));
     if (trace.path_ground) add(path_ground_warnings(*trace.path_ground));
     return all;
 }

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "analysis/ground_statistics.h"
@@ -26,6 +28,15 @@ inline constexpr const char* k_few_particles_warning = worded(
 /// @param particles at the start; 0: it fails later
 std::vector<Sentence> release_warnings(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
                                        std::int64_t particles);
+
+/// Where a key was given, for messages; whether it was given.
+using KeyPlace = std::function<std::string(const std::string& key)>;
+using KeyTest = std::function<bool(const std::string& key)>;
+
+/// Returns what is legal and dubious of a structured material with solids, or given and without effect.
+/// @param thickness the greatest of anything released [m]
+std::vector<Sentence> structured_warnings(const StructuredMaterial& material, double thickness, double cell_size,
+                                          const KeyPlace& where, const KeyTest& is_given);
 
 /// Returns whether maps and values, or outlines and run-out, omit a substantial part of a release.
 std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& scene);

@@ -148,6 +148,8 @@ class AsTheProgram(unittest.TestCase):
         uniform = frana.run(self.scene({**STRUCTURED, "time.end": "6"}))
         for name in ("max_depth_m", "max_velocity_ms", "covered_area_m2", "steps"):
             self.assertEqual(result.summary[name], summary[name], name)
+        self.assertEqual(result.warnings, summary["warnings"])
+        self.assertTrue(any("damage-length is not given" in warning for warning in result.warnings), result.warnings)
         self.assertNotEqual(result.summary["max_velocity_ms"], uniform.summary["max_velocity_ms"])
         holes = values.copy()
         holes[15, 8] = np.nan

@@ -179,7 +179,9 @@ std::vector<Sentence> warnings_in(const Json& summary) {
 std::string warning_line(const std::vector<Sentence>& warnings, const Words& words) {
     constexpr std::size_t k_longest = 240;  // letters
     if (warnings.empty()) return "";
-    const std::string first = elided(valid_utf8(warnings.front().in(words)), k_longest);
+    std::string first = valid_utf8(warnings.front().in(words));
+    if (const std::string begin = elided(first, k_longest); begin != first)  // at a space
+        first = begin.substr(0, begin.rfind(' ')) + " \u2026";
     if (warnings.size() == 1) return words("Warning:") + " " + first;
     return words("{1} warnings (see {2}), the first: {3}", {std::to_string(warnings.size()), k_summary_file, first});
 }
