@@ -134,7 +134,7 @@ class AsTheProgram(unittest.TestCase):
         fluid[:, 20:25] = 0.5
         given = {"structured.cohesion": values, "structured.internal-friction-angle": bed + 5,
                  "structured.initial-fluid-depth": fluid}
-        keys = {"time.end": "6", **{key: value for key, value in STRUCTURED.items() if key not in given}}
+        keys = {"time.end": "3", **{key: value for key, value in STRUCTURED.items() if key not in given}}
         del keys["structured.bed-friction-angle"]  # then that inside the material, by place as well
         files = {}
         for key, array in given.items():
@@ -145,7 +145,7 @@ class AsTheProgram(unittest.TestCase):
         for key, array in given.items():
             scene.set_values(key, array)
         result = frana.run(scene)
-        uniform = frana.run(self.scene({**STRUCTURED, "time.end": "6"}))
+        uniform = frana.run(self.scene({**STRUCTURED, "time.end": "3"}))
         for name in ("max_depth_m", "max_velocity_ms", "covered_area_m2", "steps"):
             self.assertEqual(result.summary[name], summary[name], name)
         self.assertEqual(result.warnings, summary["warnings"])
@@ -168,7 +168,7 @@ class AsTheProgram(unittest.TestCase):
             scene.check()
 
     def test_both_put_fluid_of_one_depth_on_the_ground(self):
-        keys = {**STRUCTURED, "time.end": "4", "structured.initial-fluid-depth": "0.25"}
+        keys = {**STRUCTURED, "time.end": "2", "structured.initial-fluid-depth": "0.25"}
         _, summary = self.program(keys)
         result = frana.run(self.scene(keys))
         for name in ("max_depth_m", "max_velocity_ms", "covered_area_m2"):
