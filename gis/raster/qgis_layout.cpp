@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/raster/qgis_layout.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -10,7 +12,7 @@ namespace frana::gis {
 namespace {
 
 // All lengths in millimetres.
-constexpr double k_margin = 10, k_gap = 3, k_heading = 8, k_subtitle = 13, k_foot = 7, k_arrow = 14;
+constexpr double k_margin = 10, k_gap = 3, k_heading = 8, k_least_subtitle = 13, k_foot = 7, k_arrow = 14;
 
 struct Box {
     double x, y, width, height;
@@ -19,13 +21,21 @@ struct Box {
 /// Where the parts of a sheet are: the map, and a panel with legend and texts, right of it or below it.
 struct Arrangement {
     double width, height;
+    double subtitle;         ///< height
     Box map, legend, panel;  ///< panel: scale, north, values, title block
 };
 
-Arrangement arranged(const std::string& sheet, bool portrait) {
+Arrangement arranged(const ProjectLayout& layout) {
+    const std::string& sheet = layout.sheet;
+    const bool portrait = layout.portrait;
     const double longer = sheet == "A3" ? 420 : 297, shorter = sheet == "A3" ? 297 : 210;
-    Arrangement page{portrait ? shorter : longer, portrait ? longer : shorter, {}, {}, {}};
-    const double top = k_margin + k_heading + k_subtitle + k_gap, inside = page.width - 2 * k_margin;
+    Arrangement page{portrait ? shorter : longer, portrait ? longer : shorter, 0, {}, {}, {}};
+    const double inside = page.width - 2 * k_margin;
+    // At 9 points a letter is about 1.7 mm wide and a line 4 mm high; words wrap before a line is full.
+    constexpr double k_letter = 1.7, k_line = 4;
+    const double lines = std::ceil(1.05 * k_letter * static_cast<double>(layout.subtitle.size()) / inside);
+    page.subtitle = std::max(k_least_subtitle, k_line * lines + 1);
+    const double top = k_margin + k_heading + page.subtitle + k_gap;
     const double bottom = page.height - k_margin - k_foot - k_gap, side = sheet == "A3" ? 85 : 70;
     const double panel = 62;  // height of the texts beside or below the legend
     if (portrait) {
@@ -76,7 +86,7 @@ class Writer {
     Writer(const ProjectLayout& layout, int number) : layout_(layout), number_(number) {}
 
     [[nodiscard]] std::string text(const std::vector<LayerReference>& layers, const std::string& crs) {
-        const Arrangement at = arranged(layout_.sheet, layout_.portrait);
+        const Arrangement at = arranged(layout_);
         const Box& panel = at.panel;
         out_ << "    <Layout name=\"" << escaped_markup(layout_.title) << "\" units=\"mm\" printResolution=\"300\" "
              << "worldFileMap=\"" << uuid(number_, k_map) << "\">\n      <PageCollection>\n";
@@ -84,7 +94,7 @@ class Writer {
         out_ << "      </PageCollection>\n";
         map(at.map, layers, crs);
         label({k_margin, k_margin, at.width - 2 * k_margin, k_heading}, layout_.title, 15, true);
-        label({k_margin, k_margin + k_heading, at.width - 2 * k_margin, k_subtitle}, layout_.subtitle, 9);
+        label({k_margin, k_margin + k_heading, at.width - 2 * k_margin, at.subtitle}, layout_.subtitle, 9);
         legend(at.legend, layers);
         // "1 : 5 000", whatever the user makes of the map. Not its map_scale: without a CRS that counts degrees.
         label({panel.x, panel.y, panel.width - k_arrow, 5},
@@ -179,7 +189,7 @@ class Writer {
 
     /// Two segments in at most seven tenths of its box, each 1, 2 or 5 times a power of ten.
     void scale_bar(const Box& box) {
-        const Point frame = frame_of(layout_.sheet, layout_.portrait);
+        const Point frame = frame_of(layout_);
         const double longest = layout_.window.width() / frame.x * box.width * 0.7 / 2;  // of a segment [m]
         double segment = 1;
         for (double decade = 1e-3; decade <= longest; decade *= 10)
@@ -201,8 +211,8 @@ class Writer {
 
 }  // namespace
 
-Point frame_of(const std::string& sheet, bool portrait) {
-    const Box map = arranged(sheet, portrait).map;
+Point frame_of(const ProjectLayout& layout) {
+    const Box map = arranged(layout).map;
     return {map.width, map.height};
 }
 

@@ -23,8 +23,8 @@ struct ProjectLayout {
     std::string sources;              ///< at the foot
 };
 
-/// Returns width and height of the map's frame [mm].
-[[nodiscard]] Point frame_of(const std::string& sheet, bool portrait);
+/// Returns width and height of the map's frame [mm]; a long subtitle leaves it less.
+[[nodiscard]] Point frame_of(const ProjectLayout& layout);
 
 /// A layer as the file of a project names it.
 struct LayerReference {

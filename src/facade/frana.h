@@ -130,7 +130,9 @@ class FRANA_API Scene {
     /// key, if the value is not allowed, or if the key concerns files.
     void set(const std::string& key, const std::string& value);
     void set(const std::string& key, double value);
-    /// Sets a key of [zones], "zones.friction-angle", by place; NaN: the value of the material applies.
+    /// Sets a key of [zones], "zones.friction-angle", or a property of the structured model's solids,
+    /// "structured.cohesion", or "structured.initial-fluid-depth", by place; NaN: the value of the material applies, no
+    /// fluid.
     void set_values(const std::string& key, Values values);
     /// Walls that no flow overtops stand on the cells with 1; 0 elsewhere.
     void set_walls(Values walls);
@@ -179,6 +181,22 @@ struct Record {
     std::vector<Series> columns;
 };
 
+/// Something that a flow may hit: areas, lines and points, which count together.
+struct Exposed {
+    std::vector<Polygon> areas{};
+    std::vector<std::vector<Point>> lines{};
+    std::vector<Point> points{};
+};
+
+/// The worst that happens to it on all the cells that it touches, as in exposure.csv. NaN: it is not on the map; the
+/// time also where nothing arrives.
+struct Exposure {
+    bool reached = false;
+    double depth = 0, velocity = 0, pressure = 0;  ///< [m], [m/s], [kPa]
+    double arrival = 0;                            ///< [s]
+    std::string place;                             ///< "on the map", "outside the map", "no elevation", ...
+};
+
 /// What a run gives.
 class FRANA_API Result {
   public:
@@ -199,8 +217,12 @@ class FRANA_API Result {
     [[nodiscard]] double number(const std::string& key) const;
     /// "end-time", "still", "settled", ...
     [[nodiscard]] std::string stop_reason() const;
-    /// Choices made, and what is worth a second look.
+    /// What must be known before relying on it: the sentences that summary.json has.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+    /// Choices made.
     [[nodiscard]] std::vector<std::string> notes() const;
+    /// What the flow does to each feature.
+    [[nodiscard]] std::vector<Exposure> exposure(const std::vector<Exposed>& features) const;
 
     struct Data;
     explicit Result(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

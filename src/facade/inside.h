@@ -44,6 +44,22 @@ std::optional<frana::Problem> problem_of_setting(const std::string& key, const s
 
 GridSpec spec_of(const Grid& grid);
 
+inline std::vector<frana::Point> points_of(const std::vector<Point>& points) {
+    std::vector<frana::Point> own;
+    for (const Point& p : points) own.push_back({p.x, p.y});
+    return own;
+}
+
+inline MultiPolygon area_of(const std::vector<Polygon>& polygons) {
+    MultiPolygon area;
+    for (const Polygon& polygon : polygons) {
+        frana::Polygon& own = area.emplace_back();
+        own.outer = points_of(polygon.outer);
+        for (const Ring& hole : polygon.holes) own.holes.push_back(points_of(hole));
+    }
+    return area;
+}
+
 /// Changes the values of a window, row by row.
 using Change = std::function<void(const CellWindow& window, double* values)>;
 
@@ -54,13 +70,16 @@ struct Scene::Data {
     Grid grid;
     Values elevations;
     std::vector<std::pair<std::string, std::string>> keys;  ///< in the order of their last setting
-    std::map<std::string, Values> by_place;                 ///< keys of [zones]
+    std::map<std::string, Values> by_place;                 ///< keys of [zones] and [structured]
     Values walls;
     std::vector<Release> release;
     std::vector<Inflow> inflows;
     std::vector<Gauge> gauges;
     std::vector<CrossSection> sections;
 };
+
+/// Key of the depth of free fluid at the start, a number or by place.
+inline constexpr const char* k_initial_fluid = "structured.initial-fluid-depth";
 
 /// Refuses more particles than the engine can number with 32 bits.
 inline void check_particle_count(double count, const std::string& where, Problems& problems) {
@@ -85,7 +104,7 @@ struct Result::Data {
     Grid grid;
     Recording recording;  ///< of which the result has rows
     std::string summary;  ///< JSON
-    std::vector<std::string> notes;
+    std::vector<std::string> warnings;
 };
 
 struct Frame::Data {

@@ -14,15 +14,18 @@
 
 #include "analysis/gaussian_field.h"
 #include "analysis/ground_statistics.h"
+#include "analysis/touched_cells.h"
 #include "analysis/trace.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "params/keys/material_parameters.h"
 #include "params/keys/scene_spec.h"
 #include "params/keys/zone_keys.h"
 #include "params/scene/read_scene.h"
 #include "simulation/arrivals.h"
 #include "simulation/release.h"
 #include "simulation/run_check.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 #include "simulation/scene_values.h"
 
@@ -33,22 +36,10 @@ std::string name_of(const Release& release, std::size_t index) {
     return "release " + (release.name.empty() ? std::to_string(index + 1) : release.name);
 }
 
-frana::Ring ring_of(const Ring& points) {
-    frana::Ring ring;
-    for (const Point& p : points) ring.push_back({p.x, p.y});
-    return ring;
-}
-
 MultiPolygon outline_of(const Release& release, const GridSpec& grid) {
     if (release.outline.empty() && !release.thicknesses.empty())
         return outlines_where_positive(grid, release.thicknesses.cells);
-    MultiPolygon outline;
-    for (const Polygon& polygon : release.outline) {
-        frana::Polygon& own = outline.emplace_back();
-        own.outer = ring_of(polygon.outer);
-        for (const Ring& hole : polygon.holes) own.holes.push_back(ring_of(hole));
-    }
-    return outline;
+    return area_of(release.outline);
 }
 
 bool check_outline(const MultiPolygon& outline, const GridSpec& grid, const std::string& where, Problems& problems) {
@@ -136,6 +127,103 @@ std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec&
     return areas;
 }
 
+/// Returns the greatest of the values of a key by place. All must be in its range.
+template <class Key>
+double greatest_of(const Values& values, const Key& key, Problems& problems) {
+    double greatest = -HUGE_VAL;
+    for (const double value : values.cells) {
+        if (std::isnan(value)) continue;
+        greatest = std::max(greatest, value);
+        if (key.range.has(value)) continue;
+        problems.add({"is out of range", key.name, shortest_text(value) + " " + key.unit, key.range.text(),
+                      "NaN where the value of the material applies"});
+        break;
+    }
+    return greatest;
+}
+
+/// Gives the solids their values by place, in the units of the engine. Only those in cells that the release touches
+/// are ever used; there each must be known.
+void add_solids_by_place(const Scene::Data& data, const SceneSpec& spec, const std::vector<ReleaseArea>& release,
+                         const GridSpec& grid, StructuredMaterial& material, Problems& problems) {
+    std::vector<std::size_t> released;
+    for (const ReleaseArea& area : release)
+        for (const std::size_t cell : touched_cells({area.outline, {}, {}}, grid)) released.push_back(cell);
+    for (const SolidKey& key : solid_keys()) {
+        const bool is_instead =
+            data.by_place.count(key.name) == 0 && !key.instead.empty() && !(spec.structured.*key.source);
+        const auto found = data.by_place.find(is_instead ? key.instead : key.name);
+        if (found == data.by_place.end()) continue;
+        if (!is_instead) (void)greatest_of(found->second, key, problems);
+        const bool is_known = (spec.structured.*key.in_use(spec.structured).source).has_value();
+        frana::Raster raster(grid, k_no_data);
+        for (const std::size_t cell : released) {
+            const double value = found->second.cells[cell];
+            raster.values[cell] = key.degrees() ? tangent_of(value) : value;
+            if (!std::isnan(value) || is_known) continue;
+            problems.add({"has no value on part of the release", found->first, "", "",
+                          "Give values on all of it, or set the key as well"});
+            break;
+        }
+        material.zones.push_back({key.value, std::move(raster)});
+    }
+}
+
+/// Puts free fluid on the ground at the start: by place, or as deep everywhere.
+void add_initial_fluid(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid,
+                       StructuredMaterial& material, Problems& problems) {
+    const auto found = data.by_place.find(k_initial_fluid);
+    const bool by_place = found != data.by_place.end();
+    const auto& uniform = spec.structured.initial_fluid_depth;
+    if (!by_place && !(uniform && uniform->number > 0)) return;
+    material.initial_fluid.emplace(grid, k_no_data);
+    material.more_fluid = true;
+    double least = 0, greatest = 0;
+    for (std::size_t cell = 0; cell < data.elevations.cells.size(); ++cell) {
+        const double depth = by_place ? found->second.cells[cell] : uniform->number;
+        const bool is_wall = !data.walls.empty() && data.walls.cells[cell] == 1;
+        if (std::isnan(depth) || depth == 0 || std::isnan(data.elevations.cells[cell]) || is_wall) continue;
+        least = std::min(least, depth);
+        greatest = std::max(greatest, depth);
+        material.initial_fluid->values[cell] = depth;
+    }
+    if (check_number(k_initial_fluid, least, k_initial_fluid, problems))
+        check_number(k_initial_fluid, greatest, k_initial_fluid, problems);
+}
+
+/// The structured model's material, where that is the scene's model. Needs release and inflows.
+std::optional<StructuredMaterial> structured_material(const Scene::Data& data, const SceneSpec& spec,
+                                                      const frana::Scene& scene, std::vector<std::string>& warnings,
+                                                      Problems& problems) {
+    std::optional<StructuredMaterial> material = structured_of(spec);
+    for (const auto& [key, values] : data.by_place)
+        if (key.starts_with("structured.") && !(material && (material->solids || key == k_initial_fluid)))
+            problems.add({"gives a property of what the scene does not have", key, "", "",
+                          "Set material.model = structured and structured.phases = solids-and-fluid"});
+    if (!material) return material;
+    material->more_fluid = !scene.inflows.empty();
+    if (material->solids) add_solids_by_place(data, spec, scene.release, scene.grid, *material, problems);
+    add_initial_fluid(data, spec, scene.grid, *material, problems);
+    if (!problems.empty()) return material;
+    const auto where = [](const std::string& key) { return key; };
+    for (const frana::Problem& problem : structured_problems(*material, scene.grid.cell_size, where))
+        problems.add(problem);
+    double thickest = 0;
+    for (const Release& release : data.release) {
+        if (release.thicknesses.empty()) thickest = std::max(thickest, release.thickness);
+        for (const double thickness : release.thicknesses.cells)
+            if (thickness > thickest) thickest = thickness;
+    }
+    const auto is_given = [&](const std::string& key) {
+        return data.by_place.count(key) > 0 ||
+               std::any_of(data.keys.begin(), data.keys.end(), [&](const auto& given) { return given.first == key; });
+    };
+    if (material->solids)
+        for (const Sentence& warning : structured_warnings(*material, thickest, scene.grid.cell_size, where, is_given))
+            warnings.push_back(warning.text());
+    return material;
+}
+
 /// The values of [zones], checked, in the units of the engine.
 MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid, Problems& problems) {
     MaterialZones zones;
@@ -144,15 +232,7 @@ MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, con
         if (found == data.by_place.end()) continue;
         const Values& values = found->second;
         check_zone_use(key, spec, key.name, problems);
-        double greatest = -HUGE_VAL;
-        for (const double value : values.cells) {
-            if (std::isnan(value)) continue;
-            greatest = std::max(greatest, value);
-            if (key.range.has(value)) continue;
-            problems.add({"is out of range", key.name, shortest_text(value) + " " + key.unit, key.range.text(),
-                          "NaN where the value of the material applies"});
-            break;
-        }
+        const double greatest = greatest_of(values, key, problems);
         if (key.what == "friction") check_zone_friction(spec, key.stored(greatest), key.name, problems);
         std::optional<frana::Raster>& target = zones.*raster_of(key);
         if (target)
@@ -261,6 +341,7 @@ std::vector<std::string> given_otherwise(const Scene::Data& data) {
     if (!data.inflows.empty()) given.insert(given.end(), {"inflow.line", "inflow.hydrograph"});
     if (!data.gauges.empty()) given.emplace_back("output.gauges");
     if (!data.sections.empty()) given.emplace_back("output.cross-sections");
+    for (const auto& [key, values] : data.by_place) given.push_back(key);
     return given;
 }
 
@@ -348,12 +429,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     scene.inflows = inflows_of(data, spec, problems);
     add_recorded(data, scene.grid, scene.recording, problems);
     scene.zones = material_zones(data, spec, scene.grid, problems);
-    scene.structured = structured_of(spec);
-    if (scene.structured) scene.structured->more_fluid = !scene.inflows.empty();
-    if (scene.structured)
-        for (const frana::Problem& problem :
-             structured_problems(*scene.structured, scene.grid.cell_size, [](const std::string& key) { return key; }))
-            problems.add(problem);
+    scene.structured = structured_material(data, spec, scene, prepared.warnings, problems);
     check_inflow_counts(scene, problems);
     problems.throw_if_any();
     place_origin(scene);

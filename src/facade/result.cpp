@@ -4,12 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "analysis/exposure.h"
 #include "core/geometry.h"
 #include "core/json.h"
 #include "facade/frana.h"
 #include "facade/inside.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/run_summary.h"
+#include "simulation/run_warnings.h"
 
 namespace frana::facade {
 
@@ -81,10 +83,40 @@ std::optional<GroundStatistics> ground_of_release(const frana::Scene& scene) {
     return sum.statistics();
 }
 
-std::string summary_of(const RunResult& result, const EngineScene& prepared) {
+void require_finite(const MixedShape& shape) {
+    const auto check = [](const std::vector<frana::Point>& points) {
+        for (const frana::Point& p : points)
+            if (!std::isfinite(p.x) || !std::isfinite(p.y))
+                refuse({"has a point that is not finite", "exposure", shortest_text(p.x) + ", " + shortest_text(p.y),
+                        "", "Correct the feature"});
+    };
+    check(shape.points);
+    for (const Polyline& line : shape.lines) check(line);
+    for (const frana::Polygon& polygon : shape.areas) {
+        check(polygon.outer);
+        for (const frana::Ring& hole : polygon.holes) check(hole);
+    }
+}
+
+/// As frana run warns, in its order: of the run, the keys, the ground under the release, the ground under its path.
+std::vector<std::string> warnings_of(const RunResult& result, const EngineScene& prepared, const TraceFigures& trace) {
+    std::vector<std::string> all = texts_of(result_warnings(result, prepared.scene));
+    all.insert(all.end(), prepared.warnings.begin(), prepared.warnings.end());
+    const auto add = [&](const std::vector<Sentence>& more) {
+        for (const Sentence& warning : more) all.push_back(warning.text());
+    };
+    // What is thrown moves wherever it lands.
+    const bool may_be_held = !prepared.spec.release.velocity && !prepared.scene.zones.friction_coefficient;
+    if (trace.release_ground)
+        add(release_ground_warnings(*trace.release_ground, may_be_held ? sure_friction(prepared.spec) : 0,
+                                    k_held_remedy));
+    if (trace.path_ground) add(path_ground_warnings(*trace.path_ground));
+    return all;
+}
+
+std::string summary_of(const RunResult& result, const EngineScene& prepared, const TraceFigures& trace,
+                       const std::vector<std::string>& warnings) {
     const SceneSpec& spec = prepared.spec;
-    TraceFigures trace = trace_figures(result, prepared.scene.terrain, spec.output.trace_threshold);
-    trace.release_ground = ground_of_release(prepared.scene);
     Json json{{"program", "frana"},
               {"version", FRANA_VERSION},
               {"model", spec.material.model},
@@ -96,6 +128,7 @@ std::string summary_of(const RunResult& result, const EngineScene& prepared) {
     add_flow(json, result, spec);
     add_trace(json, trace);
     add_run_problems(json, result);
+    json["warnings"] = warnings;
     return json_text(json);
 }
 
@@ -105,9 +138,10 @@ std::shared_ptr<const Result::Data> result_data(RunResult result, const EngineSc
     auto data = std::make_shared<Result::Data>();
     data->grid = grid;
     data->recording = prepared.scene.recording;
-    data->summary = summary_of(result, prepared);
-    data->notes = prepared.warnings;
-    data->notes.insert(data->notes.end(), result.notes.begin(), result.notes.end());
+    TraceFigures trace = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold);
+    trace.release_ground = ground_of_release(prepared.scene);
+    data->warnings = warnings_of(result, prepared, trace);
+    data->summary = summary_of(result, prepared, trace, data->warnings);
     data->result = std::move(result);
     // Read of the caller's memory while that is as it was; of a large map only where the flow came.
     const CellValues& bed = data->result.raster("bed").values;
@@ -186,8 +220,33 @@ std::string Result::stop_reason() const {
     return stop_word(data_->result.stop_reason);
 }
 
+std::vector<std::string> Result::warnings() const {
+    return data_->warnings;
+}
+
 std::vector<std::string> Result::notes() const {
-    return data_->notes;
+    return data_->result.notes;
+}
+
+std::vector<Exposure> Result::exposure(const std::vector<Exposed>& features) const {
+    const RunResult& result = data_->result;
+    const frana::Raster& bed = result.raster("bed");
+    const bool is_known = static_cast<std::int64_t>(bed.values.size()) <= CellValues::k_most_dense;
+    const ReachedPlaces reached(result);
+    const ExposureRasters rasters{&reached("max_depth"), &reached("max_velocity"), &reached("max_pressure"),
+                                  &reached("arrival_time"), is_known ? &bed : nullptr};
+    std::vector<Exposure> all;
+    for (const Exposed& feature : features) {
+        MixedShape shape{area_of(feature.areas), {}, {}};
+        for (const std::vector<Point>& line : feature.lines) shape.lines.push_back(points_of(line));
+        shape.points = points_of(feature.points);
+        require_finite(shape);
+        const ExposureValues values = exposure_values({touched_cells(shape, bed.grid)}, rasters).front();
+        const ExposureRow row = exposure_row(shape, values, bed.grid.bounds());
+        all.push_back({row.is_reached(), row.number("max_depth_m"), row.number("max_velocity_ms"),
+                       row.number("max_pressure_kpa"), row.number("arrival_s"), row.texts.front().second});
+    }
+    return all;
 }
 
 int Frame::index() const noexcept {

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/material_parameters.h"
 #include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"
@@ -159,12 +161,11 @@ void Scene::set(const std::string& key, double value) {
 }
 
 void Scene::set_values(const std::string& key, Values values) {
-    const std::vector<ZoneKey>& keys = zone_keys();
-    if (std::none_of(keys.begin(), keys.end(), [&](const ZoneKey& zone) { return zone.name == key; })) {
-        std::string names;
-        for (const ZoneKey& zone : keys) names += (names.empty() ? "" : ", ") + zone.name;
-        refuse({"is no key whose value varies from place to place", key, "", names, ""});
-    }
+    std::vector<std::string> names{k_initial_fluid};
+    for (const ZoneKey& zone : zone_keys()) names.push_back(zone.name);
+    for (const SolidKey& solid : solid_keys()) names.push_back(solid.name);
+    if (!is_in(names, key))
+        refuse({"is no key whose value varies from place to place", key, "", joined(names, ", "), ""});
     require_size(data_->grid, values, key);
     data_->by_place[key] = std::move(values);
 }

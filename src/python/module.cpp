@@ -256,6 +256,54 @@ Inflow inflow_of(const py::object& line, const py::object& hydrograph, std::opti
     return inflow;
 }
 
+/// Adds a geometry of GeoJSON; coordinates beyond x and y are heights, which do not matter.
+void add_geometry(const py::object& given, Exposed& feature) {
+    const py::object geometry = py::hasattr(given, "__geo_interface__") ? given.attr("__geo_interface__") : given;
+    const Problem problem{"is not a geometry of GeoJSON", "features", "", "",
+                          "Give Point, LineString, Polygon, their Multi forms or a GeometryCollection"};
+    if (!py::isinstance<py::dict>(geometry)) refuse(problem);
+    const auto member = [&](const char* name) { return py::object(geometry.attr("get")(name)); };
+    const std::string type = py::str(member("type"));
+    if (type == "Feature") return add_geometry(member("geometry"), feature);
+    const py::object parts = member(type == "GeometryCollection" ? "geometries" : "coordinates");
+    if (parts.is_none()) refuse(problem);
+    if (type == "GeometryCollection") {
+        for (const auto& part : parts) add_geometry(py::reinterpret_borrow<py::object>(part), feature);
+        return;
+    }
+    const auto flat = [](const py::handle& points) {
+        py::list list;
+        for (const auto& point : points) list.append(point[py::slice(0, 2, 1)]);
+        return list;
+    };
+    const auto add_one = [&](const std::string& kind, const py::handle& one) {
+        if (kind == "Point") {
+            feature.points.push_back(points_of(flat(py::make_tuple(one))).front());
+        } else if (kind == "LineString") {
+            feature.lines.push_back(points_of(flat(one)));
+        } else if (kind == "Polygon") {
+            Polygon polygon;
+            for (const auto& ring : one)
+                (polygon.outer.empty() ? polygon.outer : polygon.holes.emplace_back()) = ring_of(flat(ring));
+            feature.areas.push_back(std::move(polygon));
+        } else {
+            refuse(problem);
+        }
+    };
+    if (!type.starts_with("Multi")) return add_one(type, parts);
+    for (const auto& part : parts) add_one(type.substr(5), part);
+}
+
+py::list exposure_of(const Result& result, const py::iterable& features) {
+    std::vector<Exposed> all;
+    for (const auto& one : features) add_geometry(py::reinterpret_borrow<py::object>(one), all.emplace_back());
+    py::list rows;
+    for (const Exposure& row : result.exposure(all))
+        rows.append(py::dict("reached"_a = row.reached, "max_depth_m"_a = row.depth, "max_velocity_ms"_a = row.velocity,
+                             "max_pressure_kpa"_a = row.pressure, "arrival_s"_a = row.arrival, "place"_a = row.place));
+    return rows;
+}
+
 /// Columns of series by their names.
 py::dict columns_of(const std::vector<Series>& series) {
     py::dict columns;
@@ -346,8 +394,10 @@ void add_scene(py::module_& module) {
                 scene.set_values(key, values_on(scene.grid(), values, key.c_str()));
             },
             "key"_a, "values"_a,
-            "Sets a key of [zones], such as \"zones.friction-angle\" [degrees], by place: array of float64, rows x "
-            "columns; NaN: the material's own value. Not copied.")
+            "Sets a key of [zones], such as \"zones.friction-angle\" [degrees], or of the structured model's solids, "
+            "such "
+            "as \"structured.cohesion\" [Pa], or \"structured.initial-fluid-depth\" [m], by place: array of float64, "
+            "rows x columns; NaN: the material's own value. Not copied.")
         .def(
             "set_walls",
             [](Scene& scene, const py::object& walls) { scene.set_walls(values_on(scene.grid(), walls, "walls")); },
@@ -441,7 +491,14 @@ void add_results(py::module_& module) {
             "by the names of cross-sections, values over time: time [s], discharge [m3/s], volume [m3], "
             "wetted_width [m], max_depth [m], max_speed [m/s]")
         .def_property_readonly("stop_reason", &Result::stop_reason, "\"end-time\", \"still\", \"settled\", ...")
-        .def_property_readonly("notes", &Result::notes, "choices made, and what is worth a second look");
+        .def_property_readonly("warnings", &Result::warnings,
+                               "what must be known before relying on it: the sentences that summary.json has")
+        .def_property_readonly("notes", &Result::notes, "choices made")
+        .def("exposure", &exposure_of, "features"_a,
+             "What the flow does to features, as in exposure.csv: a dict for each, with reached, max_depth_m, "
+             "max_velocity_ms, max_pressure_kpa, arrival_s (NaN where nothing arrives) and place.\n\n"
+             "features: geometries of GeoJSON as dicts (type, coordinates) in the scene's coordinates, or objects that "
+             "have __geo_interface__, such as those of shapely. Each counts every cell that it touches.");
     py::class_<PythonRun>(module, "Run",
                           "A run, frame by frame: an iterator. While it computes, other threads of Python run, and "
                           "Ctrl-C ends it.")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/grid_spec.h"
@@ -105,6 +106,8 @@ class Arrivals {
     Arrived collect(double time);
 
     [[nodiscard]] const std::vector<InflowSource>& sources() const noexcept { return sources_; }
+    /// Returns the areas that have not failed yet.
+    [[nodiscard]] std::span<const Entry> waiting() const noexcept { return std::span(later_).subspan(next_entry_); }
     /// Returns the number of particles still to enter.
     [[nodiscard]] std::size_t particles_left() const;
 

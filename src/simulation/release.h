@@ -29,6 +29,9 @@ struct Release {
     std::vector<ReleasedArea> areas;  ///< in the order of Scene::release
 };
 
+/// Returns the volume of particles over the cell area, vertical [m]; NaN where there are none.
+Raster cell_depth(const ParticleSet& particles, const GridSpec& grid);
+
 /// Fills the release areas of a scene with particles. A scene with inflow may release nothing. Throws Error(input) if
 /// nothing would be released, if the terrain under the release has no data (the cells are counted and the first named),
 /// or if it is everywhere thinner than the minimum depth.

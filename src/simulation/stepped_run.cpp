@@ -177,6 +177,18 @@ double volume_of(const Raster& depth) {
     return sum * depth.grid.cell_area();
 }
 
+/// The depth of the areas that have failed so far.
+Raster depth_that_failed(const Release& release, const Arrivals& arrivals) {
+    Raster depth = release.depth;
+    for (const Entry& entry : arrivals.waiting()) {
+        const Raster waiting = cell_depth(entry.particles, depth.grid);
+        waiting.values.for_each_stored([&](std::size_t cell, double metres) {
+            if (!std::isnan(metres)) depth.values[cell] -= metres;
+        });
+    }
+    return depth;
+}
+
 /// What lies at the end minus the release and erosion, plus deposition into the bed; NaN where nothing flowed. Where a
 /// fluid is computed beside them the solids lie as densely as they were released, since their fluid drains.
 Raster elevation_change(const RunResult& result, const Raster& release) {
@@ -404,7 +416,9 @@ RunResult SteppedRun::finish() {
         for (NamedRaster& raster : result.rasters) hide_non_finite(raster.values);
     read_ground_under(model_->nodes(), scene_.terrain, release_.bed);
     result.volume_shown = volume_of(result.raster("final_depth"));
-    result.add("elevation_change", elevation_change(result, release_.depth));
+    result.add("elevation_change",
+               elevation_change(result,
+                                arrivals_.waiting().empty() ? release_.depth : depth_that_failed(release_, arrivals_)));
     result.depth_is_normal = scene_.recording.normal_depth;
     if (result.depth_is_normal) {
         make_normal(result.rasters, release_.bed);

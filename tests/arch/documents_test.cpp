@@ -47,6 +47,31 @@ TEST(Documents, EveryPathOfTheArchitectureExists) {
     EXPECT_GT(paths, 50);
 }
 
+// The events of share/doc/validation.md are those that share/catalogue/run repeats, each from a scene that exists.
+TEST(Documents, TheCatalogueRepeatsEveryEventAndScene) {
+    std::set<std::string> repeated, scenes, shown, files;
+    for (const std::string& line : lines_of("share/catalogue/events")) {
+        static const std::regex k_run("^([a-z0-9_]+) *\\| [a-z0-9_.]+ *\\| ([a-z0-9_]+) *\\|.*");
+        std::smatch found;
+        if (line.starts_with("#")) continue;
+        ASSERT_TRUE(std::regex_match(line, found, k_run)) << line;
+        repeated.insert(found[1]);
+        scenes.insert(found[2]);
+    }
+    bool in_table = false;
+    for (const std::string& line : lines_of("share/doc/validation.md")) {
+        static const std::regex k_last("\\| `([a-z0-9_]+)`[^|]*\\|$");
+        in_table = in_table ? line.starts_with("|") : line.find("`share/catalogue/run` |") != std::string::npos;
+        std::smatch found;
+        if (in_table && std::regex_search(line, found, k_last)) shown.insert(found[1]);
+    }
+    for (const auto& entry : fs::directory_iterator(fs::path(FRANA_SOURCE_DIR) / "share/scenes"))
+        if (entry.path().extension() == ".ini") files.insert(entry.path().stem().string());
+    EXPECT_EQ(shown, repeated);
+    EXPECT_EQ(files, scenes);
+    EXPECT_GT(repeated.size(), 4U);
+}
+
 // Comments of the form share/doc/NAME.md, "Section".
 TEST(Documents, CommentsCiteSectionsThatExist) {
     static const std::regex k_citation("share/doc/[a-z_]+\\.md(?:, \"([^\"]+)\")?");

@@ -72,6 +72,31 @@ TEST(LateRelease, IsGroundUntilItFails) {
     }
 }
 
+// The change of elevation takes nothing from ground that has not failed, over which another mass has flowed.
+TEST(LateRelease, LowersNoGroundBeforeItFails) {
+    Scene scene = plane_scene(0.5);
+    scene.release = {{{box(10, 40, 30, 60)}, 2}, {{box(34, 40, 60, 60)}, 5}, {{box(34, 70, 60, 90)}, 5}};
+    scene.release[1].start = 3;
+    scene.release[2].start = 20;
+    scene.time.end = 2;
+    const RunResult before = run(scene, {});
+    ASSERT_FALSE(before.released[1].failed);
+    const Raster &change = before.raster("elevation_change"), &depth = before.raster("final_depth");
+    int reached = 0;
+    for (std::int64_t r = 20; r < 30; ++r)
+        for (std::int64_t c = 17; c < 30; ++c) {
+            if (std::isnan(change.at(r, c))) continue;
+            ++reached;
+            EXPECT_NEAR(change.at(r, c), depth.at(r, c), 1e-12) << r << ", " << c;  // rounding of sums of metres
+        }
+    EXPECT_GT(reached, 20);
+    EXPECT_NEAR(change.at(25, 7), depth.at(25, 7) - 2, 1e-12);  // the first area has failed
+    scene.time.end = 6;                                         // the second as well, the third not yet
+    const RunResult after = run(scene, {});
+    ASSERT_TRUE(after.released[1].failed && !after.released[2].failed);
+    EXPECT_NEAR(after.raster("elevation_change").at(25, 20), after.raster("final_depth").at(25, 20) - 5, 1e-12);
+}
+
 // Material released onto other material makes it deeper immediately: one metre on one metre of still water.
 TEST(LateRelease, IsAddedOnTopOfOtherMaterial) {
     Scene scene = plane_scene(0);

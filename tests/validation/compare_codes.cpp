@@ -3,9 +3,10 @@
 //
 //     compare_codes RESULT_DIR MODELS_DIR THRESHOLD OUT.png TITLE
 //
-// MODELS_DIR contains each code's greatest thickness, normal to the bed, as *_pft.tif or *_h_max.tif. Prints a Markdown
-// row of frana's values with thickness measured the same way, and draws for every cell how many codes exceeded the
-// threshold [m] with frana's outline on it.
+// MODELS_DIR contains each code's greatest thickness, normal to the bed, as *_pft.tif or *_h_max.tif, and greatest
+// speed,
+// *_pfv.tif or *_s_max.tif. Prints a Markdown row of each and of frana, its thickness measured the same way, and draws
+// for every cell how many codes exceeded the threshold [m] with frana's outline on it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -38,19 +39,29 @@ std::vector<std::string> thickness_files(const std::string& folder) {
     return files;
 }
 
+/// A row of the tables: areas over three thicknesses [m2], greatest thickness [m], greatest speed [m/s].
+void print_row(const std::string& code, const Raster& thickness, const Raster& speed) {
+    std::printf("| %s | %.0f | %.0f | %.0f | %.1f | %.1f |\n", code.c_str(), area_over(thickness, 0.1),
+                area_over(thickness, 0.5), area_over(thickness, 1), maximum(thickness), maximum(speed));
+}
+
 int compare(const std::string& result, const std::string& models, double threshold, const std::string& picture,
             const std::string& title) {
     const Raster bed = gis::read_result_raster(result + "/bed.tif"),
                  speed = gis::read_result_raster(result + "/max_velocity.tif"),
                  thickness = normal_depth(gis::read_result_raster(result + "/max_depth.tif"), bed);
-    std::printf("| frana | %.1f | %.1f | %.0f | %.0f | %.0f |\n", maximum(thickness), maximum(speed),
-                area_over(thickness, 0.1), area_over(thickness, 0.5), area_over(thickness, 1));
+    print_row("frana", thickness, speed);
 
     GridSpec local = bed.grid;  // most of the codes' files name no CRS; their coordinates are the terrain's
     local.crs_wkt.clear();
     Raster codes(bed.grid);
     const std::vector<std::string> files = thickness_files(models);
     for (const std::string& file : files) {
+        const std::string name = std::filesystem::path(file).stem().string();
+        const bool is_pft = name.ends_with("_pft");
+        const std::string stem = file.substr(0, file.rfind(is_pft ? "_pft" : "_h_max"));
+        print_row(name, gis::read_result_raster(file),
+                  gis::read_result_raster(stem + (is_pft ? "_pfv.tif" : "_s_max.tif")));
         const Raster theirs = gis::read_raster_on(file, local, "", gis::Resampling::nearest, "metre").raster;
         for (std::size_t i = 0; i < codes.values.size(); ++i) codes.values[i] += theirs.values[i] > threshold;
     }

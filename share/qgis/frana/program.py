@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from qgis.core import QgsApplication, QgsSettings
 
 from .keys import Key, key_from_json
-from .translation import tr
+from .translation import catalogue, tr
 
 SETTING = "FRANA_PROGRAM"  # of Processing's options
 _INSTALLED_BY = os.path.join(os.path.dirname(__file__), "program.txt")  # written by `frana qgis-plugin --install`
@@ -75,7 +75,9 @@ def ask_program() -> Program:
     if not version.startswith("frana "):
         raise ProgramError(tr("{0} is not frana: it says it is {1}", path, repr(version)))
     try:
-        rows = json.loads(_answer(path, "params", "--json", "--language", QgsApplication.locale()))
+        language = QgsApplication.locale()[:2]
+        words = ["--language", language] if catalogue(language) else []  # the program has the plugin's languages
+        rows = json.loads(_answer(path, "params", "--json", *words))
         keys = [key_from_json(row) for row in rows]
     except (ValueError, KeyError, TypeError) as error:
         raise ProgramError(tr("{0} params --json is not understood: {1}", path, error)) from error

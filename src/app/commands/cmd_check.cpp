@@ -36,6 +36,7 @@
 #include "core/text.h"
 #include "params/keys/zone_keys.h"
 #include "simulation/release.h"
+#include "simulation/run_warnings.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -334,7 +335,7 @@ int cmd_check(const Arguments& arguments) {
     }
     compare_volumes(prepared.release.file_volume, expected.volume, log);
     warn_of_release(prepared.scene, log);
-    if (trial && trial->path) warn_of_path_ground(*trial->path, log);
+    if (trial && trial->path) log.warn_all(path_ground_warnings(*trial->path));
     if (const auto& exposed = prepared.extra.exposure)
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
     if (json)

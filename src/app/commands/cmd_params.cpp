@@ -27,7 +27,7 @@ CommandForm params_form() {
                      {}};
     form.options.add_options()("ini", "as a scene file to fill in (default)")("json", "for programs")(
         "markdown", "for documents")("schema", "as a JSON Schema of scenes")(
-        "language", one("LOCALE"), "json: of titles and meanings (default: English)");
+        "language", one("LOCALE"), ("json: of titles and meanings: " + language_codes() + " (default: en)").c_str());
     return form;
 }
 
@@ -38,8 +38,12 @@ int cmd_params(const Arguments& arguments) {
         throw Error(ErrorKind::input, Problem{"more than one format is requested", "command line", "", "",
                                               "Give one of --ini, --json, --markdown, --schema"});
     }
-    const Language language = language_of_locale(text_option(*values, "language").value_or(""));
-    std::cout << (values->count("json") > 0       ? reference_json(language)
+    const std::string locale = text_option(*values, "language").value_or("en");
+    const std::optional<Language> language = language_of_code(locale.substr(0, locale.find_first_of("_.@")));
+    if (!language)
+        throw Error(ErrorKind::input, Problem{"is not one of the languages", "--language", locale, language_codes(),
+                                              "Leave it out for English"});
+    std::cout << (values->count("json") > 0       ? reference_json(*language)
                   : values->count("schema") > 0   ? scene_schema()
                   : values->count("markdown") > 0 ? reference_markdown()
                                                   : reference_ini());

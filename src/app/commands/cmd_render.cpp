@@ -50,7 +50,7 @@ void read_scale(const boost::program_options::variables_map& values, MapStyle& s
             {"is not a scale", "--scale", *text, "the n of 1 : n, 100 to 10 000 000", "Write for example 5000"});
     } else if (!is_paper(style.size)) {
         problems.add({"needs a paper size: pixels have no scale until they are printed", "--scale", *text,
-                      "A4, A3, A4-portrait, A3-portrait", "Add --size A4@300"});
+                      paper_names(), "Add --size A4@300"});
     }
 }
 
@@ -64,9 +64,10 @@ void read_turn(const boost::program_options::variables_map& values, MapStyle& st
 
 /// Adds the options of `frana render` that override the style of the scene's pictures.
 void add_style_options(CommandForm& form) {
-    form.options.add_options()("size", one("SIZE"), k_sizes)("scale", one("N"),
-                                                             "maps on paper sizes: 5000 for exactly 1 : 5000 (default: "
-                                                             "a round scale, if the flow still fills the page well)")(
+    form.options.add_options()("size", one("SIZE"), size_forms().c_str())(
+        "scale", one("N"),
+        "maps on paper sizes: 5000 for exactly 1 : 5000 (default: "
+        "a round scale, if the flow still fills the page well)")(
         "turn", one("DEGREES"),
         "maps: direction of grid north, clockwise from straight up (default: 0); auto: the flow's longer axis lies "
         "along the page's longer side")(
@@ -133,13 +134,13 @@ void read_style(const boost::program_options::variables_map& values, MapStyle& s
 /// The other sheets of paper, from small to large.
 std::string sheets_that_fit(const MapSource& source, const MapLayer& layer, double scale) {
     std::string fitting;
-    for (const char* sheet : {"A4-landscape", "A4-portrait", "A3-landscape", "A3-portrait"}) {
+    for (const std::string& sheet : directed_papers()) {
         MapSource other = source;
-        const auto size = size_from_text(std::string(sheet) + "@" + number_text(source.style.size.dots_per_inch));
+        const auto size = size_from_text(sheet + "@" + number_text(source.style.size.dots_per_inch));
         if (!size || sheet == source.style.size.paper) continue;
         other.style.size = *size;
         if (render::fitting_scale(map_spec(other, layer)).least <= scale)
-            fitting += (fitting.empty() ? "" : ", ") + std::string(sheet);
+            fitting += (fitting.empty() ? "" : ", ") + sheet;
     }
     return fitting;
 }

@@ -178,7 +178,7 @@ std::optional<Size> size_option(const options::variables_map& values) {
     if (!text) return std::nullopt;
     const auto size = size_from_text(*text);
     if (!size) {
-        throw Error(ErrorKind::input, Problem{"is not a picture's size", "--size", *text, k_sizes,
+        throw Error(ErrorKind::input, Problem{"is not a picture's size", "--size", *text, size_forms(),
                                               "Write for example 1600x1200 or A4@300"});
     }
     return size;

@@ -17,53 +17,15 @@
 #include "gis/raster/footprint.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
-#include "params/keys/zone_keys.h"
 #include "simulation/release.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene_values.h"
 
 namespace frana::app {
-
-void warn_of_thin_release(const Raster& release, const Scene& scene, RunLog& log) {
-    const auto warn = [&](const char* key, double depth, const char* then) {
-        double thin = 0, all = 0;
-        release.values.for_each_stored([&](std::size_t, double metres) {
-            if (!(metres > 0)) return;
-            all += metres;
-            if (metres < depth) thin += metres;
-        });
-        const double fraction = all > 0 ? thin / all : 0;
-        if (fraction <= k_thin_fraction) return;
-        log.warn(worded("{1} % of the release is thinner than {2} = {3} m: {4}",
-                        {numeral(number_text(100 * fraction, 2)), key, shortest_text(depth), then}));
-    };
-    warn("numerics.minimum-depth", scene.numerics.minimum_depth,
-         worded("maps and results do not include it; set the key to about a hundredth of the usual flow depth"));
-    if (scene.time.trace_threshold > scene.numerics.minimum_depth)
-        warn("output.trace-threshold", scene.time.trace_threshold,
-             worded(
-                 "outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow "
-                 "depth"));
-}
-
-double sure_friction(const SceneSpec& scene) {
-    bool by_place = scene.terrain.friction_zones || scene.friction_table.name;
-    for (const ZoneKey& key : zone_keys()) by_place = by_place || (key.what == "friction" && scene.zones.*key.source);
-    const std::vector<const Law*> laws = laws_of(scene);
-    const bool resists =
-        std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
-    if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
-    return scene.material.bed_friction_coefficient() *
-           (1 - scene.material.pore_pressure(scene.material.density).greatest());
-}
-
 namespace {
 
 // A few cells suffice to locate the problem; all would hide the message.
 constexpr int k_cells_named = 5;
-constexpr double k_high_step = 30;     // of the surface of a release between two cells, without a warning [m]
-constexpr double k_steep_step = 1.75;  // and its slope: 60 degrees
-constexpr double k_stout = 0.5;        // mean thickness of a release, of its width
-constexpr std::int64_t k_few_particles = 300;
 
 /// Counts the covered cells that satisfy a test, and lists the first few by row, column and coordinates.
 struct CellList {
@@ -219,30 +181,6 @@ void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& lo
         log.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
 }
 
-/// The greatest step of a release's surface that the bed below does not have.
-struct SurfaceStep {
-    double height = 0;  ///< [m]
-    Point place;        ///< of the higher cell
-};
-
-SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
-    SurfaceStep greatest;
-    const GridSpec& grid = release.grid;
-    release.values.for_each_stored([&](std::size_t cell, double thickness) {
-        if (!(thickness > 0)) return;
-        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
-                   column = static_cast<std::int64_t>(cell) % grid.columns;
-        for (const auto& [r, c] :
-             {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
-            if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns) continue;
-            const double beside = release.at(r, c), fall = bed.values[cell] - bed.at(r, c);
-            const double height = thickness - (beside > 0 ? beside : 0) + std::min(fall, 0.0);
-            if (height > greatest.height) greatest = {height, grid.cell_centre(row, column)};
-        }
-    });
-    return greatest;
-}
-
 }  // namespace
 
 MultiPolygon all_outlines(const ReleaseInput& release) {
@@ -297,30 +235,10 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
 void warn_of_release(const Scene& scene, RunLog& log) {
     if (scene.release.empty()) return;
     const Release release = make_release(scene);
-    warn_of_thin_release(release.depth, scene, log);
+    log.warn_all(thin_release_warnings(release.depth, scene));
     std::size_t particles = release.particles.size();
     for (const Entry& entry : release.later) particles += entry.particles.size();
-    warn_of_release(release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles), log);
-}
-
-void warn_of_release(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
-                     std::int64_t particles, RunLog& log) {
-    const SurfaceStep step = greatest_step(bed, release);
-    if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
-        log.warn(worded(
-            "the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a raster of "
-            "thickness that lies half a cell off the DTM does that, and the first speeds come from this step",
-            {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
-    for (const ReleasedArea& area : areas) {
-        const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
-        if (thickness <= k_stout * width) continue;
-        log.warn(
-            worded("a release of {2} m2 is {1} m thick on average: the equations hold for masses much wider than "
-                   "thick",
-                   {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
-    }
-    if (particles > 0 && particles < k_few_particles)
-        log.warn(worded(k_few_particles_warning, {numeral(std::to_string(particles))}));
+    log.warn_all(release_warnings(release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles)));
 }
 
 namespace {
@@ -351,25 +269,6 @@ void warn_of_unknown_exposure(const gis::ExposedLayer& layer, const Bounds& map,
                {whole(unknown), whole(layer.features.size()), first}));
 }
 
-namespace {
-
-// Mean slopes [degrees]. Landslides start on some 10 to 50 degrees; those on less are dams, tailings and quick clay.
-constexpr double k_flat_release = 2, k_steep_release = 55;
-// Granular flows and mudflows run out over 5 to 35 degrees. Feet read as metres turn 30 degrees into 62.
-constexpr double k_steep_path = 45;
-
-const char* const k_steep_remedy = worded(
-    "Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
-    "terrain.vertical-unit, and the DTM for steps and towers");
-
-}  // namespace
-
-Sentence ground_sentence(const GroundStatistics& ground) {
-    return worded("{1} to {2} m, slope {3} degrees on average, {4} at most",
-                  {numeral(number_text(ground.lowest, 5)), numeral(number_text(ground.highest, 5)),
-                   numeral(number_text(ground.mean_slope_deg, 2)), numeral(number_text(ground.steepest_slope_deg, 2))});
-}
-
 std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
     GroundSum sum(scene.terrain);
     for (const ReleaseArea& area : scene.release)
@@ -379,46 +278,16 @@ std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
     return sum.statistics();
 }
 
-void warn_of_release_ground(const GroundStatistics& ground, RunLog& log) {
-    if (ground.mean_slope_deg > k_steep_release) {
-        log.warn(worded("the release is nearly vertical: {1}. {2}", {ground_sentence(ground), k_steep_remedy}));
-    } else if (ground.mean_slope_deg < k_flat_release) {
-        log.warn(worded(
-            "the release is nearly flat: {1}. Check that perimeter and DTM belong to the same place (coordinate "
-            "reference systems), that the elevations are in metres (terrain.vertical-unit), and that the DTM has its "
-            "elevations there",
-            {ground_sentence(ground)}));
-    }
-}
-
-void warn_of_held_release(const GroundStatistics& ground, double friction, const UsedUnit& unit, RunLog& log) {
-    const double angle = std::atan(friction) * 180 / std::numbers::pi;
-    const bool is_told = ground.mean_slope_deg < k_flat_release;  // by warn_of_release_ground
-    if (!(friction > 0) || ground.steepest_slope_deg >= angle || is_told) return;
-    const Sentence remedy =
-        unit.metres >= 1 ? worded(
-                               "Elevations that are too low for their eastings look like this, as metres that were "
-                               "converted as if they were feet: check the elevations above against a map, and the "
-                               "friction")
-        : unit.is_of_file
-            ? worded(
-                  "The elevations were converted from {1}, as the file says: if they are in metres already, set "
-                  "terrain.vertical-unit = metre. Otherwise check the elevations above against a map, and the friction",
-                  {unit.name})
-            : worded(
-                  "The elevations were converted from {1}: if they are in metres already, set terrain.vertical-unit = "
-                  "metre. Otherwise check the elevations above against a map, and the friction",
+Sentence remedy_for_held(const UsedUnit& unit) {
+    if (unit.metres >= 1) return k_held_remedy;
+    return worded(unit.is_of_file
+                      ? worded("The elevations were converted from {1}, as the file says: if they are in metres "
+                               "already, set terrain.vertical-unit = metre. Otherwise check the elevations above "
+                               "against a map, and the friction")
+                      : worded("The elevations were converted from {1}: if they are in metres already, set "
+                               "terrain.vertical-unit = metre. Otherwise check the elevations above against a map, "
+                               "and the friction"),
                   {unit.name});
-    log.warn(
-        worded("the release is held by friction: its ground, {1}, is nowhere as steep as the slope of {2} degrees "
-               "that its friction holds, so that at most its edges move. {3}",
-               {ground_sentence(ground), numeral(number_text(angle, 3)), remedy}));
-}
-
-void warn_of_path_ground(const GroundStatistics& ground, RunLog& log) {
-    if (ground.mean_slope_deg > k_steep_path)
-        log.warn(worded("the path is steeper than those of landslides: {1}. {2}",
-                        {ground_sentence(ground), k_steep_remedy}));
 }
 
 }  // namespace frana::app

@@ -13,6 +13,7 @@
 #include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"
 #include "simulation/arrivals.h"
+#include "simulation/run_warnings.h"
 
 namespace frana::app {
 namespace {

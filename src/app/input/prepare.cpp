@@ -24,6 +24,7 @@
 #include "params/keys/laws.h"
 #include "params/keys/output_parameters.h"
 #include "simulation/arrivals.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 #include "simulation/scene_values.h"
 
@@ -236,10 +237,10 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     check_ground_read(reading, *ground, prepared.scene.terrain, log);
     release.ground = ground_of_release(prepared.scene);
     if (release.ground) {
-        warn_of_release_ground(*release.ground, log);
-        if (!reading.scene.release.velocity)  // what is thrown moves wherever it lands
-            warn_of_held_release(*release.ground, sure_friction(reading.scene), used_unit(reading.scene, ground->file),
-                                 log);
+        // What is thrown moves wherever it lands.
+        const double friction = reading.scene.release.velocity ? 0 : sure_friction(reading.scene);
+        log.warn_all(release_ground_warnings(*release.ground, friction,
+                                             remedy_for_held(used_unit(reading.scene, ground->file))));
     }
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {

@@ -19,36 +19,13 @@
 #include "params/keys/material_parameters.h"
 #include "params/keys/scene_parameters.h"
 #include "simulation/run_check.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 #include "simulation/scene_values.h"
 #include "simulation/structured_laws.h"
 
 namespace frana::app {
 namespace {
-
-/// Extremes over all materials of a scene.
-struct Extremes {
-    double cohesion = 0;        ///< [Pa]
-    double strain = 0;          ///< elastic, at the uniaxial strength [-]
-    double steepest_bed = 0;    ///< greatest bed friction, as an angle [degrees]
-    double bed_over_own = 0;    ///< by how much it exceeds the material's own at most [degrees]
-    double solid_fraction = 0;  ///< greatest
-    double least_solid_fraction = 1;
-
-    explicit Extremes(const StructuredMaterial& m) {
-        const auto degrees = [](double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; };
-        visit_materials(m, [&](const SolidValues& solid) {
-            cohesion = std::max(cohesion, solid.cohesion);
-            steepest_bed = std::max(steepest_bed, degrees(solid.bed_friction));
-            bed_over_own = std::max(bed_over_own, degrees(solid.bed_friction) - degrees(solid.friction));
-            solid_fraction = std::max(solid_fraction, solid.solid_fraction);
-            least_solid_fraction = std::min(least_solid_fraction, solid.solid_fraction);
-            if (solid.cohesion > 0 && solid.friction >= 0)
-                strain = std::max(strain, structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial() *
-                                              m.modulus_reduction / m.young_modulus);
-        });
-    }
-};
 
 bool is_given(const SceneReading& reading, const std::string& key) {
     return reading.scene.origin_of(key) != Origin::default_value;
@@ -70,64 +47,15 @@ double thickest(const ReleaseInput& release, const GridSpec& grid) {
     return most;
 }
 
-void warn_of_keys_without_effect(const SceneReading& reading, const StructuredMaterial& m, const Extremes& e,
-                                 RunLog& log) {
-    if (m.fluid_viscosity == 0) {
-        for (const char* key : {"structured.mobility", "structured.viscosity-growth",
-                                "structured.solids-profile-factor", "structured.velocity-profile-factor"})
-            if (is_given(reading, key))
-                log.warn(worded("{1} has no effect: structured.fluid-viscosity is 0", {reading.where(key)}));
-    }
-    const std::string confined = "structured.confined-fraction";
-    if (!is_given(reading, confined) || !(m.confined_fraction > 0)) return;
-    if (e.cohesion == 0)
-        log.warn(worded("{1} has no effect: without structured.cohesion nothing confines fluid, and all of it is free",
-                        {reading.where(confined)}));
-    else if (e.least_solid_fraction == 1)
-        log.warn(worded("{1} has no effect: with structured.solid-fraction = 1 there are no pores",
-                        {reading.where(confined)}));
-}
-
 /// Checks values of the structured model against each other, and the release's thickness against the cells. What has no
 /// meaning is added to `problems`; what is legal and dubious, or given and without effect, is warned of.
 void check_structured_values(const SceneReading& reading, const StructuredMaterial& m, const ReleaseInput& release,
                              const GridSpec& grid, RunLog& log, Problems& problems) {
     if (!m.solids) return;
-    const Extremes e(m);
-    for (const Problem& problem :
-         structured_problems(m, grid.cell_size, [&](const std::string& key) { return reading.where(key); }))
-        problems.add(problem);
-    warn_of_keys_without_effect(reading, m, e, log);
-    if (e.bed_over_own > 1e-6)
-        log.warn(worded(
-            "structured.bed-friction-angle is up to {1} degrees more than the material's internal-friction-angle: it "
-            "would shear within itself and leave a layer on the bed, which the model does not compute. Take at most "
-            "the internal angle",
-            {numeral(number_text(e.bed_over_own, 3))}));
-    if (e.strain > m.critical_strain)
-        log.warn(worded(
-            "at its strength the material has an elastic strain of {1}, more than structured.critical-strain = {2}: it "
-            "loses its cohesion before it yields. Raise structured.young-modulus (and bulk-modulus) or the critical "
-            "strain, or lower the cohesion",
-            {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
-    // share/doc/structured.md, "Edges and cells".
-    constexpr double k_edge = 0.81;
-    const double thickness = thickest(release, grid),
-                 least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * grid.cell_size;
-    if (thickness > 0 && thickness < least)
-        log.warn(worded(
-            "the release is at most {1} m thick, less than 0.81 tan({2} degrees) times the cell size, {3} m: its edges "
-            "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
-            {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
-             numeral(number_text(least, 3)), number_text(0.5 * thickness / least * grid.cell_size, 2)}));
-    const double shortest = k_least_length * grid.cell_size, longest = k_greatest_default * grid.cell_size;
-    if (const double wanted = k_of_thickness * thickness;
-        thickness > 0 && e.cohesion > 0 && !m.damage_length && (wanted < shortest || wanted > longest))
-        log.warn(worded(
-            "structured.damage-length is not given: on these cells it is a fourth of the thickness, but at least {1} m "
-            "and at most {2} m, so that the loss of cohesion follows the cell size. Set it to the same value for all "
-            "cell sizes",
-            {numeral(number_text(shortest, 3)), numeral(number_text(longest, 3))}));
+    const auto where = [&](const std::string& key) { return reading.where(key); };
+    for (const Problem& problem : structured_problems(m, grid.cell_size, where)) problems.add(problem);
+    log.warn_all(structured_warnings(m, thickest(release, grid), grid.cell_size, where,
+                                     [&](const std::string& key) { return is_given(reading, key); }));
 }
 
 /// A key of [structured] whose value may vary from place to place, and the raster that was read for it.

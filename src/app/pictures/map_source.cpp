@@ -207,6 +207,13 @@ std::string scenario_line(const MapSource& source) {
     return source.scenario.empty() ? source.subtitle : source.scenario;
 }
 
+void add_warnings(MapSource& source, const std::vector<Sentence>& warnings) {
+    const std::string line = warning_line(warnings, source.style.words);
+    if (line.empty()) return;
+    const std::string scenario = scenario_line(source);
+    source.scenario = scenario + (scenario.ends_with('.') ? "  " : ".  ") + line;
+}
+
 std::vector<std::string> block_lines(const MapStyle& style) {
     std::vector<std::string> lines;
     for (const std::string& line : {style.organisation, style.author, style.words.date(style.date)})

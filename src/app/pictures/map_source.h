@@ -79,6 +79,8 @@ std::string date_on_maps(const std::optional<std::string>& chosen, const std::st
 
 /// Returns the scenario; if it is not known, the subtitle.
 std::string scenario_line(const MapSource& source);
+/// Adds what a run warned of to the scenario: maps are passed on without the log.
+void add_warnings(MapSource& source, const std::vector<Sentence>& warnings);
 /// Returns organisation, author and date, those that are known.
 std::vector<std::string> block_lines(const MapStyle& style);
 /// Returns the parts joined as at the foot of a page, without empty ones.

@@ -122,6 +122,70 @@ std::optional<Troubles> troubles_in(const Json& summary) {
     return t;
 }
 
+namespace {
+
+/// A sentence as JSON: a text that is the same in all languages, {"number": "1 234.5"}, or [pattern, values ...].
+struct SentenceWriter {
+    Json json{};
+
+    void operator()(std::uint8_t kind, const std::string& text, std::vector<Sentence>& values) {
+        if (kind == 0) {
+            json = text;
+        } else if (kind == 1) {
+            json = {{"number", text}};
+        } else {
+            json = Json::array({text});
+            for (Sentence& value : values) {
+                SentenceWriter writer;
+                value.serialise(writer);
+                json.push_back(std::move(writer.json));
+            }
+        }
+    }
+};
+
+struct SentenceReader {
+    const Json& json;
+
+    void operator()(std::uint8_t& kind, std::string& text, std::vector<Sentence>& values) const {
+        const Json& first = json.is_array() && !json.empty() ? json.front() : json;
+        kind = json.is_array() ? 2 : json.is_object() ? 1 : 0;
+        text = first.is_string() ? first.get<std::string>() : value_in<std::string>(first, "/number").value_or("");
+        for (std::size_t i = 1; json.is_array() && i < json.size(); ++i)
+            SentenceReader{json[i]}.read(values.emplace_back());
+    }
+    void read(Sentence& sentence) const { sentence.serialise(*this); }
+};
+
+}  // namespace
+
+Json json_of(const std::vector<Sentence>& warnings) {
+    Json all = Json::array();
+    for (Sentence warning : warnings) {
+        SentenceWriter writer;
+        warning.serialise(writer);
+        all.push_back(std::move(writer.json));
+    }
+    return all;
+}
+
+std::vector<Sentence> warnings_in(const Json& summary) {
+    std::vector<Sentence> warnings;
+    if (const auto list = summary.find("warning_words"); list != summary.end() && list->is_array())
+        for (const Json& one : *list) SentenceReader{one}.read(warnings.emplace_back());
+    return warnings;
+}
+
+std::string warning_line(const std::vector<Sentence>& warnings, const Words& words) {
+    constexpr std::size_t k_longest = 240;  // letters
+    if (warnings.empty()) return "";
+    std::string first = valid_utf8(warnings.front().in(words));
+    if (const std::string begin = elided(first, k_longest); begin != first)  // at a space
+        first = begin.substr(0, begin.rfind(' ')) + " \u2026";
+    if (warnings.size() == 1) return words("Warning:") + " " + first;
+    return words("{1} warnings (see {2}), the first: {3}", {std::to_string(warnings.size()), k_summary_file, first});
+}
+
 RunEnd run_end(const RunResult& result) {
     const double fastest = result.series.empty() ? 0 : result.series.back().max_speed;
     return run_end(describe(result.stop_reason), result.simulated_seconds, fastest, result.moving_fraction_limit,

@@ -46,6 +46,13 @@ Sentence headline(const Troubles& troubles);
 Json json_of(const Troubles& troubles);
 std::optional<Troubles> troubles_in(const Json& summary);
 
+/// Warnings as `warning_words` of summary.json, from which a page in any language is made, and back; none: an older
+/// summary.
+Json json_of(const std::vector<Sentence>& warnings);
+std::vector<Sentence> warnings_in(const Json& summary);
+/// "3 warnings (see summary.json), the first: the flow still moves ...", for the caption of a page; empty without any.
+std::string warning_line(const std::vector<Sentence>& warnings, const Words& words);
+
 /// How a run ended. Maps, films, charts and the report say it in the same words.
 struct RunEnd {
     std::string reason;  ///< English, as `describe` of a StopReason

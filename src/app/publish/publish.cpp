@@ -31,6 +31,7 @@
 #include "params/keys/scene_parameters.h"
 #include "simulation/result.h"
 #include "simulation/run_summary.h"
+#include "simulation/run_warnings.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -121,10 +122,6 @@ Prepared cut_to(const Prepared& prepared, const CellWindow& window) {
     return part;
 }
 
-constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
-constexpr double k_energy_error = 0.005;   // greatest rise of energy without a warning, of the work of gravity
-constexpr double k_claimed_share = 2;      // of a deep cell at the end, without a warning
-
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
     if (input.survey.empty()) return input;
@@ -145,111 +142,12 @@ double released_volume(const RunResult& result) {
     return sum;
 }
 
-void note_volumes(const RunResult& result, RunLog& log) {
-    for (std::size_t i = 0; i < result.released.size(); ++i) {
-        const ReleasedArea& area = result.released[i];
-        const Sentence name = area.name.empty() ? worded("release area {1}", {std::to_string(i + 1)})
-                                                : worded("release area {1} '{2}'", {std::to_string(i + 1), area.name});
-        const std::vector<Sentence> values{name, numeral(grouped(area.volume)), numeral(grouped(area.area)),
-                                           numeral(shortest_text(area.start))};
-        const Sentence released = worded(
-            area.start > 0 ? worded("{1}: {2} m3 from {3} m2, at {4} s") : worded("{1}: {2} m3 from {3} m2"), values);
-        if (!area.failed) {
-            log.warn(worded("{1}: not before the end of the run", {released}));
-        } else {
-            log.note(released.text());
-        }
-    }
-    if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
-}
-
-Sentence percent(double fraction) {
-    return numeral(number_text(100 * fraction, 2));
-}
-
-/// Summed over the window: material that keeps moving is counted more than once.
-Sentence volume_that_moved(double fraction) {
-    if (fraction <= 1) return worded("{1} % of the volume changed cell", {percent(fraction)});
-    return worded("all of the volume changed cell, {1} times over", {numeral(number_text(fraction, 2))});
-}
-
-/// Warns of ground without elevation that the flow came to: it may have gone farther.
-void warn_of_gaps(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    const GapContact gap = gap_contact(result, prepared.scene);
-    if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
-    log.warn(
-        worded("the flow came to ground without elevation, in {1} cells in or beside it, up to {2} m deep: such ground "
-               "holds it back as a wall would, and its run-out may be too short; use a DTM without gaps, or set "
-               "terrain.nodata-policy to wall or fill",
-               {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}));
-}
-
-/// At the end time: the moving volume, and how fast the main results still grow.
-void warn_of_motion(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    const RunEnd end = run_end(result);
-    if (end.creeps) log.info(creeping_sentence(end).text());
-    if (!end.is_cut_short) return;
-    Sentence motion =
-        worded("the flow still moves when time.end is reached: {1} % of its volume faster than {2} m/s",
-               {percent(result.moving_fraction_limit), numeral(number_text(prepared.scene.time.moving_speed))});
-    // The series contains the speed shown on maps.
-    if (const double fastest = result.series.back().max_speed; fastest > 0)
-        motion = worded("{1}, the fastest at {2} m/s", {motion, numeral(number_text(fastest, 3))});
-    if (result.settling) {
-        const Settling& s = *result.settling;
-        motion = worded("{1}; in its last {2} s the run-out grew by {3} m, the area by {4} % and {5}",
-                        {motion, numeral(number_text(s.window, 2)), numeral(number_text(s.runout, 3)), percent(s.area),
-                         volume_that_moved(s.deposit)});
-    }
-    const bool front_rests = result.settling && result.settling->front_is_final;
-    log.warn(worded(front_rests
-                        ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: "
-                                 "raise time.end")
-                        : worded("{1}. Final depth and run-out are not those of the deposit: raise time.end"),
-                    {motion}));
-}
-
-/// Warns of flow not shown on maps.
-void warn_of_thin_flow(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    if (result.thin_fraction < k_thin_fraction) return;
-    const double minimum = prepared.scene.numerics.minimum_depth;
-    const bool was_visible = maximum(result.raster("max_depth")) > 0;
-    log.warn(worded(
-        was_visible
-            ? worded("at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
-                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                     "hundredth of the usual flow depth")
-            : worded("the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
-                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                     "hundredth of the usual flow depth"),
-        {percent(result.thin_fraction), shortest_text(minimum)}));
-}
-
-/// Warns of flow on maps that is not in outlines and run-out.
-void warn_of_empty_trace(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    const double threshold = prepared.spec.output.trace_threshold, deepest = maximum(result.raster("max_depth"));
-    if (!(deepest > 0) || deepest > threshold) return;
-    log.warn(worded(
-        "the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, deposit and covered area "
-        "are empty, run-out is 0 and a comparison finds nothing. Set output.trace-threshold to about a tenth of the "
-        "usual flow depth",
-        {shortest_text(threshold), numeral(number_text(deepest, 3))}));
-}
-
 /// Run-out, drop and angle of reach are those of one flow.
 void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
     if (run_outs.size() < 2) return;
     log.note(std::to_string(run_outs.size()) + " separate flows with run-outs from " +
              grouped(run_outs.back().horizontal_m) + " to " + grouped(run_outs.front().horizontal_m) +
              " m; maps and tables show the longest, summary.json lists all");
-}
-
-void warn_of_energy(const RunResult& result, RunLog& log) {
-    if (!result.energy_error || *result.energy_error <= k_energy_error) return;
-    log.warn(
-        worded("the energy rises without cause by {1} % of the work of gravity: speeds and run-out may be too "
-               "great; compare with a run on smaller cells",
-               {percent(*result.energy_error)}));
 }
 
 /// What was asked of the values and what is claimed of them.
@@ -295,6 +193,16 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     });
 }
 
+/// What the result itself tells comes first: a page may have room for the first sentence only.
+std::vector<Sentence> ordered_warnings(const RunLog& log, const RunResult& result, const Scene& scene) {
+    const std::vector<Sentence> of_result = result_warnings(result, scene);
+    std::vector<Sentence> all = log.warnings();
+    std::stable_partition(all.begin(), all.end(), [&](const Sentence& one) {
+        return std::find(of_result.begin(), of_result.end(), one) != of_result.end();
+    });
+    return all;
+}
+
 /// Writes a result on the cells that its rasters have.
 PictureOutcome publish_rest(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     const Stopwatch output_watch;
@@ -318,7 +226,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.high = trace.high;
     facts.release_ground = prepared.release.ground;
     facts.path_ground = trace.path_ground;
-    if (facts.path_ground) warn_of_path_ground(*facts.path_ground, log);
+    if (facts.path_ground) log.warn_all(path_ground_warnings(*facts.path_ground));
 
     publish_rasters(prepared, result, directory);
     publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
@@ -340,14 +248,16 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 
     const Stopwatch render_watch;
     const PictureOutcome pictures =
-        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date}, log);
+        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date,
+                       ordered_warnings(log, result, prepared.scene)},
+                      log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
     facts.wall.engine = result.engine_seconds;
     facts.wall.total = run.earlier_seconds + run.since_start.seconds();
     facts.peak_memory_bytes = peak_memory_bytes();
-    facts.warnings = log.warnings();
+    facts.warnings = ordered_warnings(log, result, prepared.scene);
     facts.data_identity = data_identity(prepared);
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
     if (prepared.spec.output.report) {
@@ -364,64 +274,22 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     return pictures;
 }
 
-/// Crowded particles at rest keep areas that add up to more than their cell: their pressure is then that of a shallower
-/// flow.
-void warn_of_claims(const RunResult& result, RunLog& log) {
-    if (!result.most_claimed || result.most_claimed->share <= k_claimed_share) return;
-    const ClaimedCell& cell = *result.most_claimed;
-    log.warn(
-        worded("at E {2}, N {3} the particles of a cell claim {1} times its area at the end, with {4} m of material "
-               "in it: the pile does not feel its whole weight and may stand too high beside its surroundings",
-               {numeral(number_text(cell.share, 2)), numeral(grouped(cell.place.x)), numeral(grouped(cell.place.y)),
-                numeral(number_text(cell.depth, 3))}));
-}
-
 }  // namespace
 
 void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& log) {
     compare_volumes(prepared.release.file_volume, released_volume(result), log);
-    note_volumes(result, log);
+    for (std::size_t i = 0; i < result.released.size(); ++i)
+        if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
+    if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
     for (const std::string& note : result.notes) log.note("engine: " + note);
-    if (result.stop_reason == StopReason::reached_no_data) {
-        log.warn(worded(
-            "the run ended because the flow reached ground without elevation: the map is incomplete; use a larger DTM, "
-            "or set terrain.nodata-policy to wall or fill"));
-    }
-    if (!result.hard_events.none())
-        log.warn(worded(
-            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json"));
-    warn_of_gaps(prepared, result, log);
-    warn_of_motion(prepared, result, log);
-    warn_of_thin_release(result.raster("release"), prepared.scene, log);
-    warn_of_thin_flow(prepared, result, log);
-    warn_of_empty_trace(prepared, result, log);
-    warn_of_release(result.raster("bed"), result.raster("release"), result.released, result.particles_initial, log);
-    warn_of_energy(result, log);
-    warn_of_claims(result, log);
-    const double shown = result.volume_shown;
-    if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
-        log.warn(worded(
-            shown < result.volume_final
-                ? worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are "
-                         "crowded, in gullies narrower than a few cells, the depths shown are too small. Choose "
-                         "smaller cells, or take deposit volumes from summary.json")
-                : worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: at edges and walls the "
-                         "depths shown are too great. Choose smaller cells, or take deposit volumes from "
-                         "summary.json"),
-            {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
-    }
-    if (result.volume_left > 0) {
-        log.warn(
-            worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
-                   "run-out; use a larger DTM or terrain.bounds",
-                   {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}));
-    }
+    if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
+    log.warn_all(result_warnings(result, prepared.scene));
 }
 
 void warn_without_pages(const Prepared& prepared, const RunResult& result, RunLog& log) {
     warn_of_result(prepared, result, log);
     const auto path = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold).path_ground;
-    if (path) warn_of_path_ground(*path, log);
+    if (path) log.warn_all(path_ground_warnings(*path));
     if (result.jumps)
         log.warn(worded(k_flights_warning,
                         {numeral(grouped(result.jumps->volume)), numeral(number_text(result.jumps->highest, 3))}));

@@ -18,26 +18,6 @@
 namespace frana::app {
 namespace {
 
-double greatest_in(const Raster& raster, const std::vector<std::size_t>& cells) {
-    double greatest = 0;
-    for (const std::size_t cell : cells)
-        if (const double value = raster.values[cell]; value > greatest) greatest = value;
-    return greatest;
-}
-
-double least_in(const Raster& raster, const std::vector<std::size_t>& cells) {
-    double least = k_no_data;
-    for (const std::size_t cell : cells) least = std::fmin(least, raster.values[cell]);
-    return least;
-}
-
-std::string place_text(const gis::ExposedFeature& feature, const ExposureRow& row) {
-    if (feature.shape.empty()) return "no geometry";
-    if (row.place == MapPlace::outside) return "outside the map";
-    if (!row.has_ground) return "no elevation";
-    return row.place == MapPlace::partly ? "partly outside the map" : "on the map";
-}
-
 /// An attribute with the name of a figure, or of GeoPackage's columns, gets another.
 std::string renamed(const std::string& name, const std::set<std::string>& taken) {
     std::string lower = name;
@@ -64,43 +44,11 @@ std::vector<std::vector<std::size_t>> exposed_cells(const gis::ExposedLayer& lay
     return all;
 }
 
-std::vector<ExposureValues> exposure_values(const std::vector<std::vector<std::size_t>>& cells,
-                                            const ExposureRasters& rasters) {
-    std::vector<ExposureValues> all;
-    for (const std::vector<std::size_t>& own : cells) {
-        ExposureValues& values = all.emplace_back();
-        values.depth = greatest_in(*rasters.depth, own);
-        values.velocity = greatest_in(*rasters.velocity, own);
-        values.pressure = greatest_in(*rasters.pressure, own);
-        values.arrival = least_in(*rasters.arrival, own);
-        if (rasters.terrain != nullptr && !own.empty())
-            values.has_ground = std::any_of(own.begin(), own.end(), [&](std::size_t cell) {
-                return !std::isnan(std::as_const(*rasters.terrain).values[cell]);
-            });
-    }
-    return all;
-}
-
 std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std::vector<ExposureValues>& values,
                                        const Bounds& map) {
     std::vector<ExposureRow> rows;
-    for (std::size_t i = 0; i < layer.features.size(); ++i) {
-        const gis::ExposedFeature& feature = layer.features[i];
-        ExposureRow& row = rows.emplace_back();
-        row.place = feature.shape.empty() ? MapPlace::outside : place_of(feature.shape, map);
-        row.has_ground = values[i].has_ground;
-        row.depth = row.is_on_map() ? values[i].depth : k_no_data;
-        const auto add = [&](const char* name, double value) {
-            row.numbers.emplace_back(name, row.is_on_map() ? value : k_no_data);
-        };
-        const bool reached = row.is_reached();
-        add("reached", reached ? 1 : 0);
-        add("max_depth_m", values[i].depth);
-        add("max_velocity_ms", reached ? values[i].velocity : 0);
-        add("max_pressure_kpa", reached ? values[i].pressure : 0);
-        add("arrival_s", reached ? values[i].arrival : k_no_data);
-        row.texts.emplace_back("place", place_text(feature, row));
-    }
+    for (std::size_t i = 0; i < layer.features.size(); ++i)
+        rows.push_back(exposure_row(layer.features[i].shape, values[i], map));
     return rows;
 }
 

@@ -4,40 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/touched_cells.h"
+#include "analysis/exposure.h"
 #include "app/store/result_directory.h"
 #include "core/raster.h"
 #include "core/words/words.h"
 #include "gis/vector/exposed_in.h"
 
 namespace frana::app {
-
-/// What a flow, or the worst of several, does to each exposed feature. A feature counts every cell that it touches
-/// (analysis/touched_cells.h).
-struct ExposureRasters {
-    const Raster *depth, *velocity, *pressure, *arrival;
-    const Raster* terrain;  ///< NaN: no elevation; null: all ground is known
-};
-
-/// The worst that happens to one feature.
-struct ExposureValues {
-    double depth = 0, velocity = 0, pressure = 0;
-    double arrival = k_no_data;
-    bool has_ground = true;
-};
-
-/// A feature whose figures are known: columns of the table besides its own attributes.
-struct ExposureRow {
-    MapPlace place = MapPlace::outside;
-    bool has_ground = true;
-    std::vector<std::pair<std::string, double>> numbers;  ///< NaN: NULL
-    std::vector<std::pair<std::string, std::string>> texts;
-    double depth = 0;
-
-    /// Whether the map says anything about it.
-    [[nodiscard]] bool is_on_map() const noexcept { return place != MapPlace::outside && has_ground; }
-    [[nodiscard]] bool is_reached() const noexcept { return is_on_map() && depth > 0; }
-};
 
 /// A feature that is reached, as reports name it.
 struct ReachedFeature {
@@ -64,12 +37,7 @@ enum class ReachedBy { the_flow, any_run, any_slope };
 /// The cells of each feature on a grid.
 std::vector<std::vector<std::size_t>> exposed_cells(const gis::ExposedLayer& layer, const GridSpec& grid);
 
-/// Returns what the rasters say of each feature's cells.
-std::vector<ExposureValues> exposure_values(const std::vector<std::vector<std::size_t>>& cells,
-                                            const ExposureRasters& rasters);
-
-/// Returns a row for each feature, in order: max_depth_m, max_velocity_ms, max_pressure_kpa (0 where it is not
-/// reached), arrival_s (NULL there); all NULL for a feature off the map.
+/// Returns a row for each feature, in order.
 /// @param map what was computed; cells may cover less, where nothing else was reached
 std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std::vector<ExposureValues>& values,
                                        const Bounds& map);

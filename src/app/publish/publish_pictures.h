@@ -8,6 +8,7 @@
 #include "app/compare/comparison.h"
 #include "app/pictures/result_numbers.h"
 #include "app/text/run_log.h"
+#include "core/words/sentence.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -20,6 +21,7 @@ struct PictureRequest {
     bool only_missing = false;                 ///< existing ones are kept
     std::optional<MainStatistics> statistics;  ///< of a run whose summary.json is not written yet
     std::string date{};                        ///< the same
+    std::vector<Sentence> warnings{};          ///< the same
 };
 
 /// The result of drawing.

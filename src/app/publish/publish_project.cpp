@@ -130,11 +130,12 @@ class ProjectWriter {
         const Bounds shown = render::required_window(content);
         gis::ProjectLayout sheet;
         sheet.sheet = source_.style.size.paper.starts_with("A3") ? "A3" : "A4";
-        const auto [upright, upright_scale] = window_on(sheet.sheet, true, content);
-        const auto [across, across_scale] = window_on(sheet.sheet, false, content);
+        sheet.subtitle = scenario_line(source_);
+        const auto [across, across_scale] = window_on(sheet, content);
+        sheet.portrait = true;
+        const auto [upright, upright_scale] = window_on(sheet, content);
         sheet.portrait = std::pair(upright_scale, shown.width()) < std::pair(across_scale, shown.height());
         sheet.window = sheet.portrait ? upright : across;
-        sheet.subtitle = scenario_line(source_);
         sheet.notes = joined(source_.notes, "\n") + '\n' + source_.crs_label;
         sheet.title_block = joined(block_lines(source_.style), "\n");
         sheet.logo = source_.style.logo;
@@ -158,12 +159,11 @@ class ProjectWriter {
     }
 
     /// Returns the ground on a sheet's map, and n of 1 : n: the least round one, or the scene's if that is greater.
-    [[nodiscard]] std::pair<Bounds, double> window_on(const std::string& sheet, bool portrait,
-                                                      render::MapSpec content) const {
+    [[nodiscard]] std::pair<Bounds, double> window_on(const gis::ProjectLayout& sheet, render::MapSpec content) const {
         constexpr double k_pixels = 10;  // per mm
-        const Point frame = gis::frame_of(sheet, portrait);
+        const Point frame = gis::frame_of(sheet);
         const auto at_scale = [&](std::optional<double> scale) {
-            content.print = {k_pixels * 25.4, sheet, scale};
+            content.print = {k_pixels * 25.4, sheet.sheet, scale};
             const Bounds ground = render::map_window(content, static_cast<int>(std::lround(k_pixels * frame.x)),
                                                      static_cast<int>(std::lround(k_pixels * frame.y)));
             return std::pair{ground, ground.width() / frame.x * 1000};

@@ -128,7 +128,7 @@ std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identi
             auto checkpoint = std::make_unique<CheckpointFile>(path);
             const std::string why = obstacle(*checkpoint, identity);
             if (why.empty()) {
-                for (const Problem& reason : reasons) log.warn(worded("checkpoint not used: {1}", {describe(reason)}));
+                for (const Problem& reason : reasons) log.info("checkpoint not used: " + describe(reason));
                 return checkpoint;
             }
             reasons.push_back({why, path, "", "", ""});

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <string>
 
-#include "core/grid_spec.h"
+#include "core/words/number_text.h"
 
 namespace frana::app {
+
+using frana::grouped;
+using frana::number_text;
 
 /// Returns a unit as print has it: "m³/s" for m3/s, "°" for degrees.
 std::string unit_sign(const std::string& unit);
@@ -17,11 +19,6 @@ std::string with_unit(const std::string& title, const std::string& unit);
 /// Formats to three digits, with a plus before a positive number.
 std::string signed_number_text(double value);
 
-/// Formats for messages: `digits` significant digits, no exponent between 1e-4 and 1e15.
-std::string number_text(double value, int digits = 4);
-/// Formats in groups of three, "1 200 000"; below 10 with two significant digits, "0.015".
-std::string grouped(double value);
-std::string grouped(std::int64_t value);
 /// Returns "12.3 MB".
 std::string bytes_text(double bytes);
 /// Returns "95 s", "2.5 min", "3 h".

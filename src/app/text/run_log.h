@@ -18,6 +18,9 @@ class RunLog {
     void note(const std::string& text);
     /// Logs a fact that the user must know before relying on the result.
     void warn(const Sentence& warning);
+    void warn_all(const std::vector<Sentence>& warnings) {
+        for (const Sentence& warning : warnings) warn(warning);
+    }
     /// The same for what must be read before all other warnings, although it was found after some of them.
     void warn_first(const Sentence& warning);
     /// Logs such facts about one thing: "DTM: ...".

@@ -385,8 +385,7 @@ void check_output(const SceneSpec& scene, const std::set<std::string>& given, co
     }
     if (output.map_scale && !is_paper(size_from_text(output.map_size).value_or(Size{}))) {
         problems.add({"needs a paper size: pixels have no scale until they are printed", file + ": output.map-scale",
-                      shortest_text(*output.map_scale),
-                      "A4, A3, A4-portrait, A3-portrait; output.map-size is " + output.map_size,
+                      shortest_text(*output.map_scale), paper_names() + "; output.map-size is " + output.map_size,
                       "Set output.map-size = A4@300, or remove the key"});
     }
     if (output.map_background_licence && !output.map_background) {

@@ -117,21 +117,51 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 
 namespace {
 
+/// A sheet [mm].
+struct Paper {
+    const char* name;
+    double longer, shorter;
+};
+constexpr Paper k_papers[] = {{"A4", 297, 210}, {"A3", 420, 297}};
+constexpr const char* k_directions[] = {"-portrait", "-landscape"};
+
 std::optional<Size> page_from_text(const std::string& text) {
     constexpr double k_inch = 25.4;  // mm
     const auto at = text.find('@');
     const std::string page = text.substr(0, at);
     const std::string name = page.substr(0, page.find('-')), direction = page.substr(name.size());
     const auto dots = at == std::string::npos ? std::optional<double>(150) : number_from_text(text.substr(at + 1));
-    if ((name != "A4" && name != "A3") || !dots || *dots < 150 || *dots > 300) return std::nullopt;
-    if (!direction.empty() && direction != "-portrait" && direction != "-landscape") return std::nullopt;
+    const auto paper =
+        std::find_if(std::begin(k_papers), std::end(k_papers), [&](const Paper& p) { return name == p.name; });
+    if (paper == std::end(k_papers) || !dots || *dots < 150 || *dots > 300) return std::nullopt;
+    if (!direction.empty() &&
+        std::find(std::begin(k_directions), std::end(k_directions), direction) == std::end(k_directions))
+        return std::nullopt;
     const auto pixels = [&](double mm) { return static_cast<int>(std::lround(mm / k_inch * *dots)); };
-    Size size{pixels(name == "A4" ? 297 : 420), pixels(name == "A4" ? 210 : 297), *dots, page, direction.empty()};
-    if (direction == "-portrait") std::swap(size.width, size.height);
+    Size size{pixels(paper->longer), pixels(paper->shorter), *dots, page, direction.empty()};
+    if (direction == k_directions[0]) std::swap(size.width, size.height);
     return size;
 }
 
 }  // namespace
+
+std::vector<std::string> directed_papers() {
+    std::vector<std::string> names;
+    for (const Paper& paper : k_papers)
+        for (const char* direction : k_directions) names.push_back(std::string(paper.name) + direction);
+    return names;
+}
+
+std::string paper_names() {
+    std::string names;
+    for (const Paper& paper : k_papers) names += std::string(paper.name) + ", ";
+    return names + joined(directed_papers(), ", ");
+}
+
+std::string size_forms() {
+    return "auto, WIDTHxHEIGHT, 640x480 to 8000x8000, or " + paper_names() +
+           ", with @DPI (150 to 300; 150 where absent)";
+}
 
 std::optional<Size> size_from_text(const std::string& text) {
     if (text == "auto") return Size{1600, 1200, 150, "", true};

@@ -45,10 +45,12 @@ inline bool is_paper(const Size& size) {
 /// Returns the size of a map of ground this wide and high: one that turns is upright from the shape on at which an
 /// upright page's frame shows the ground at the greater scale.
 Size size_for_ground(Size size, double width, double height);
-/// The sizes that size_from_text accepts, for messages.
-inline constexpr const char* k_sizes =
-    "auto, WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape, with "
-    "@DPI (150 to 300; 150 where absent)";
+/// Returns the sheets of paper (ISO 216) with their direction, from small to large: "A4-portrait", ...
+std::vector<std::string> directed_papers();
+/// Returns those of maps: "A4, A3, A4-portrait, ..."; without a direction the flow turns it.
+std::string paper_names();
+/// Returns the sizes that size_from_text accepts, for messages.
+std::string size_forms();
 /// Reads a picture's size in pixels: "1600x1200", or an ISO 216 page with its resolution: "A4", "A3-portrait@300".
 /// "auto" is 1600x1200; it and pages without a direction turn with the flow.
 std::optional<Size> size_from_text(const std::string& text);

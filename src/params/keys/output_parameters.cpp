@@ -44,7 +44,7 @@ const std::vector<std::string>& picture_formats() {
 
 void add_pictures(std::vector<Parameter>& list) {
     list.push_back(understood_text(
-        "output.map-size", FRANA_MEMBER(output.map_size), k_sizes, "Write for example 1600x1200 or A4@300",
+        "output.map-size", FRANA_MEMBER(output.map_size), size_forms(), "Write for example 1600x1200 or A4@300",
         "Size of maps, views and charts, in pixels or as a page; auto: 1600x1200. It and a page "
         "without a direction are upright for maps of a flow taller than wide.",
         [](const std::string& value) { return size_from_text(value).has_value(); }));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/words/words.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -32,6 +33,12 @@ TEST_F(Command, ErrorsOnTheCommandLine) {
     EXPECT_EQ(frana({"render", "nowhere"}).exit_code, 2);
     EXPECT_EQ(frana({"compare", "dtm.asc"}).exit_code, 2);
     EXPECT_EQ(frana({"params", "--json", "--ini"}).exit_code, 2);
+    const Outcome language = frana({"params", "--json", "--language", "xx"});
+    EXPECT_EQ(language.exit_code, 2);
+    EXPECT_NE(language.err.find("--language: is not one of the languages (value xx; allowed " + language_codes()),
+              std::string::npos)
+        << language.err;
+    EXPECT_EQ(frana({"params", "--json", "--language", "de_AT.UTF-8"}).exit_code, 0);
     for (const char* command : {"run", "check", "render", "compare", "converge", "bench"}) {
         for (const std::string& word : {std::string(), std::string(5000, 'a'), std::string("--threads")}) {
             const Outcome outcome = frana({command, word});

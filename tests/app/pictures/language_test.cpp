@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The language of pictures, from the scene's key or the locale to the letters on the page.
+#include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
 
 #include "core/words/words.h"
 #include "gis/raster/raster_out.h"
@@ -25,7 +27,13 @@ class Languages : public TinyScene {
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }
     [[nodiscard]] bool has(const std::string& file, const std::string& text) const {
-        return read_text(path(file)).find(text) != std::string::npos;
+        return read_text(path(file)).find(text) != std::string::npos ||
+               (file.ends_with(".svg") && unwrapped(file).find(text) != std::string::npos);
+    }
+    /// The texts of a drawing in one line, whatever its page wraps.
+    [[nodiscard]] std::string unwrapped(const std::string& file) const {
+        const std::string texts = std::regex_replace(read_text(path(file)), std::regex("<[^>]*>"), " ");
+        return std::regex_replace(texts, std::regex("\\s+"), " ");
     }
 };
 
@@ -95,6 +103,34 @@ TEST_F(Languages, ChartsOfAStudyNameKeysAndUnitsAsPrintDoes) {
         EXPECT_TRUE(has(file, text)) << chart << ": " << text;
         EXPECT_FALSE(has(file, "material.friction-angle")) << chart;
     }
+}
+
+// Maps are passed on without the log: what the run warned of stands on each, in its language, and on QGIS's sheets.
+TEST_F(Languages, AWarningOfARunStandsOnItsMapsAndSheets) {
+    const auto on_map = [&] { return unwrapped("result/maps/max_depth.svg"); };
+    const auto has_all = [](const std::string& text, const std::vector<std::string>& parts) {
+        for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+    };
+    run("language = it\n", {"time.end=3", "time.stop-when-still=off"});
+    const std::string told = "il flusso si muove ancora quando si raggiunge time.end: il";
+    has_all(on_map(), {"2 avvisi (vedi summary.json), il primo: " + told});
+    std::string project(1 << 20, '\0');
+    VSILFILE* const file = VSIFOpenL(("/vsizip/{" + path("result/result.qgz") + "}/result.qgs").c_str(), "rb");
+    ASSERT_NE(file, nullptr);
+    project.resize(VSIFReadL(project.data(), 1, project.size(), file));
+    VSIFCloseL(file);
+    const std::size_t sheet = project.find("<Layout name=");
+    ASSERT_NE(sheet, std::string::npos);
+    EXPECT_NE(project.find("2 avvisi (vedi summary.json), il primo: " + told, sheet), std::string::npos)
+        << project.substr(sheet, 4000);
+    // Drawn again, from summary.json, in another language.
+    ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--language", "de"}).exit_code, 0);
+    has_all(on_map(),
+            {"2 Warnungen (siehe summary.json), die erste: der Strom bewegt sich noch, wenn time.end erreicht ist:"});
+    run("language = en\n", {"time.end=3", "time.stop-when-still=off", "numerics.particles-per-cell=1"});
+    has_all(on_map(), {"3 warnings (see summary.json), the first: the flow still moves when time.end is reached:"});
+    run("language = en\n", {"time.end=300", "material.friction-angle=22"});
+    for (const char* told_of : {"Warning:", "warnings (see"}) EXPECT_EQ(on_map().find(told_of), std::string::npos);
 }
 
 TEST_F(Languages, TheLocaleOfTheRunIsKeptInTheResult) {

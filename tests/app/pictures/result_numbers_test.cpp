@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "simulation/simulation.h"
 
@@ -39,6 +40,26 @@ TEST(ScenarioWords, TellTurbulenceThatIsOffFromTurbulenceByPlace) {
     EXPECT_EQ(scenario_words(facts, {}).find("by place"), std::string::npos);
     keys["zones.turbulence"] = "raster:xi.tif";
     EXPECT_NE(scenario_words(facts, {}).find("turbulence by place"), std::string::npos);
+}
+
+// What a page in another language is made of goes through summary.json unchanged.
+TEST(Warnings, ComeBackFromASummaryInAnyLanguage) {
+    const std::vector<Sentence> warnings{
+        worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
+               "run-out; use a larger DTM or terrain.bounds",
+               {numeral("1 234.5"), numeral("12")}),
+        worded("{1}: not before the end of the run",
+               {worded("release area {1} '{2}'", {std::string("2"), std::string("Süd\"")})}),
+        worded("without values"), std::string("a text of another program")};
+    const Json summary{{"warning_words", json_of(warnings)}};
+    EXPECT_EQ(warnings_in(Json::parse(summary.dump())), warnings);
+    EXPECT_TRUE(warnings_in(Json::object()).empty());
+    EXPECT_TRUE(warnings_in(Json::parse("{\"warning_words\": [1, {}, [], [[2]]]}")).front().text().empty());
+    const Words german(Language::german);
+    EXPECT_EQ(warning_line({}, german), "");
+    EXPECT_EQ(warning_line({warnings[3]}, german), "Warnung: a text of another program");
+    const std::string line = warning_line(warnings, german);
+    EXPECT_EQ(line.find("4 Warnungen (siehe summary.json), die erste: 1.234,5 m"), 0U) << line;
 }
 
 }  // namespace

@@ -75,12 +75,15 @@ const std::set<std::string>& shown_texts() {
     return k_texts;
 }
 
-/// Returns the arguments of the calls of RunLog::warn that are not sentences of the tables: text put together.
+/// Returns the arguments of the calls of RunLog::warn, and what the engine adds to warnings, that are not sentences of
+/// the tables: text put together.
 std::vector<std::string> other_warnings() {
     std::vector<std::string> found;
-    const std::regex call(R"(\blog_?\.warn\(\s*([^;]*);)"),
+    const std::regex call(R"(\b(?:log_?\.warn|warnings\.push_back)\(\s*([^;]*);)"),
         sentence(R"(worded\([^]*|\*?\w+\)|std::string\(error\.what\(\)\)\)|accuracy_verdict\([^]*)");
-    for (const fs::path& path : sources_in({"src/app"})) {
+    std::vector<fs::path> sources = sources_in({"src/app"});
+    sources.push_back(fs::path(FRANA_SOURCE_DIR) / "src/simulation/run_warnings.cpp");
+    for (const fs::path& path : sources) {
         const std::string text = read_file(path);
         for (std::sregex_iterator one(text.begin(), text.end(), call), end; one != end; ++one)
             if (!std::regex_match((*one)[1].str(), sentence))

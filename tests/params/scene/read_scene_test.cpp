@@ -167,8 +167,8 @@ TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
     EXPECT_EQ(std::count_if(all.begin(), all.end(), of_formats), 2) << "frames, and names of AvaFrame";
     EXPECT_TRUE(has_problem(all, "output.formats", "netcdf, ascii"));
     EXPECT_TRUE(has_problem(all, "output.sample-interval", "1"));
-    EXPECT_TRUE(
-        has_problem(all, "output.map-scale", "5000", "A4, A3, A4-portrait, A3-portrait; output.map-size is auto"));
+    EXPECT_TRUE(has_problem(all, "output.map-scale", "5000",
+                            "A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape; output.map-size is auto"));
     EXPECT_TRUE(has_problem(all, "output.map-background-licence", "CC"));
     EXPECT_TRUE(has_problem(all, "hazard.scheme", "custom"));
     EXPECT_EQ(all.size(), 6U);

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <set>
 
-#include "app/input/check_inputs.h"
 #include "app/publish/publish.h"
 #include "app/study/pool/member_runs.h"
 #include "core/text.h"
+#include "simulation/run_warnings.h"
 
 namespace frana::app::study {
 namespace {

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/run_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "analysis/trace.h"
+#include "core/text.h"
+#include "core/words/number_text.h"
+#include "models/structured/solid/solid_laws.h"
+#include "params/keys/laws.h"
+#include "params/keys/zone_keys.h"
+#include "simulation/run_summary.h"
+#include "simulation/structured_laws.h"
+
+namespace frana {
+namespace {
+
+using Warnings = std::vector<Sentence>;
+
+constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
+constexpr double k_energy_error = 0.005;   // greatest rise of energy without a warning, of the work of gravity
+constexpr double k_claimed_share = 2;      // of a deep cell at the end, without a warning
+constexpr double k_thin_fraction = 0.1;    // of the volume that may be thinner than visible without a warning
+constexpr double k_high_step = 30;         // of the surface of a release between two cells, without a warning [m]
+constexpr double k_steep_step = 1.75;      // and its slope: 60 degrees
+constexpr double k_stout = 0.5;            // mean thickness of a release, of its width
+constexpr std::int64_t k_few_particles = 300;
+// Mean slopes [degrees]. Landslides start on some 10 to 50 degrees; those on less are dams, tailings and quick clay.
+constexpr double k_flat_release = 2, k_steep_release = 55;
+// Granular flows and mudflows run out over 5 to 35 degrees. Feet read as metres turn 30 degrees into 62.
+constexpr double k_steep_path = 45;
+
+const char* const k_steep_remedy = worded(
+    "Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
+    "terrain.vertical-unit, and the DTM for steps and towers");
+
+void append(Warnings& warnings, const Warnings& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+Sentence percent(double fraction) {
+    return numeral(number_text(100 * fraction, 2));
+}
+
+/// Summed over the window: material that keeps moving is counted more than once.
+Sentence volume_that_moved(double fraction) {
+    if (fraction <= 1) return worded("{1} % of the volume changed cell", {percent(fraction)});
+    return worded("all of the volume changed cell, {1} times over", {numeral(number_text(fraction, 2))});
+}
+
+/// Warns of ground without elevation that the flow came to: it may have gone farther.
+void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warnings) {
+    const GapContact gap = gap_contact(result, scene);
+    if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
+    warnings.push_back(
+        worded("the flow came to ground without elevation, in {1} cells in or beside it, up to {2} m deep: such ground "
+               "holds it back as a wall would, and its run-out may be too short; use a DTM without gaps, or set "
+               "terrain.nodata-policy to wall or fill",
+               {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}));
+}
+
+/// At the end time: the moving volume, and how fast the main results still grow.
+void warn_of_motion(const RunResult& result, const Scene& scene, Warnings& warnings) {
+    if (!motion_at_end(result).front) return;
+    Sentence motion = worded("the flow still moves when time.end is reached: {1} % of its volume faster than {2} m/s",
+                             {percent(result.moving_fraction_limit), numeral(number_text(scene.time.moving_speed))});
+    // The series contains the speed shown on maps.
+    if (const double fastest = result.series.back().max_speed; fastest > 0)
+        motion = worded("{1}, the fastest at {2} m/s", {motion, numeral(number_text(fastest, 3))});
+    if (result.settling) {
+        const Settling& s = *result.settling;
+        motion = worded("{1}; in its last {2} s the run-out grew by {3} m, the area by {4} % and {5}",
+                        {motion, numeral(number_text(s.window, 2)), numeral(number_text(s.runout, 3)), percent(s.area),
+                         volume_that_moved(s.deposit)});
+    }
+    const bool front_rests = result.settling && result.settling->front_is_final;
+    warnings.push_back(worded(
+        front_rests ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: "
+                             "raise time.end")
+                    : worded("{1}. Final depth and run-out are not those of the deposit: raise time.end"),
+        {motion}));
+}
+
+/// Warns of flow not shown on maps.
+void warn_of_thin_flow(const RunResult& result, const Scene& scene, Warnings& warnings) {
+    if (result.thin_fraction < k_thin_fraction) return;
+    const double minimum = scene.numerics.minimum_depth;
+    const bool was_visible = maximum(result.raster("max_depth")) > 0;
+    warnings.push_back(worded(
+        was_visible
+            ? worded("at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
+                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                     "hundredth of the usual flow depth")
+            : worded("the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
+                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                     "hundredth of the usual flow depth"),
+        {percent(result.thin_fraction), shortest_text(minimum)}));
+}
+
+/// Warns of flow on maps that is not in outlines and run-out.
+void warn_of_empty_trace(const RunResult& result, const Scene& scene, Warnings& warnings) {
+    const double threshold = scene.time.trace_threshold, deepest = maximum(result.raster("max_depth"));
+    if (!(deepest > 0) || deepest > threshold) return;
+    warnings.push_back(worded(
+        "the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, deposit and covered area "
+        "are empty, run-out is 0 and a comparison finds nothing. Set output.trace-threshold to about a tenth of the "
+        "usual flow depth",
+        {shortest_text(threshold), numeral(number_text(deepest, 3))}));
+}
+
+void warn_of_energy(const RunResult& result, Warnings& warnings) {
+    if (!result.energy_error || *result.energy_error <= k_energy_error) return;
+    warnings.push_back(
+        worded("the energy rises without cause by {1} % of the work of gravity: speeds and run-out may be too "
+               "great; compare with a run on smaller cells",
+               {percent(*result.energy_error)}));
+}
+
+/// Crowded particles at rest keep areas that add up to more than their cell: their pressure is then that of a shallower
+/// flow.
+void warn_of_claims(const RunResult& result, Warnings& warnings) {
+    if (!result.most_claimed || result.most_claimed->share <= k_claimed_share) return;
+    const ClaimedCell& cell = *result.most_claimed;
+    warnings.push_back(
+        worded("at E {2}, N {3} the particles of a cell claim {1} times its area at the end, with {4} m of material "
+               "in it: the pile does not feel its whole weight and may stand too high beside its surroundings",
+               {numeral(number_text(cell.share, 2)), numeral(grouped(cell.place.x)), numeral(grouped(cell.place.y)),
+                numeral(number_text(cell.depth, 3))}));
+}
+
+/// The greatest step of a release's surface that the bed below does not have.
+struct SurfaceStep {
+    double height = 0;  ///< [m]
+    Point place;        ///< of the higher cell
+};
+
+SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
+    SurfaceStep greatest;
+    const GridSpec& grid = release.grid;
+    release.values.for_each_stored([&](std::size_t cell, double thickness) {
+        if (!(thickness > 0)) return;
+        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
+                   column = static_cast<std::int64_t>(cell) % grid.columns;
+        for (const auto& [r, c] :
+             {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
+            if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns) continue;
+            const double beside = release.at(r, c), fall = bed.values[cell] - bed.at(r, c);
+            const double height = thickness - (beside > 0 ? beside : 0) + std::min(fall, 0.0);
+            if (height > greatest.height) greatest = {height, grid.cell_centre(row, column)};
+        }
+    });
+    return greatest;
+}
+
+/// Extremes over all materials of a scene.
+struct Extremes {
+    double cohesion = 0;        ///< [Pa]
+    double strain = 0;          ///< elastic, at the uniaxial strength [-]
+    double steepest_bed = 0;    ///< greatest bed friction, as an angle [degrees]
+    double bed_over_own = 0;    ///< by how much it exceeds the material's own at most [degrees]
+    double solid_fraction = 0;  ///< greatest
+    double least_solid_fraction = 1;
+
+    explicit Extremes(const StructuredMaterial& m) {
+        const auto degrees = [](double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; };
+        visit_materials(m, [&](const SolidValues& solid) {
+            cohesion = std::max(cohesion, solid.cohesion);
+            steepest_bed = std::max(steepest_bed, degrees(solid.bed_friction));
+            bed_over_own = std::max(bed_over_own, degrees(solid.bed_friction) - degrees(solid.friction));
+            solid_fraction = std::max(solid_fraction, solid.solid_fraction);
+            least_solid_fraction = std::min(least_solid_fraction, solid.solid_fraction);
+            if (solid.cohesion > 0 && solid.friction >= 0)
+                strain = std::max(strain, structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial() *
+                                              m.modulus_reduction / m.young_modulus);
+        });
+    }
+};
+
+void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e, const KeyPlace& where,
+                                 const KeyTest& is_given, Warnings& warnings) {
+    if (m.fluid_viscosity == 0) {
+        for (const char* key : {"structured.mobility", "structured.viscosity-growth",
+                                "structured.solids-profile-factor", "structured.velocity-profile-factor"})
+            if (is_given(key))
+                warnings.push_back(worded("{1} has no effect: structured.fluid-viscosity is 0", {where(key)}));
+    }
+    const std::string confined = "structured.confined-fraction";
+    if (!is_given(confined) || !(m.confined_fraction > 0)) return;
+    if (e.cohesion == 0)
+        warnings.push_back(
+            worded("{1} has no effect: without structured.cohesion nothing confines fluid, and all of it is free",
+                   {where(confined)}));
+    else if (e.least_solid_fraction == 1)
+        warnings.push_back(
+            worded("{1} has no effect: with structured.solid-fraction = 1 there are no pores", {where(confined)}));
+}
+
+}  // namespace
+
+std::vector<Sentence> structured_warnings(const StructuredMaterial& m, double thickness, double cell_size,
+                                          const KeyPlace& where, const KeyTest& is_given) {
+    std::vector<Sentence> warnings;
+    const Extremes e(m);
+    warn_of_keys_without_effect(m, e, where, is_given, warnings);
+    if (e.bed_over_own > 1e-6)
+        warnings.push_back(worded(
+            "structured.bed-friction-angle is up to {1} degrees more than the material's internal-friction-angle: it "
+            "would shear within itself and leave a layer on the bed, which the model does not compute. Take at most "
+            "the internal angle",
+            {numeral(number_text(e.bed_over_own, 3))}));
+    if (e.strain > m.critical_strain)
+        warnings.push_back(worded(
+            "at its strength the material has an elastic strain of {1}, more than structured.critical-strain = {2}: it "
+            "loses its cohesion before it yields. Raise structured.young-modulus (and bulk-modulus) or the critical "
+            "strain, or lower the cohesion",
+            {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
+    // share/doc/structured.md, "Edges and cells".
+    constexpr double k_edge = 0.81;
+    const double least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * cell_size;
+    if (thickness > 0 && thickness < least)
+        warnings.push_back(worded(
+            "the release is at most {1} m thick, less than 0.81 tan({2} degrees) times the cell size, {3} m: its edges "
+            "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
+            {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
+             numeral(number_text(least, 3)), number_text(0.5 * thickness / least * cell_size, 2)}));
+    const double shortest = k_least_length * cell_size, longest = k_greatest_default * cell_size;
+    if (const double wanted = k_of_thickness * thickness;
+        thickness > 0 && e.cohesion > 0 && !m.damage_length && (wanted < shortest || wanted > longest))
+        warnings.push_back(worded(
+            "structured.damage-length is not given: on these cells it is a fourth of the thickness, but at least {1} m "
+            "and at most {2} m, so that the loss of cohesion follows the cell size. Set it to the same value for all "
+            "cell sizes",
+            {numeral(number_text(shortest, 3)), numeral(number_text(longest, 3))}));
+    return warnings;
+}
+
+std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& scene) {
+    std::vector<Sentence> warnings;
+    const auto warn = [&](const char* key, double depth, const char* then) {
+        double thin = 0, all = 0;
+        release.values.for_each_stored([&](std::size_t, double metres) {
+            if (!(metres > 0)) return;
+            all += metres;
+            if (metres < depth) thin += metres;
+        });
+        const double fraction = all > 0 ? thin / all : 0;
+        if (fraction <= k_thin_fraction) return;
+        warnings.push_back(worded("{1} % of the release is thinner than {2} = {3} m: {4}",
+                                  {percent(fraction), key, shortest_text(depth), then}));
+    };
+    warn("numerics.minimum-depth", scene.numerics.minimum_depth,
+         worded("maps and results do not include it; set the key to about a hundredth of the usual flow depth"));
+    if (scene.time.trace_threshold > scene.numerics.minimum_depth)
+        warn("output.trace-threshold", scene.time.trace_threshold,
+             worded(
+                 "outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow "
+                 "depth"));
+    return warnings;
+}
+
+double sure_friction(const SceneSpec& scene) {
+    bool by_place = scene.terrain.friction_zones || scene.friction_table.name;
+    for (const ZoneKey& key : zone_keys()) by_place = by_place || (key.what == "friction" && scene.zones.*key.source);
+    const std::vector<const Law*> laws = laws_of(scene);
+    const bool resists =
+        std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
+    if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
+    return scene.material.bed_friction_coefficient() *
+           (1 - scene.material.pore_pressure(scene.material.density).greatest());
+}
+
+std::vector<Sentence> release_warnings(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
+                                       std::int64_t particles) {
+    std::vector<Sentence> warnings;
+    const SurfaceStep step = greatest_step(bed, release);
+    if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
+        warnings.push_back(worded(
+            "the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a raster of "
+            "thickness that lies half a cell off the DTM does that, and the first speeds come from this step",
+            {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
+    for (const ReleasedArea& area : areas) {
+        const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
+        if (thickness <= k_stout * width) continue;
+        warnings.push_back(
+            worded("a release of {2} m2 is {1} m thick on average: the equations hold for masses much wider than "
+                   "thick",
+                   {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
+    }
+    if (particles > 0 && particles < k_few_particles)
+        warnings.push_back(worded(k_few_particles_warning, {numeral(std::to_string(particles))}));
+    return warnings;
+}
+
+Sentence released_sentence(const ReleasedArea& area, std::size_t index) {
+    const Sentence name = area.name.empty() ? worded("release area {1}", {std::to_string(index + 1)})
+                                            : worded("release area {1} '{2}'", {std::to_string(index + 1), area.name});
+    return worded(
+        area.start > 0 ? worded("{1}: {2} m3 from {3} m2, at {4} s") : worded("{1}: {2} m3 from {3} m2"),
+        {name, numeral(grouped(area.volume)), numeral(grouped(area.area)), numeral(shortest_text(area.start))});
+}
+
+std::vector<Sentence> result_warnings(const RunResult& result, const Scene& scene) {
+    std::vector<Sentence> warnings;
+    for (std::size_t i = 0; i < result.released.size(); ++i)
+        if (!result.released[i].failed)
+            warnings.push_back(
+                worded("{1}: not before the end of the run", {released_sentence(result.released[i], i)}));
+    if (result.stop_reason == StopReason::reached_no_data) {
+        warnings.push_back(worded(
+            "the run ended because the flow reached ground without elevation: the map is incomplete; use a larger DTM, "
+            "or set terrain.nodata-policy to wall or fill"));
+    }
+    if (!result.hard_events.none())
+        warnings.push_back(worded(
+            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json"));
+    warn_of_gaps(result, scene, warnings);
+    warn_of_motion(result, scene, warnings);
+    append(warnings, thin_release_warnings(result.raster("release"), scene));
+    warn_of_thin_flow(result, scene, warnings);
+    warn_of_empty_trace(result, scene, warnings);
+    append(warnings,
+           release_warnings(result.raster("bed"), result.raster("release"), result.released, result.particles_initial));
+    warn_of_energy(result, warnings);
+    warn_of_claims(result, warnings);
+    const double shown = result.volume_shown;
+    if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
+        warnings.push_back(worded(
+            shown < result.volume_final
+                ? worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are "
+                         "crowded, in gullies narrower than a few cells, the depths shown are too small. Choose "
+                         "smaller cells, or take deposit volumes from summary.json")
+                : worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: at edges and walls the "
+                         "depths shown are too great. Choose smaller cells, or take deposit volumes from "
+                         "summary.json"),
+            {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
+    }
+    if (result.volume_left > 0) {
+        warnings.push_back(
+            worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
+                   "run-out; use a larger DTM or terrain.bounds",
+                   {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}));
+    }
+    return warnings;
+}
+
+Sentence ground_sentence(const GroundStatistics& ground) {
+    return worded("{1} to {2} m, slope {3} degrees on average, {4} at most",
+                  {numeral(number_text(ground.lowest, 5)), numeral(number_text(ground.highest, 5)),
+                   numeral(number_text(ground.mean_slope_deg, 2)), numeral(number_text(ground.steepest_slope_deg, 2))});
+}
+
+const char* const k_held_remedy = worded(
+    "Elevations that are too low for their eastings look like this, as metres that were converted as if they were "
+    "feet: "
+    "check the elevations above against a map, and the friction");
+
+std::vector<Sentence> release_ground_warnings(const GroundStatistics& ground, double friction,
+                                              const Sentence& held_remedy) {
+    if (ground.mean_slope_deg > k_steep_release)
+        return {worded("the release is nearly vertical: {1}. {2}", {ground_sentence(ground), k_steep_remedy})};
+    if (ground.mean_slope_deg < k_flat_release)
+        return {worded(
+            "the release is nearly flat: {1}. Check that perimeter and DTM belong to the same place (coordinate "
+            "reference systems), that the elevations are in metres (terrain.vertical-unit), and that the DTM has its "
+            "elevations there",
+            {ground_sentence(ground)})};
+    const double angle = std::atan(friction) * 180 / std::numbers::pi;
+    if (!(friction > 0) || ground.steepest_slope_deg >= angle) return {};
+    return {
+        worded("the release is held by friction: its ground, {1}, is nowhere as steep as the slope of {2} degrees "
+               "that its friction holds, so that at most its edges move. {3}",
+               {ground_sentence(ground), numeral(number_text(angle, 3)), held_remedy})};
+}
+
+std::vector<Sentence> path_ground_warnings(const GroundStatistics& ground) {
+    if (!(ground.mean_slope_deg > k_steep_path)) return {};
+    return {
+        worded("the path is steeper than those of landslides: {1}. {2}", {ground_sentence(ground), k_steep_remedy})};
+}
+
+}  // namespace frana
