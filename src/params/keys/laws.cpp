@@ -25,6 +25,9 @@ const std::set<std::string> k_fluid_keys{"structured.phases",          "structur
                                          "structured.manning",         "structured.dry-depth",
                                          "structured.zones",           "structured.initial-fluid-depth"};
 
+// Keys of pore pressure that solids do not read: [structured] has its own.
+const std::set<std::string> k_own_of_solids{"material.pore-fluid-density", "material.solid-fraction"};
+
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";
 }
@@ -72,10 +75,15 @@ void check_structured(const SceneSpec& scene, const std::set<std::string>& given
 
 }  // namespace
 
+bool solids_read(const std::string& name) {
+    static const std::vector<std::string> names = PoreValues::names({});
+    return std::find(names.begin(), names.end(), name) != names.end() && k_own_of_solids.count(name) == 0;
+}
+
 bool model_reads(const SceneSpec& scene, const std::string& name) {
     if (scene.material.model != "structured") return !in_section(name, "structured");
     if (in_section(name, "structured")) return k_fluid_keys.count(name) > 0 || has_solids(scene);
-    if (name == "material.model") return true;
+    if (name == "material.model" || (solids_read(name) && has_solids(scene))) return true;
     return !in_section(name, "material") && !in_section(name, "zones") && !in_section(name, "entrainment") &&
            k_voellmy_bingham_only.count(name) == 0;
 }
@@ -89,9 +97,11 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
         const bool solids_key = structured && in_section(name, "structured");
         const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
                                               : "material.model = " + scene.material.model;
+        const bool own = structured && has_solids(scene) && k_own_of_solids.count(name) > 0;
         problems.add({"is given, but " + reader + " does not use it", file + ": " + name, "", "",
-                      solids_key ? "Remove it, or set structured.phases = solids-and-fluid"
-                                 : "Remove it, or choose the other model"});
+                      own ? "Remove it: structured.fluid-density and structured.solid-fraction give it"
+                      : solids_key || solids_read(name) ? "Remove it, or set structured.phases = solids-and-fluid"
+                                                        : "Remove it, or choose the other model"});
     }
     if (structured) check_structured(scene, given, file, problems);
     const auto& thickness = scene.release.thickness;
