@@ -205,13 +205,24 @@ Raster quarter_turned(const Raster& raster) {
     return other;
 }
 
+void place_origin_at(Scene& scene, OriginCell corner) {
+    if (corner.column < scene.grid.columns && corner.row < scene.grid.rows)
+        put_origin(scene, corner);
+    else
+        place_origin(scene);
+}
+
 PlacedScene placed_otherwise(const Scene& scene, const GridPlacement& placement) {
     PlacedScene placed{scene, {}};
     Scene& other = placed.scene;
     const double quarters = placement.turn_deg / 90;
     if (placement.shift == 0 && quarters == std::round(quarters)) {
-        for (int i = 0; i < static_cast<int>(quarters); ++i) other = quarter_turned(std::move(other));
-        place_origin(other);
+        OriginCell corner{scene.grid.origin_column, scene.grid.origin_row};
+        for (int i = 0; i < static_cast<int>(quarters); ++i) {
+            corner = {other.grid.rows - corner.row, corner.column};
+            other = quarter_turned(std::move(other));
+        }
+        place_origin_at(other, corner);
         return placed;
     }
     const GridSpec& old = scene.grid;

@@ -27,6 +27,11 @@ struct PlacedScene {
 /// does not return, or is a wall if the scene's edges are walls; it is not `inside`.
 PlacedScene placed_otherwise(const Scene& scene, const GridPlacement& placement);
 
+/// Sets the origin to a corner of cells, or as place_origin where no cell begins there: the stress of solids acts
+/// through a lattice that begins at the origin, whatever the cells are. It is the same lattice in a scene that was
+/// turned or mirrored if its origin is where the original's came to lie.
+void place_origin_at(Scene& scene, OriginCell corner);
+
 /// Returns a raster with its cells turned by 90 degrees, counter-clockwise, about its south-western corner.
 Raster quarter_turned(const Raster& raster);
 

@@ -54,7 +54,8 @@ TEST_F(BothModels, AgreeWhereTheirEquationsDoAndDifferWithCohesion) {
     EXPECT_EQ(json_number(strong, "released_water_m3"), 0);
     EXPECT_NEAR(json_number(weak, "released_water_m3"), 0.5 * json_number(weak, "initial_m3"), 1);
     EXPECT_GT(json_number(weak, "horizontal_m"), json_number(loose, "horizontal_m"));
-    EXPECT_GT(json_number(weak, "particle_steps"), 2 * json_number(loose, "particle_steps"));
+    // The water's particles count, too.
+    EXPECT_GT(json_number(weak, "particle_steps"), json_number(loose, "particle_steps"));
     EXPECT_NEAR(json_number(weak, "initial_m3"), volume, 1);
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "simulation/scene.h"
+#include "simulation/placed_scene.h"
 
 namespace frana::test {
 namespace {
@@ -36,7 +36,7 @@ Scene mirrored(const Scene& scene) {
     const double both = scene.grid.west + scene.grid.east();
     Scene other = with_points(scene, [&](Point p) { return Point{both - p.x, p.y}; });
     other.terrain = mirrored(scene.terrain);
-    place_origin(other);
+    place_origin_at(other, {scene.grid.columns - scene.grid.origin_column, scene.grid.origin_row});
     return other;
 }
 

@@ -120,6 +120,12 @@ inline constexpr std::int64_t k_most_samples = 1'000'000;
 inline constexpr double k_round_ends[] = {0.5, 0.75, 1};
 /// With fewer members a round's replicates would have less than two each.
 inline constexpr std::int64_t k_least_in_rounds = 64;
+/// What the first round does not try is never found to bring a flow to a rare place: each option of a choice must be
+/// expected so many times in it. By chance an option lacks with exp(-8), one study of 3000.
+inline constexpr double k_least_tries_of_option = 8;
+/// Of fewer members that came, neither a probability nor its interval is told well: its relative error is 1 / sqrt(5)
+/// even if they weigh the same, and an interval that is symmetric about so few misses upwards.
+inline constexpr std::size_t k_least_hits = 5;
 
 /// A study as specified in its file; the scene is not read yet.
 struct StudySpec {

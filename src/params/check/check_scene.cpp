@@ -158,9 +158,7 @@ void check_pores(const SceneSpec& scene, const std::string& file, Problems& prob
     const PorePressure pores = m.pore_pressure(m.density);
     if (pores.dissipates() && !pores.active()) {
         problems.add({"is given without a pore pressure", std::string(file).append(": ").append(time), "", "",
-                      m.model == "structured"
-                          ? "Set material.pore-pressure-ratio, or remove it"
-                          : "Set material.pore-pressure-ratio or material.pore-fluid-density, or remove it"});
+                      "Set material.pore-pressure-ratio (one phase: or pore-fluid-density), or remove it"});
     }
     if (m.pore_fluid_density > 0 && !pores.dissipates()) {
         problems.add({"needs a time of dissipation", file + ": material.pore-fluid-density",
@@ -174,17 +172,6 @@ void check_pores(const SceneSpec& scene, const std::string& file, Problems& prob
     }
 }
 
-void check_rest(const SceneSpec& scene, const std::string& file, Problems& problems) {
-    if (scene.numerics.curvature.value_or(false) && slope_correction(scene.numerics) == SlopeCorrection::none) {
-        problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
-                      "Set numerics.slope-correction = normal or surface, or remove the key"});
-    }
-    if (scene.numerics.flight.value_or(false) && !can_fly(scene.numerics)) {
-        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight",
-                      "on", "off", "Set those, or remove the key"});
-    }
-}
-
 /// Checks that the laws of [material] and [entrainment] have the keys they need and that no given key is unread by
 /// every law.
 void check_laws(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
@@ -193,8 +180,6 @@ void check_laws(const SceneSpec& scene, const std::set<std::string>& given, cons
     check_friction(scene, given, file, problems);
     check_friction_table(scene, given, file, problems);
     check_angles(scene, file, problems);
-    check_pores(scene, file, problems);
-    check_rest(scene, file, problems);
 }
 
 void check_required(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
@@ -298,6 +283,14 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
 }
 
 void check_numerics(const Numerics& numerics, const std::string& file, Problems& problems) {
+    if (numerics.curvature.value_or(false) && slope_correction(numerics) == SlopeCorrection::none) {
+        problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
+                      "Set numerics.slope-correction = normal or surface, or remove the key"});
+    }
+    if (numerics.flight.value_or(false) && !can_fly(numerics)) {
+        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight",
+                      "on", "off", "Set those, or remove the key"});
+    }
     const bool paper = numerics.scheme == Scheme::paper;
     if (paper && numerics.well_balanced.value_or(false)) {
         problems.add({"reference levels are part of scheme default, not of paper", file + ": numerics.well-balanced",
@@ -388,9 +381,8 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     if (scene.material.model == "voellmy-bingham") {
         check_laws(scene, given, file, problems);
         check_numerics(scene.numerics, file, problems);
-    } else {
-        check_pores(scene, file, problems);
     }
+    check_pores(scene, file, problems);
     check_frames(scene, file, problems);
     check_hazard(scene.hazard, file, problems);
     check_output(scene, given, file, problems);

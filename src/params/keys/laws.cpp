@@ -25,9 +25,6 @@ const std::set<std::string> k_fluid_keys{"structured.phases",          "structur
                                          "structured.manning",         "structured.dry-depth",
                                          "structured.zones",           "structured.initial-fluid-depth"};
 
-// Keys of pore pressure that solids do not read: [structured] has its own.
-const std::set<std::string> k_own_of_solids{"material.pore-fluid-density", "material.solid-fraction"};
-
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";
 }
@@ -77,7 +74,8 @@ void check_structured(const SceneSpec& scene, const std::set<std::string>& given
 
 bool solids_read(const std::string& name) {
     static const std::vector<std::string> names = PoreValues::names({});
-    return std::find(names.begin(), names.end(), name) != names.end() && k_own_of_solids.count(name) == 0;
+    return std::find(names.begin(), names.end(), name) != names.end() && name != "material.pore-fluid-density" &&
+           name != "material.solid-fraction";
 }
 
 bool model_reads(const SceneSpec& scene, const std::string& name) {
@@ -97,11 +95,9 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
         const bool solids_key = structured && in_section(name, "structured");
         const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
                                               : "material.model = " + scene.material.model;
-        const bool own = structured && has_solids(scene) && k_own_of_solids.count(name) > 0;
         problems.add({"is given, but " + reader + " does not use it", file + ": " + name, "", "",
-                      own ? "Remove it: structured.fluid-density and structured.solid-fraction give it"
-                      : solids_key || solids_read(name) ? "Remove it, or set structured.phases = solids-and-fluid"
-                                                        : "Remove it, or choose the other model"});
+                      solids_key ? "Remove it, or set structured.phases = solids-and-fluid"
+                                 : "Remove it, or choose the other model"});
     }
     if (structured) check_structured(scene, given, file, problems);
     const auto& thickness = scene.release.thickness;

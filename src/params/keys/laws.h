@@ -13,8 +13,7 @@ namespace frana {
 /// Returns whether the model of a scene reads a key.
 bool model_reads(const SceneSpec& scene, const std::string& name);
 
-/// Returns whether a key of [material] is read by solids of the structured model too: those of pore pressure, but not
-/// of what [structured] has of its own.
+/// Returns whether solids of the structured model read a key of pore pressure: [structured] has some of its own.
 bool solids_read(const std::string& name);
 
 /// Reports keys of the scene that its model does not read, and keys that the structured model requires or does not

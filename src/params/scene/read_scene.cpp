@@ -335,12 +335,13 @@ std::string reference_markdown() {
         "-->\n# Keys of a scene file\n";
     for (const Section& section : scene_sections()) {
         text += "\n## [" + section.name + "]\n" + section.meaning +
-                "\n\n| key | unit | default | allowed | meaning |\n|---|---|---|---|---|\n";
+                "\n\n| key | default | allowed | meaning |\n|---|---|---|---|\n";
         for (const Parameter& parameter : scene_parameters()) {
             if (parameter.section != section.name) continue;
             const std::string& allowed = parameter.limits.empty() ? parameter.type : parameter.limits;
-            text += "| `" + parameter.key + "` | " + cell(parameter.unit) + " | " + cell(default_or_absent(parameter)) +
-                    " | " + cell(allowed) + " | " + cell(parameter.meaning) + " |\n";
+            const std::string unit = parameter.unit.empty() ? "" : " [" + parameter.unit + "]";
+            text += "| `" + parameter.key + "` | " + cell(default_or_absent(parameter)) + " | " + cell(allowed + unit) +
+                    " | " + cell(parameter.meaning) + " |\n";
         }
     }
     return text;

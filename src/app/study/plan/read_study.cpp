@@ -2,10 +2,12 @@
 #include "app/study/plan/read_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/study/plan/entry_reader.h"
 #include "app/study/plan/sampling.h"
+#include "app/text/number_text.h"
 #include "core/text.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
@@ -136,6 +138,7 @@ class StudyReader : private EntryReader {
     void check_columns();
     void check_per_polygon();
     void check_sampling();
+    void check_option(const Variation& vary, std::size_t option, double first_round);
     [[nodiscard]] const Variation* variation_of(const std::string& key) const;
     [[nodiscard]] bool is_region() const { return reading_.study.region.has_value(); }
 
@@ -280,6 +283,20 @@ void StudyReader::check_per_polygon() {
     }
 }
 
+void StudyReader::check_option(const Variation& vary, std::size_t option, double first_round) {
+    const double share = vary.distribution.weights[option];
+    if (share * first_round >= k_least_tries_of_option) return;
+    const double needed = std::ceil(k_least_tries_of_option / share / k_round_ends[0]);
+    add_problem(
+        {"has an option that the first round of sampling = importance may not try, and then nobody learns "
+         "whether it leads to the rare place",
+         where("vary." + vary.key), vary.distribution.values[option] + ": " + number_text(share, 2),
+         "at least " + number_text(k_least_tries_of_option / first_round, 2),
+         needed > static_cast<double>(k_most_samples) ? "Make it likelier, or run each option as a study of its own"
+                                                      : "Write study.samples = " + shortest_text(needed) +
+                                                            " or more, or run each option as a study of its own"});
+}
+
 void StudyReader::check_sampling() {
     using Kind = SamplingMethod::Kind;
     const StudySpec& study = reading_.study;
@@ -317,6 +334,9 @@ void StudyReader::check_sampling() {
         add_problem({"are too few for the rounds of sampling = importance", where("study.samples"),
                      std::to_string(study.samples), "at least " + std::to_string(k_least_in_rounds),
                      "Write " + std::to_string(k_least_in_rounds) + " or more"});
+    for (const Variation& one : study.vary)
+        for (std::size_t i = 0; in_rounds && i < one.distribution.weights.size(); ++i)
+            check_option(one, i, static_cast<double>(round_end(study, 0)));
     if (study.sampling == Sampling::grid && has_seen("vary.terrain.error"))
         refuse_for("cannot draw fields of error", "Choose another sampling");
 }

@@ -310,6 +310,11 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
                  " m with a probability of " + number_text(rare->probability.value, 3) +
                  " (95 %: " + number_text(rare->probability.low(), 2) + " to " +
                  number_text(rare->probability.high(), 2) + "); " + std::to_string(rare->hits) + " members came there");
+    if (const auto& rare = facts.rare_place; rare && rare->hits < k_least_hits)
+        log.warn(
+            worded("Only {1} of {2} members came to {3}: its probability and the interval may be far too low. Raise "
+                   "study.samples",
+                   {std::to_string(rare->hits), std::to_string(result.finished_at.size()), rare->event.gauge}));
     for (const StudyFacts::EmulatedMap& one : facts.emulated)
         log.note(one.raster +
                  (one.is_used ? ": with polynomials of the keys beside the members, standard error "

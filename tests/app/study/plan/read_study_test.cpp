@@ -83,6 +83,12 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
     for (const std::string other : {"until = 0.02\n", "levels = 3\n"})
         EXPECT_TRUE(has_problem(problems(head + rare + other + two), "study.sampling", "importance")) << other;
     EXPECT_TRUE(has_problem(problems(head + rare + two + correlated), "study.sampling", "importance"));
+    // 8 of the 50 members of the first round are 0.16 of them.
+    const std::string option = "release.thickness-direction = choice(vertical: 21, normal: 4)\n";
+    EXPECT_TRUE(problems(head + rare + two + option).empty());
+    EXPECT_TRUE(has_problem(problems(head + "samples = 98\n" + rare + two + option), "vary.release.thickness-direction",
+                            "normal: 0.16", "at least 0.16"));
+    EXPECT_TRUE(problems(head + "samples = 98\n" + two + option).empty());
     EXPECT_TRUE(has_problem(problems(head), "study.ini: vary"));
     EXPECT_TRUE(has_problem(problems("[vary]\nmaterial.turbulence = uniform(500, 900)\n"), "study.scene"));
 }
