@@ -60,6 +60,7 @@ enum class Field : unsigned char {
     submergence,  // fraction of the pores filled by free fluid
     released,     // confined fluid released in the present step
     divergence,   // of the velocity, in the last substep
+    hydrostatic,  // part of pore_pressure that is hydrostatic
     count
 };
 inline constexpr std::size_t k_fields = static_cast<std::size_t>(Field::count);
@@ -112,6 +113,7 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"submergence", "-", 0},
     {"released", "m3", 0},
     {"divergence", "1/s", 0},
+    {"hydrostatic", "-", 0},
 }};
 
 /// A set of fields, as bits.

@@ -111,6 +111,7 @@ PointTable StructuredFlow::particle_table() const {
     };
     constexpr double k_kpa = 1e-3;
     copy("confined_fluid_m3", Field::confined, 1);
+    copy("pore_pressure_ratio", Field::pore_pressure, 1);
     copy("stress_xx_kpa", Field::t_xx, k_kpa);
     copy("stress_yy_kpa", Field::t_yy, k_kpa);
     copy("stress_zz_kpa", Field::t_zz, k_kpa);

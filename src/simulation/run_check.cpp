@@ -101,8 +101,20 @@ std::vector<Problem> structured_problems(const StructuredMaterial& material, dou
                                 " m: half a cell to two cells",
                             "Choose cells between half and twice of it, or another length"});
     }
-    double lightest = HUGE_VAL;
-    visit_materials(material, [&](const SolidValues& solid) { lightest = std::min(lightest, solid.grain_density); });
+    double lightest = HUGE_VAL, loosest = HUGE_VAL, densest = 0;
+    visit_materials(material, [&](const SolidValues& solid) {
+        lightest = std::min(lightest, solid.grain_density);
+        if (!(solid.solid_fraction > 0)) return;
+        loosest = std::min(loosest, solid.solid_fraction);
+        densest = std::max(densest, solid.solid_fraction);
+    });
+    constexpr double k_least_fraction = 0.1, k_most_fraction = 0.9;  // of grains that dilate
+    if (material.pores.compressibility && (loosest < k_least_fraction || densest > k_most_fraction))
+        problems.push_back(
+            {"makes the solids dilate, which needs grains with pores", where("material.compressibility"),
+             "structured.solid-fraction = " + text(densest > k_most_fraction ? densest : loosest, 4),
+             "structured.solid-fraction " + text(k_least_fraction, 2) + " to " + text(k_most_fraction, 2),
+             "Correct that, or remove the key"});
     if (has_fluid(material) && !(lightest > material.fluid_density)) {
         problems.push_back(
             {"is not denser than the fluid: the solids would float, which the laws of drag and buoyancy do not "

@@ -22,7 +22,8 @@ NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
 }
 
 SolidStages stages_for(const StructuredMaterial& material) {
-    SolidStages stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material));
+    SolidStages stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material),
+                                                         material.pores.pore_pressure(material.fluid_density));
     if (material.earth_pressure == StructuredMaterial::EarthPressure::passive)
         stages.fields = stages.fields | structured::k_passive_fields;
     return stages;

@@ -32,7 +32,7 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
 }
 
 structured::SolidMaterial uniform_material(const StructuredMaterial& m) {
-    return {m};
+    return {m, m.pores.pore_pressure_ratio.value_or(0)};
 }
 
 structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::size_t cell) {
@@ -178,6 +178,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.sin_dilatancy = m.sin_dilatancy;
     solid.earth_pressure = law_of(m.earth_pressure);
     solid.basal = {numerics.gravity, has_fluid(m) ? m.fluid_density : 0, m.pore_pressure_fraction};
+    solid.pores = m.pores.pore_pressure(m.fluid_density);
     solid.fractures = can_fracture(m);
     solid.initial_structured = m.initial_structured;
     solid.strength_of_particle_stress = m.yield_on_own_stress;

@@ -16,6 +16,13 @@ using Terms = std::vector<std::string>;
 
 constexpr const char* k_by_zones = " by zones";
 
+void add_pores(const PorePressure& pores, Terms& terms) {
+    if (pores.active())
+        terms.emplace_back(pores.dissipates() ? worded("pore pressure that dissipates")
+                                              : worded("constant pore pressure"));
+    if (pores.dilates()) terms.emplace_back(worded("dilatancy"));
+}
+
 void add_bed(const Scene& scene, Terms& terms) {
     const Material& m = scene.material;
     const MaterialZones& zones = scene.zones;
@@ -28,11 +35,7 @@ void add_bed(const Scene& scene, Terms& terms) {
     }
     for (const ZoneRaster& zone : k_zone_rasters)
         if (zones.*zone.raster && zone.of_bed_friction) terms.push_back(zone.what + std::string(k_by_zones));
-    const PorePressure pores = m.pore_pressure(m.density);
-    if (pores.active())
-        terms.emplace_back(pores.dissipates() ? worded("pore pressure that dissipates")
-                                              : worded("constant pore pressure"));
-    if (pores.dilates()) terms.emplace_back(worded("dilatancy"));
+    add_pores(m.pore_pressure(m.density), terms);
 }
 
 void add_exchange(const Entrainment& entrainment, Terms& terms) {
@@ -71,6 +74,7 @@ void add_solids(const StructuredMaterial& m, bool fluid, Terms& terms) {
             break;
     }
     if (m.cohesion > 0) terms.emplace_back(worded("cohesion lost with strain"));
+    add_pores(m.pores.pore_pressure(m.fluid_density), terms);
     if (!fluid) return;
     if (m.cohesion > 0 && m.confined_fraction > 0) terms.emplace_back(worded("release of confined fluid"));
     terms.emplace_back(worded("buoyancy"));

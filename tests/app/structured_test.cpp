@@ -215,6 +215,12 @@ INSTANTIATE_TEST_SUITE_P(
             {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
              "numerics.particles-per-cell=9", "structured.damage-length=0.01"},
             {"structured.damage-length", "0.01 m", "half a cell to two cells", "Choose cells"}},
+        Refused{
+            "dilatancy_without_pores",
+            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
+             "numerics.particles-per-cell=9", "material.compressibility=1e-6", "material.critical-solid-fraction=0.55",
+             "structured.solid-fraction=1"},
+            {"material.compressibility", "structured.solid-fraction = 1", "0.1 to 0.9"}},
         Refused{"keys_of_the_other_model",
                 {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
                 {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion", "does not use it"}},

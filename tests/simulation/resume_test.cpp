@@ -58,6 +58,7 @@ INSTANTIATE_TEST_SUITE_P(, Resume,
                                          ResumedCase{"earth_pressure", earth_pressure, 40},
                                          ResumedCase{"fluid", fluid, 60}, ResumedCase{"breaking", breaking, 15},
                                          ResumedCase{"breaking_later", breaking_later, 10},
+                                         ResumedCase{"breaking_under_pressure", breaking_under_pressure, 15},
                                          ResumedCase{"loose_and_dry", loose_and_dry, 15}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 

@@ -16,9 +16,11 @@ inline StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPo
     move_fluid(now);               // dq/dt + div(q q / h_u) = -k g h_u grad(h_u + h_c + b) + div(h_u tau) - resistance
     push_on_nodes(now);            // a = -k g grad b + buoyancy + (virtual mass and drag) / m; -dt m a of these to q
     nodes_to_solids(now);          // a of a particle = sum w a
+    pore_pressure(now);            // dr = -dt/2 (r - r_h) / T, if the scene has it; again after the motion
     move_solids(now);              // m du/dt = stress + thrust + m a - bed friction,  dx/dt = u,  dA/dt = A tr(grad u)
-    release_confined(now);         // h_u += fluid that broken solids no longer confine
-    solids_to_nodes(now);          // m = sum w m,  p = sum w m u,  h_c = sum w (V_s + V_fc) / cell area
+    pore_pressure(now);
+    release_confined(now);  // h_u += fluid that broken solids no longer confine
+    solids_to_nodes(now);   // m = sum w m,  p = sum w m u,  h_c = sum w (V_s + V_fc) / cell area
     state.time += now.report.dt;
     return now.report;
 }

@@ -19,6 +19,14 @@ void over_solid_tiles(const State& state, ThreadPool& pool, const Task& task) {
     pool.for_each(nodes.tiles.size(), [&](std::size_t t) { task(NodeRange(nodes.tiles[t], nodes.grid, state.grid)); });
 }
 
+template <class Task>
+void over_rows(const SolidState& solid, ThreadPool& pool, const Task& task) {
+    pool.for_each(static_cast<std::size_t>(solid.order.rows()), [&](std::size_t row) {
+        const auto r = static_cast<std::int64_t>(row);
+        task(solid.order.whole_rows(r, r));
+    });
+}
+
 void gather(State& state, const Laws& laws, ThreadPool& pool) {
     gather_solids(*state.solid, state.stages, laws.solid, state.grid, pool);
     over_solid_tiles(state, pool, [&](const NodeRange& range) {
@@ -111,6 +119,8 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
         solid.last.apart2 = std::max(solid.last.apart2, du * du + dv * dv);
     }
     solid.last.opening = 2 * std::sqrt(solid.last.apart2) / laws.solid.side;  // the most that neighbours can
+    if (state.stages.advance_pore_pressure != nullptr)  // of new particles: what is hydrostatic at the start
+        state.stages.advance_pore_pressure({0, solid.particles.size()}, 0, laws.solid, state.grid, solid.particles);
     StepReport now;
     observe_particles(state, laws, now, pool);
     keep_for_next_step(state, laws, now);
@@ -151,10 +161,17 @@ void nodes_to_solids(Step& now) {
     if (!now.solids()) return;
     const State& state = now.state;
     SolidState& solid = *state.solid;
-    now.pool.for_each(static_cast<std::size_t>(solid.order.rows()), [&](std::size_t row) {
-        const auto r = static_cast<std::int64_t>(row);
-        const ParticleRun run = solid.order.whole_rows(r, r);
+    over_rows(solid, now.pool, [&](ParticleRun run) {
         state.stages.nodes_to_solids(run, now.laws.solid, now.report.dt, state.grid, solid.nodes, solid.particles);
+    });
+}
+
+void pore_pressure(Step& now) {
+    if (!now.solids() || now.state.stages.advance_pore_pressure == nullptr) return;
+    const State& state = now.state;
+    over_rows(*state.solid, now.pool, [&](ParticleRun run) {
+        state.stages.advance_pore_pressure(run, 0.5 * now.report.dt, now.laws.solid, state.grid,
+                                           state.solid->particles);
     });
 }
 

@@ -43,6 +43,8 @@ void move_fluid(Step& now);
 void push_on_nodes(Step& now);
 /// Reads the nodes' push; writes the particles' push.
 void nodes_to_solids(Step& now);
+/// Half a step of the particles' pore pressure.
+void pore_pressure(Step& now);
 /// Reads and writes the particles; writes StepReport::substeps, solids.
 void move_solids(Step& now);
 /// Reads the particles' released fluid; adds it to the fluid's cells.

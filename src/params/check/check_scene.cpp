@@ -178,7 +178,7 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     }
 }
 
-void check_rest(const SceneSpec& scene, const std::string& file, Problems& problems) {
+void check_pores(const SceneSpec& scene, const std::string& file, Problems& problems) {
     const Material& m = scene.material;
     const char* const time =
         m.pore_dissipation_time ? "material.pore-dissipation-time" : "material.hydraulic-diffusivity";
@@ -190,7 +190,7 @@ void check_rest(const SceneSpec& scene, const std::string& file, Problems& probl
     const PorePressure pores = m.pore_pressure(m.density);
     if (pores.dissipates() && !pores.active()) {
         problems.add({"is given without a pore pressure", std::string(file).append(": ").append(time), "", "",
-                      "Set material.pore-pressure-ratio or material.pore-fluid-density, or remove it"});
+                      "Set material.pore-pressure-ratio (one phase: or pore-fluid-density), or remove it"});
     }
     if (m.pore_fluid_density > 0 && !pores.dissipates()) {
         problems.add({"needs a time of dissipation", file + ": material.pore-fluid-density",
@@ -202,14 +202,6 @@ void check_rest(const SceneSpec& scene, const std::string& file, Problems& probl
                       shortest_text(m.pore_fluid_density) + " kg/m3",
                       "less than material.density, " + shortest_text(m.density) + " kg/m3", "Lower it"});
     }
-    if (scene.numerics.curvature.value_or(false) && slope_correction(scene.numerics) == SlopeCorrection::none) {
-        problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
-                      "Set numerics.slope-correction = normal or surface, or remove the key"});
-    }
-    if (scene.numerics.flight.value_or(false) && !can_fly(scene.numerics)) {
-        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight",
-                      "on", "off", "Set those, or remove the key"});
-    }
 }
 
 /// Checks that the laws of [material] and [entrainment] have the keys they need and that no given key is unread by
@@ -220,7 +212,6 @@ void check_laws(const SceneSpec& scene, const std::set<std::string>& given, cons
     check_friction(scene, given, file, problems);
     check_friction_table(scene, given, file, problems);
     check_angles(scene, file, problems);
-    check_rest(scene, file, problems);
 }
 
 void check_required(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
@@ -273,7 +264,9 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
         {"release.direction", release.direction.has_value(), "release.velocity", release.velocity.has_value(),
          "Give the speed as well, or remove the key"},
         {"material.compressibility", material.compressibility.has_value(), "material.solid-fraction",
-         material.solid_fraction.has_value(), "Give the solid fraction at the start"},
+         material.solid_fraction || material.model == "structured", "Give the solid fraction at the start"},
+        {"material.compressibility", material.compressibility.has_value(), "material.critical-solid-fraction",
+         material.critical_solid_fraction || material.model != "structured", "Give the solid fraction of steady shear"},
         {"material.solid-fraction", material.solid_fraction.has_value(), "material.critical-solid-fraction",
          material.critical_solid_fraction.has_value(), "Give the solid fraction of steady shear"},
         {"material.critical-solid-fraction", material.critical_solid_fraction.has_value(), "material.compressibility",
@@ -322,6 +315,14 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
 }
 
 void check_numerics(const Numerics& numerics, const std::string& file, Problems& problems) {
+    if (numerics.curvature.value_or(false) && slope_correction(numerics) == SlopeCorrection::none) {
+        problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
+                      "Set numerics.slope-correction = normal or surface, or remove the key"});
+    }
+    if (numerics.flight.value_or(false) && !can_fly(numerics)) {
+        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight",
+                      "on", "off", "Set those, or remove the key"});
+    }
     const bool paper = numerics.scheme == Scheme::paper;
     if (paper && numerics.well_balanced.value_or(false)) {
         problems.add({"reference levels are part of scheme default, not of paper", file + ": numerics.well-balanced",
@@ -412,6 +413,7 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
         check_laws(scene, given, file, problems);
         check_numerics(scene.numerics, file, problems);
     }
+    check_pores(scene, file, problems);
     check_frames(scene, file, problems);
     check_hazard(scene.hazard, file, problems);
     check_output(scene, given, file, problems);

@@ -72,10 +72,16 @@ void check_structured(const SceneSpec& scene, const std::set<std::string>& given
 
 }  // namespace
 
+bool solids_read(const std::string& name) {
+    static const std::vector<std::string> names = PoreValues::names({});
+    return std::find(names.begin(), names.end(), name) != names.end() && name != "material.pore-fluid-density" &&
+           name != "material.solid-fraction";
+}
+
 bool model_reads(const SceneSpec& scene, const std::string& name) {
     if (scene.material.model != "structured") return !in_section(name, "structured");
     if (in_section(name, "structured")) return k_fluid_keys.count(name) > 0 || has_solids(scene);
-    if (name == "material.model") return true;
+    if (name == "material.model" || (solids_read(name) && has_solids(scene))) return true;
     return !in_section(name, "material") && !in_section(name, "zones") && !in_section(name, "entrainment") &&
            k_voellmy_bingham_only.count(name) == 0;
 }

@@ -13,6 +13,9 @@ namespace frana {
 /// Returns whether the model of a scene reads a key.
 bool model_reads(const SceneSpec& scene, const std::string& name);
 
+/// Returns whether solids of the structured model read a key of pore pressure: [structured] has some of its own.
+bool solids_read(const std::string& name);
+
 /// Reports keys of the scene that its model does not read, and keys that the structured model requires or does not
 /// support.
 /// @param given names given in the file or on the command line  @param file for messages

@@ -101,6 +101,11 @@ std::string own_meaning(const Parameter& key) {
     return key.meaning.ends_with(laws) ? key.meaning.substr(0, key.meaning.size() - laws.size()) : key.meaning;
 }
 
+/// What makes a scene read a key of a law.
+std::string selectors_of(const std::string& key) {
+    return selected_by(readers_of(key)) + (solids_read(key) ? " or material.model = structured" : "");
+}
+
 /// "material.bed-friction = bingham or manning": keys and their values, with the conjunction between them.
 std::string choices_in(std::string keys, const Words& words) {
     const std::string or_word = " or ";
@@ -115,14 +120,13 @@ std::string choices_in(std::string keys, const Words& words) {
 }  // namespace
 
 std::string used_by(const std::string& key) {
-    const std::vector<const Law*> readers = readers_of(key);
-    return readers.empty() ? "" : " Used by " + selected_by(readers) + ".";
+    return readers_of(key).empty() ? "" : " Used by " + selectors_of(key) + ".";
 }
 
 std::string meaning_in(const Parameter& key, const Words& words) {
     const std::string own = own_meaning(key);
     if (own == key.meaning) return words(own);
-    return words(own) + " " + words("Used by {1}.", {choices_in(selected_by(readers_of(key.name())), words)});
+    return words(own) + " " + words("Used by {1}.", {choices_in(selectors_of(key.name()), words)});
 }
 
 std::string absent_in(const Parameter& key, const Words& words) {

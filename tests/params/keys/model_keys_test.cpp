@@ -68,6 +68,29 @@ TEST_F(ModelKeys, SolidsReadTheirMaterialByPlace) {
     EXPECT_TRUE(has_problem(problems(k_fluid, {"output.formats=particles-gpkg"}), "output.formats", "particles-gpkg"));
 }
 
+TEST_F(ModelKeys, SolidsReadPorePressure) {
+    EXPECT_TRUE(
+        no_problem(problems(k_solids, {"material.pore-pressure-ratio=0.4", "material.hydraulic-diffusivity=1e-3",
+                                       "material.compressibility=1e-6", "material.critical-solid-fraction=0.55"})));
+    EXPECT_TRUE(has_problem(problems(k_fluid, {"material.pore-pressure-ratio=0.4"}), "material.pore-pressure-ratio"));
+    // What [structured] has of its own.
+    EXPECT_TRUE(has_problem(problems(k_solids, {"material.pore-pressure-ratio=0.4", "material.pore-fluid-density=1000",
+                                                "material.pore-dissipation-time=5"}),
+                            "material.pore-fluid-density"));
+    EXPECT_TRUE(
+        has_problem(problems(k_solids, {"material.compressibility=1e-6", "material.critical-solid-fraction=0.55",
+                                        "material.solid-fraction=0.5"}),
+                    "material.solid-fraction"));
+    // Without effect or incomplete.
+    EXPECT_TRUE(
+        has_problem(problems(k_solids, {"material.hydraulic-diffusivity=1"}), "material.hydraulic-diffusivity"));
+    EXPECT_TRUE(has_problem(problems(k_solids, {"material.compressibility=1e-6"}), "material.compressibility"));
+    EXPECT_TRUE(
+        has_problem(problems(k_solids, {"material.pore-pressure-ratio=0.4", "material.hydraulic-diffusivity=1e-3",
+                                        "material.pore-dissipation-time=5"}),
+                    "material.pore-dissipation-time"));
+}
+
 TEST_F(ModelKeys, StepsAndFormsNotAvailableForFluid) {
     EXPECT_TRUE(
         has_problem(problems(k_fluid, {"numerics.cfl=0.9"}), "numerics.cfl", "0.9", "greater than 0, at most 0.5"));

@@ -7,11 +7,11 @@
 
 namespace frana::structured {
 
-/// Properties of a scene's solids: cohesion, which can be lost, and confined fluid. Terms without a field are not
-/// computed.
-template <bool Cohesive, bool Wet>
+/// Properties of a scene's solids: cohesion, which can be lost, confined fluid, and pore pressure. Terms without a
+/// field are not computed.
+template <bool Cohesive, bool Wet, bool Pressed = false>
 struct SolidKind {
-    static constexpr bool cohesive = Cohesive, wet = Wet;
+    static constexpr bool cohesive = Cohesive, wet = Wet, pressed = Pressed;
 };
 
 inline constexpr FieldMask k_solid_fields =
@@ -25,6 +25,7 @@ inline constexpr FieldMask k_release_fields{Field::confined_start, Field::releas
 
 /// In addition, if the thrust depends on whether material is compressed.
 inline constexpr FieldMask k_passive_fields{Field::divergence};
+inline constexpr FieldMask k_pore_fields{Field::pore_pressure, Field::hydrostatic};
 
 /// The fields of a scene's solids.
 inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
@@ -45,10 +46,12 @@ inline double particle_mass(const SolidLaws& laws, const ParticleSet& particles,
 struct ParticleLoad {
     double mass = 0;        ///< [kg]
     double depth = 0;       ///< [m]
-    double cohesion = 0;    ///< present [Pa]
+    double cohesion = 0;    ///< present, less the friction that excess pore pressure takes off [Pa]
+    double lost = 0;        ///< what that takes off beyond the cohesion [Pa]
     double held = 0;        ///< fraction of the initial confined fluid and structured solids that strength holds
     double structured = 0;  ///< f_sc
-    double load = 0;        ///< N [Pa]
+    double load = 0;        ///< N, excess pore pressure included: that of the stress inside [Pa]
+    double bearing = 0;     ///< N without it: that of friction at the bed [Pa]
     double borne = 0;       ///< mean vertical pressure that strength bears [Pa]
     double thrust = 0;      ///< P_lat [N/m]
 };
@@ -67,9 +70,11 @@ inline void set_thrust(const SolidLaws& laws, double friction, bool passive, Par
         column.thrust = hydrostatic_thrust(column.load, column.depth, bears);
         if (excess_is_hydrostatic(laws)) column.borne = std::min(column.borne, bears);
     } else if (passive) {
-        column.thrust = passive_thrust(1 / active_coefficient(friction), column.load, column.depth, column.cohesion);
+        column.thrust =
+            passive_thrust(1 / active_coefficient(friction), column.load, column.depth, column.cohesion - column.lost);
     } else {
-        column.thrust = active_thrust(active_coefficient(friction), column.load, column.depth, column.cohesion);
+        column.thrust =
+            active_thrust(active_coefficient(friction), column.load, column.depth, column.cohesion - column.lost);
     }
 }
 
@@ -89,8 +94,22 @@ inline bool pushes_back(const SolidLaws& laws, const ParticleLoad& column) noexc
     return laws.earth_pressure == EarthPressure::passive && column.held < k_broken_from;
 }
 
-/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive
-/// thrust, divergence of particle p.
+/// A particle's solids with all of their pores full, as when it was placed: what the pore pressure drains through and
+/// is a fraction of.
+struct Saturated {
+    double depth = 0;    ///< [m]
+    double density = 0;  ///< [kg/m3]
+
+    template <class Kind>
+    static Saturated of(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
+        const double solids = particles[Field::volume][p], pores = Kind::wet ? particles[Field::pores][p] : 0;
+        const double mass = particles[Field::grain_density][p] * solids + laws.basal.fluid_density * pores;
+        return {(solids + pores) / particles[Field::area][p], mass / (solids + pores)};
+    }
+};
+
+/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density, for passive thrust
+/// divergence, and with pore pressure pores, pore_pressure and hydrostatic of particle p.
 template <class Kind>
 ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
     const double solids = particles[Field::volume][p], inverse_area = 1 / particles[Field::area][p];
@@ -105,12 +124,27 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
         ratio = particles[Field::cohesion_ratio][p];
         s.cohesion = ratio * particles[Field::cohesion][p];
     }
+    double weight = 0, excess = 0;  // of the saturated solids, and of the pore pressure at the bed [Pa]
+    if constexpr (Kind::pressed) {
+        const Saturated whole = Saturated::of<Kind>(laws, particles, p);
+        weight = laws.basal.gravity * whole.density * whole.depth;
+        excess = weight * (particles[Field::pore_pressure][p] - particles[Field::hydrostatic][p]);
+        // Mohr and Coulomb's strength c + (sigma - p) tan(phi) is that of a cohesion c - p tan(phi); p in the mean.
+        const double taken = 0.5 * friction * std::max(0.0, excess);
+        s.lost = std::max(0.0, taken - s.cohesion);
+        s.cohesion = std::max(0.0, s.cohesion - taken);
+    }
     s.mass = grain_density * solids + laws.basal.fluid_density * confined;
     s.held = held_fraction(ratio, DruckerPrager::of(friction, s.cohesion).uniaxial(),
                            laws.basal.gravity * s.mass * inverse_area);
     s.structured = laws.initial_structured * s.held;
     s.depth = (solids + confined) * inverse_area;
     s.load = laws.basal({solids * inverse_area, confined * inverse_area, s.structured, submerged}, grain_density);
+    s.bearing = s.load;
+    if constexpr (Kind::pressed) {
+        s.lost = std::min(s.lost, 0.5 * friction * s.load);
+        s.bearing = std::clamp(s.load - excess, 0.0, std::max(s.load, weight));
+    }
     set_thrust(laws, friction, pushes_back(laws, s) && particles[Field::divergence][p] < 0, s);
     return s;
 }
@@ -124,7 +158,7 @@ inline bool flows_freely(const SolidLaws& laws, const ParticleLoad& column) noex
 /// @param density of the column [kg/m2]
 inline double bed_resistance(const SolidLaws& laws, const ParticleLoad& column, double density, double friction,
                              double flatness) noexcept {
-    return column.load / density * friction * (laws.steep ? flatness : 1);
+    return column.bearing / density * friction * (laws.steep ? flatness : 1);
 }
 
 }  // namespace frana::structured

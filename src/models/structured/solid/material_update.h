@@ -19,7 +19,8 @@ namespace frana::structured {
 /// bear itself has the thrust p also while it yields, and both tend to those of broken material with the cohesion.
 inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, double friction, const Matrix2d& turn,
                             const Matrix2d& strain, const Stress& stress) noexcept {
-    const auto strength = DruckerPrager::of(friction, column.cohesion);
+    const double lost = laws.strength_of_particle_stress ? 0 : column.lost;  // takes off friction under the load
+    const auto strength = DruckerPrager::of(friction, column.cohesion - lost);
     const Stress trial = Stress{rotated(stress.plane, turn), stress.zz} + laws.elastic.increment(strain);
     if (laws.strength_of_particle_stress) return return_by_itself(strength, laws.elastic, laws.sin_dilatancy, trial);
     const double load = column.borne;

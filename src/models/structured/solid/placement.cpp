@@ -139,6 +139,8 @@ ParticleSet assign_material(const ParticleSet& placed, FieldMask fields,
         const SolidMaterial m = material({get(r, Field::x), get(r, Field::y)});
         get(r, Field::confined_start) = get(r, Field::confined);
         get(r, Field::pores) = (1 - m.solid_fraction) / m.solid_fraction * get(r, Field::volume);
+        get(r, Field::pore_pressure) = m.pore_pressure;
+        get(r, Field::solid_fraction) = m.solid_fraction;
         get(r, Field::cohesion) = m.cohesion;
         get(r, Field::cohesion_ratio) = m.cohesion > 0 ? 1 : 0;
         get(r, Field::friction) = m.friction;

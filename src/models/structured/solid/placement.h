@@ -28,6 +28,8 @@ ParticleSet place_again(const ParticleSet& placed, const GridSpec& grid, int per
 
 /// Properties of the solids at a place.
 struct SolidMaterial : SolidValues {
+    double pore_pressure = 0;  ///< at the start, over the weight of the saturated solids [-]
+
     /// Fraction of the whole volume that is confined fluid, and that is free fluid. Without cohesion no fluid is
     /// confined.
     [[nodiscard]] double confined_fluid() const noexcept {

@@ -7,6 +7,7 @@
 
 #include "core/default_values.h"
 #include "models/structured/coupling/basal_pressure.h"
+#include "physics/pore_pressure.h"
 
 namespace frana::structured {
 
@@ -226,12 +227,14 @@ inline double active_coefficient(double friction) noexcept {
 /// where the pressure would be negative (textbook; the paper's equation 43 lacks root, crack and the factor 1/2 of the
 /// mean):
 ///     P = K_a w (h - z)^2 / 2,   z = min(h, 2 c / (w sqrt K_a)),   w = N / h                 [N/m]
-/// Without cohesion it is Savage and Hutter's K_a N h / 2; with sufficient cohesion it is zero.
+/// Without cohesion it is Savage and Hutter's K_a N h / 2; with sufficient cohesion it is zero. A negative c is
+/// friction that pore pressure takes off: it adds -2 c sqrt(K_a) h.
 /// @param load effective stress at the base N [Pa]
 /// @param depth h [m]
 /// @param cohesion present c [Pa]
 inline double active_thrust(double coefficient, double load, double depth, double cohesion) noexcept {
     if (!(load > 0 && depth > 0)) return 0;
+    if (cohesion < 0) return (0.5 * coefficient * load - 2 * cohesion * std::sqrt(coefficient)) * depth;
     const double root = std::sqrt(coefficient) * load;
     if (2 * cohesion >= root) return 0;
     const double pushing = 1 - 2 * cohesion / root;  // fraction of the depth below the crack
@@ -281,6 +284,7 @@ struct SolidLaws {
     BrokenMaterial broken = BrokenMaterial::earth_pressure;
     EarthPressure earth_pressure = EarthPressure::hydrostatic;
     BasalPressure basal;
+    PorePressure pores;     ///< its density and hydrostatic ratio are each column's own
     bool fractures = true;  ///< cohesion can be lost
     Fragmentation fragmentation;
     double damage_length = 1;       ///< R, over which damage is averaged [m]

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/structured/solid/material_update.h"
+#include "models/structured/solid/pore_stage.h"
 #include "models/structured/solid/transfer.h"
 
 namespace frana::structured {
@@ -16,7 +17,15 @@ SolidStages stages_of() {
     stages.update_material = update_material<Kind>;
     stages.solids_to_nodes = solids_to_nodes<Kind>;
     stages.nodes_to_solids = nodes_to_solids<Kind>;
+    if constexpr (Kind::pressed) stages.advance_pore_pressure = advance_pore_pressure<Kind>;
     return stages;
+}
+
+template <bool Pressed>
+SolidStages stages_of(bool cohesive, bool wet) {
+    if (cohesive)
+        return wet ? stages_of<SolidKind<true, true, Pressed>>() : stages_of<SolidKind<true, false, Pressed>>();
+    return wet ? stages_of<SolidKind<false, true, Pressed>>() : stages_of<SolidKind<false, false, Pressed>>();
 }
 
 // Which particles are bonded: cohesive, and strong enough to bear their weight.
@@ -47,10 +56,11 @@ bool fits(const SolidState& state) {
     return state.order.orders(count);
 }
 
-SolidStages choose_solid_stages(bool cohesive, bool wet) {
-    SolidStages stages = cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
-                                  : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
+SolidStages choose_solid_stages(bool cohesive, bool wet, const PorePressure& pores) {
+    SolidStages stages = pores.active() ? stages_of<true>(cohesive, wet) : stages_of<false>(cohesive, wet);
     stages.fields = solid_fields(cohesive, wet);
+    if (pores.active()) stages.fields = stages.fields | k_pore_fields;
+    if (pores.dilates()) stages.fields = stages.fields | FieldMask{Field::solid_fraction};
     stages.releases = cohesive && wet;
     return stages;
 }

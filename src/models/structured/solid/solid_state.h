@@ -66,11 +66,14 @@ struct SolidStages {
     void (*solids_to_nodes)(ParticleRun, const SolidLaws&, const ParticleSet&, const NodeGrid&, SolidNodes&) = nullptr;
     void (*nodes_to_solids)(ParticleRun, const SolidLaws&, double dt, const NodeGrid&, const SolidNodes&,
                             ParticleSet&) = nullptr;
+    /// Null: none in the scene.
+    void (*advance_pore_pressure)(ParticleRun, double dt, const SolidLaws&, const NodeGrid&, ParticleSet&) = nullptr;
     bool releases = false;  ///< confined fluid can become free
 };
 
-/// Returns the stages for solids with or without cohesion that can be lost, and with or without fluid in the scene.
-SolidStages choose_solid_stages(bool cohesive, bool wet);
+/// Returns the stages for solids with or without cohesion that can be lost, with or without fluid in the scene, and
+/// with pore pressure where it is active.
+SolidStages choose_solid_stages(bool cohesive, bool wet, const PorePressure& pores = {});
 
 /// Sorts the particles, dropping those beyond the edges, and sets `mean`.
 void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid, ThreadPool& pool);

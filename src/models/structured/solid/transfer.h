@@ -17,7 +17,7 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
         const ParticleLoad column = particle_load<Kind>(laws, particles, p);
         const double u = particles[Field::u][p], v = particles[Field::v][p], area = particles[Field::area][p];
         const double solids = particles[Field::volume][p];
-        const double friction = Kind::wet ? area * column.load * particles[Field::bed_friction][p] : 0;
+        const double friction = Kind::wet ? area * column.bearing * particles[Field::bed_friction][p] : 0;
         for (int b = 0; b < 4; ++b) {
             const std::size_t row = stencil.first + static_cast<std::size_t>(b * grid.stride());
             for (int a = 0; a < 4; ++a) {
