@@ -102,9 +102,10 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run(k_voellmy + k_entrainment + k_every_output, "old");
     render_all();
     run(k_structured + k_every_output, "other");
+    run("[material]\nfriction-table = ramms-avalanche\nreturn-period = 100\n" + k_every_output, "table");
     make_studies(true);
     std::map<std::string, int> rows;
-    for (const std::string result : {"old", "other", "range", "union", "region", "fitted", "fitted_to_two"}) {
+    for (const std::string result : {"old", "other", "table", "range", "union", "region", "fitted", "fitted_to_two"}) {
         const auto manifest = app::read_manifest(path(result));
         ASSERT_TRUE(manifest);
         for (const std::string& name : files_below(path(result))) {
