@@ -40,13 +40,13 @@ struct Room {
 
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
-    {"src/core", 3350},         {"src/params", 5150},       {"src/physics", 1490},
+    {"src/core", 3350},         {"src/params", 5180},       {"src/physics", 1490},
     {"src/particles", 1650},    {"src/mpm", 5000},          {"src/models", 4530},
     {"src/simulation", 6100},   {"src/analysis", 3100},     {"src/facade", 1300},
     {"src/python", 500},        {"src/bench", 5850},        {"src/app/process", 320},
     {"src/app/text", 680},      {"src/app/input", 4100},    {"src/app/store", 3900},
     {"src/app/pictures", 3150}, {"src/app/compare", 1000},  {"src/app/publish", 4600},
-    {"src/app/study", 11950},   {"src/app/commands", 5350}, {"gis", 7150},
+    {"src/app/study", 11980},   {"src/app/commands", 5350}, {"gis", 7150},
     {"render", 7250},
 };
 
