@@ -54,14 +54,6 @@ void read_scale(const boost::program_options::variables_map& values, MapStyle& s
     }
 }
 
-void read_turn(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
-    const auto text = text_option(values, "turn");
-    if (!text) return;
-    style.turn_deg = *text == "auto" ? std::nullopt : number_from_text(*text);
-    if (*text != "auto" && (!style.turn_deg || std::abs(*style.turn_deg) > 180))
-        problems.add({"is not a turn", "--turn", *text, "auto, or -180 to 180 degrees", "Write for example 30"});
-}
-
 /// Adds the options of `frana render` that override the style of the scene's pictures.
 void add_style_options(CommandForm& form) {
     form.options.add_options()("size", one("SIZE"), size_forms().c_str())(
@@ -69,8 +61,7 @@ void add_style_options(CommandForm& form) {
         "maps on paper sizes: 5000 for exactly 1 : 5000 (default: "
         "a round scale, if the flow still fills the page well)")(
         "turn", one("DEGREES"),
-        "maps: direction of grid north, clockwise from straight up (default: 0); auto: the flow's longer axis lies "
-        "along the page's longer side")(
+        "maps: grid north, clockwise from up (default: 0); auto: the flow's longer axis along the page's longer side")(
         "format", many("png|pdf|svg|tif"),
         "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
         "legend", one("classed|continuous"), "classed (default) or continuous")(
@@ -89,7 +80,6 @@ Problem not_one_of(const std::string& option, const std::string& value, const st
     return {"is not one of the choices", "--" + option, value, choices, ""};
 }
 
-/// Overrides the style by the options; adds their problems.
 /// Overrides the style by the options; adds their problems.
 void read_style(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
     const auto given = [&](const std::string& name) { return text_option(values, name); };
@@ -122,13 +112,16 @@ void read_style(const boost::program_options::variables_map& values, MapStyle& s
             problems.add({"is not a vertical exaggeration", "--exaggeration", *factor, "0.1 to 20", ""});
         style.exaggeration = number.value_or(1);
     }
+    const auto turn = given("turn");
+    if (turn) style.turn_deg = number_from_text(*turn);
+    if (turn && *turn != "auto" && !(std::abs(style.turn_deg.value_or(k_no_data)) <= 180))
+        problems.add({"is not a turn", "--turn", *turn, "auto, or -180 to 180 degrees", "Write for example 30"});
     if (values.count("plain") > 0) style.sky = false;
     style.background = given("background").value_or(style.background);
     style.background_licence = given("background-licence").value_or(style.background_licence);
     style.attribution = given("attribution").value_or(style.attribution);
     read_title_block(values, style, problems);
     read_scale(values, style, problems);
-    read_turn(values, style, problems);
 }
 
 /// The other sheets of paper, from small to large.

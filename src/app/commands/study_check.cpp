@@ -15,7 +15,6 @@
 #include "app/input/prepare_release.h"
 #include "app/input/prepare_zones.h"
 #include "app/process/machine_memory.h"
-#include "app/publish/summary.h"
 #include "app/store/result_directory.h"
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/region_input.h"
@@ -97,14 +96,6 @@ double region_seconds(const std::vector<SlopePlan>& plans, const StudyForecast& 
     return forecast.writing.seconds + (largest > 0 ? forecast.member_seconds() * all / largest / threads : 0);
 }
 
-/// Names the friction table, and what is chosen from it, of the run whose friction the result will show.
-void print_friction(const study::StudyInput& input) {
-    if (!input.base.friction) return;
-    const study::ShownFriction shown = study::shown_friction(input);
-    print_fact("friction", "of the " + shown.of + ": " + friction_text(input.base.friction->choice()).text());
-    if (!shown.varied.empty()) print_fact("", "varies with " + joined(shown.varied, ", "));
-}
-
 /// Prints the slopes of a region, the terrain of each, those that would fail and why, and the cost of all.
 /// @param forecast of its largest slope
 void print_region(const study::StudyInput& input, const std::vector<SlopePlan>& plans, const StudyForecast& forecast,
@@ -126,7 +117,6 @@ void print_region(const study::StudyInput& input, const std::vector<SlopePlan>& 
                std::to_string(plans.size()) + (failing == 0 ? "" : ", of which " + std::to_string(failing) + " fail"));
     print_scenarios(input);
     for (const study::RegionSpec::Column& one : study.region->columns) print_fact(one.key, "column " + one.column);
-    print_friction(input);
     if (const auto& exposed = input.base.extra.exposure)
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
     print_fact("estimated time", std::string(forecast.trial ? "about " : "at least ") +
@@ -227,7 +217,6 @@ void print_study(const study::StudyInput& input, const StudyForecast& forecast, 
                               (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
                               (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
     print_levels(input);
-    print_friction(input);
     if (const auto& exposed = input.base.extra.exposure)
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
     print_fact("estimated time", time_text(forecast, members, threads));
@@ -310,6 +299,9 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
         print_region(input, plans, forecast, threads, result_path(directory));
     else if (print)
         print_study(input, forecast, threads, directory);
+    if (print && input.base.friction)
+        print_fact("friction",
+                   study::shown_friction(input).of + ": " + friction_text(input.base.friction->choice()).text());
     warn_of_release(input.base.scene, log);
     if (const auto& exposed = input.base.extra.exposure)
         warn_of_unknown_exposure(*exposed, study::computed_ground(input),
@@ -331,7 +323,6 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
                    {"disk_bytes", forecast.writing.disk_bytes},
                    {"members_disk_bytes", forecast.disk_bytes}};
     if (study.region) json["slopes"] = slopes_json(input, plans);
-    if (input.base.friction) json["friction_table"] = friction_json(*input.base.friction, {});
     if (const auto& exposed = input.base.extra.exposure) json["exposed_features"] = exposed->features.size();
     const std::string target = result_path(directory);
     json["result"] = {{"folder", target}, {"exists", has_files(target)}};

@@ -94,19 +94,17 @@ void check_table_values(const FrictionTableSpec& spec, std::size_t period, const
                 mu.push_back(pair.coefficient);
                 xi.push_back(pair.turbulence);
             }
-    const auto check = [&](const char* key, const char* factor_key, double factor, const std::vector<double>& values) {
+    const auto check = [&](const std::string& key, const std::string& factor, const std::vector<double>& values) {
         const NumberRange& range = *find_parameter(scene_parameters(), key)->range;
         const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-        const double worst = range.has(*greatest) ? *least : *greatest;
-        if (range.has(worst)) return;
-        problems.add({"brings the friction table beyond the limits of " + std::string(key),
-                      file + ": " + (factor == 1 ? "material.friction-table" : factor_key),
-                      (factor == 1 ? *spec.name : shortest_text(factor)) + ", which gives " +
-                          shortest_text(std::round(1e6 * worst) / 1e6),
-                      range.text(), factor == 1 ? "Correct the table" : "Choose a factor nearer to 1"});
+        if (range.has(*least) && range.has(*greatest)) return;
+        const auto rounded = [](double value) { return shortest_text(std::round(1e6 * value) / 1e6); };
+        problems.add({"gives values beyond the limits of " + key, file + ": material.friction-table",
+                      rounded(*least) + " to " + rounded(*greatest), range.text(),
+                      "Set " + factor + " nearer to 1, or correct the table"});
     };
-    check("material.friction-coefficient", "material.table-friction-factor", spec.friction_factor, mu);
-    check("material.turbulence", "material.table-turbulence-factor", spec.turbulence_factor, xi);
+    check("material.friction-coefficient", "material.table-friction-factor", mu);
+    check("material.turbulence", "material.table-turbulence-factor", xi);
 }
 
 /// Checks the keys by which a friction table is read.

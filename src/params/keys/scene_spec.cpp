@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/scene_spec.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
@@ -37,11 +35,8 @@ bool well_balanced(const Numerics& numerics) {
 }
 
 bool reads_friction_table(const std::string& key) {
-    constexpr const char* k_keys[] = {"friction-table",         "return-period", "table-volume",
-                                      "altitude-limits",        "forest",        "table-friction-factor",
-                                      "table-turbulence-factor"};
-    return std::any_of(std::begin(k_keys), std::end(k_keys),
-                       [&](const char* one) { return key == std::string("material.") + one; });
+    return key.starts_with("material.table-") || key == "material.friction-table" || key == "material.forest" ||
+           key == "material.return-period" || key == "material.altitude-limits";
 }
 
 bool curvature(const Numerics& numerics) {

@@ -27,10 +27,10 @@ std::string plain_text(double value) {
 class TableReader : DataFile {
   public:
     TableReader(const std::string& path, const std::string& label, Problems& problems)
-        : DataFile(path, label, "share/doc/input.md", problems), path_(path) {}
+        : DataFile(path, label, "share/doc/input.md", problems) {}
 
     FrictionTable read(const std::string& name) {
-        FrictionTable table{.name = name, .file = path_};
+        FrictionTable table{.name = name};
         describe("table", table);
         table.note = taken("table.note").value_or("");
         table.periods = rising("table.return-periods", required("table.return-periods"));
@@ -102,14 +102,14 @@ class TableReader : DataFile {
                    "Write for example 0.33 1250, 0.305 1400, 0.29 1500");
         values.resize(first + bands);
     }
-
-    std::string path_;
 };
 
 }  // namespace
 
 FrictionTable read_friction_table(const std::string& path, const std::string& label, Problems& problems) {
-    return TableReader(path, label, problems).read(fs::path(path).stem().string());
+    FrictionTable table = TableReader(path, label, problems).read(fs::path(path).stem().string());
+    table.file = path;
+    return table;
 }
 
 std::optional<FrictionTable> resolved_friction_table(const FrictionTableSpec& spec, const std::string& share,

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "gis/access/table_in.h"
 #include "gis/raster/raster_in.h"
-#include "gis/raster/raster_out.h"
 #include "study/tiny_study.h"
 #include "support/html_check.h"
 
@@ -57,60 +56,6 @@ TEST_F(Ensemble, ProbabilityOfTheSlidingBlockIsThatOfTheClosedForm) {
         ++compared;
     }
     EXPECT_GT(compared, 70);
-}
-
-std::map<std::string, std::string> metadata_of(const std::string& raster) {
-    return gis::read_raster_text(raster).metadata;
-}
-
-TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
-    write_scene(k_numbers_only + "charts = off\n");
-    const std::string scene = read_text(path("scene.ini"));
-    const auto at = scene.find("friction-angle = "), end = scene.find("[time]", at);
-    ASSERT_TRUE(at != std::string::npos && end != std::string::npos) << scene;
-    write("scene.ini",
-          scene.substr(0, at) + "friction-table = ramms-avalanche\nreturn-period = 100\n" + scene.substr(end));
-    write_study("samples = 4\n",
-                "[vary]\nmaterial.table-friction-factor = uniform(0.8, 1)\n"
-                "release.volume = uniform(3000, 4000)\nmaterial.density = uniform(1900, 2100)\n");
-    const Outcome checked = frana({"check", "study.ini"});
-    EXPECT_NE(checked.out.find("of the central scene: RAMMS Avalanche"), std::string::npos) << checked.out;
-    EXPECT_NE(checked.out.find("varies with material.table-friction-factor, release.volume"), std::string::npos);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const Json table = parse_json(read_text(path("out/summary.json")))["friction_table"];
-    EXPECT_EQ(table["name"], "ramms-avalanche");
-    EXPECT_EQ(table["of"], "central scene");
-    EXPECT_EQ(table["varied_by"], (Json{"material.table-friction-factor", "release.volume"}));
-    EXPECT_NEAR(table["friction_factor"], 0.9, 1e-12);
-    EXPECT_NEAR(table["volume_m3"], 3500, 1);
-    double area = 0, reached = 0;
-    for (const Json& one : table["areas"]) area += one["area_m2"].get<double>();
-    const Raster probability = gis::read_result_raster(path("out/probability_depth_0.1.tif"));
-    for (const double value : probability.values) reached += value > 0 ? probability.grid.cell_area() : 0;
-    EXPECT_GT(area, 0);
-    EXPECT_EQ(area, reached);
-    for (const std::string raster : {"mu", "xi"}) {
-        const auto metadata = metadata_of(path("out/" + raster + ".tif"));
-        EXPECT_EQ(metadata.at("FRICTION_OF"), "central scene");
-        EXPECT_EQ(metadata.at("FRICTION_VARIED_BY"), "material.table-friction-factor, release.volume");
-    }
-    const std::string report = read_text(path("out/report.html"));
-    EXPECT_NE(report.find("central scene"), std::string::npos);
-    EXPECT_NE(report.find("Between the runs it varies with: table friction factor, volume"), std::string::npos);
-    EXPECT_NE(report.find("RAMMS Avalanche, Voellmy friction of avalanches, return period 100 years"),
-              std::string::npos);
-    EXPECT_NE(read_text(path("out/inputs.json")).find("ramms-avalanche.ini"), std::string::npos);
-    // Refused before a member runs: 5.2 times 0.45 is more than 2.
-    write_study("samples = 4\n", "[vary]\nmaterial.table-friction-factor = uniform(0.8, 5.2)\n");
-    const Outcome refused = frana({"ensemble", "study.ini", "--out", "too_much", "--quiet"});
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("material.table-friction-factor"), std::string::npos) << refused.err;
-    // Each source has a volume of its own.
-    write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
-    ASSERT_EQ(frana({"ensemble", "union.ini", "--out", "union", "--quiet"}).exit_code, 0);
-    EXPECT_EQ(metadata_of(path("union/mu.tif")).at("FRICTION_OF"), "largest source");
-    EXPECT_NE(read_text(path("union/report.html")).find("Friction of the largest source"), std::string::npos);
 }
 
 TEST_F(Ensemble, SameBitsForAnyNumberOfThreads) {
