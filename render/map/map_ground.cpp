@@ -204,7 +204,7 @@ std::optional<Bounds> content(const MapSpec& spec) {
 
 }  // namespace
 
-MapTurn turn_along_content(const MapSpec& spec, bool upright) {
+MapTurn turn_along_content(const MapSpec& spec, std::optional<bool> upright) {
     const Raster* const flow = spec.extent != nullptr ? spec.extent : spec.layer;
     if (flow == nullptr) return {};
     double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // moments of the cells' places
@@ -223,7 +223,8 @@ MapTurn turn_along_content(const MapSpec& spec, bool upright) {
     if (!(n > 1)) return {};
     const double axis = std::atan2(2 * (xy - x * y / n), xx - yy - (x * x - y * y) / n) / 2;
     const double level = std::round(axis * 180 / std::numbers::pi);  // anticlockwise from east
-    return MapTurn(upright ? level > 0 ? level - 90 : level + 90 : level);
+    if (!upright.value_or(std::abs(level) > 45)) return MapTurn(level);
+    return MapTurn(level > 0 ? level - 90 : level + 90);
 }
 
 Bounds required_window(const MapSpec& spec) {

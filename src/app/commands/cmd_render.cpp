@@ -227,6 +227,8 @@ Request read_request(const Values& values, Problems& problems) {
     if (request.difference && request.maps.empty())
         problems.add({"needs the raster to compare", "--difference", *request.difference, "",
                       "Name it, for example --map max_depth"});
+    if (values.count("turn") > 0 && (request.animation || request.view_3d || request.charts))
+        problems.add({"is for maps only", "--turn", *text_option(values, "turn"), "", "Remove it"});
     if (request.charts && (request.animation || request.view_3d || !request.maps.empty()))
         problems.add({"cannot be combined with --map, --view or --animation", "--charts", "", "", ""});
     if (!request.animation) {

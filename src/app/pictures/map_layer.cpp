@@ -218,7 +218,7 @@ std::vector<std::string> needed_notes(const std::string& path, const Words& word
 std::vector<std::string> study_friction_notes(const std::string& of, const std::string& varied, const Words& words) {
     std::vector<std::string> notes{
         of == k_largest_friction
-            ? words("Friction of the largest source; that of each other one follows from its own volume")
+            ? words("Friction of the source with the largest area; that of each other one follows from its own volume")
             : words("Friction of the study's central scene: medians and likeliest choices")};
     std::vector<std::string> titles;
     for (const std::string& key : words_of(varied)) titles.push_back(title_in(key, words));

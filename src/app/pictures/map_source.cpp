@@ -299,7 +299,7 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     spec.series = render::SeriesText{own_title(source), scenario_line(source), source.notes};
     spec.longitude_latitude = source.longitude_latitude;
     const Size& wanted = source.style.size;
-    const bool upright = wanted.height > wanted.width && !wanted.turns;
+    const auto upright = wanted.turns ? std::nullopt : std::optional(wanted.height > wanted.width);
     spec.turn =
         source.style.turn_deg ? render::MapTurn(*source.style.turn_deg) : render::turn_along_content(spec, upright);
     const Bounds shown = render::required_window(spec);

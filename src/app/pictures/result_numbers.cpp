@@ -177,7 +177,7 @@ std::vector<Sentence> warnings_in(const Json& summary) {
 }
 
 std::string warning_line(const std::vector<Sentence>& warnings, const Words& words) {
-    constexpr std::size_t k_longest = 240;  // letters
+    constexpr std::size_t k_longest = 480;  // letters: the sentences of most runs are whole
     if (warnings.empty()) return "";
     std::string first = valid_utf8(warnings.front().in(words));
     if (const std::string begin = elided(first, k_longest); begin != first)  // at a space

@@ -137,6 +137,9 @@ TEST_F(MapSheet, ATurnedMapIsWhereItsFilesSay) {
         EXPECT_GT(coloured, 0.9 * checked) << turn;
     }
     EXPECT_EQ(render({"--map", "max_depth", "--turn", "auto", "--out", "along"}).exit_code, 0);
+    const Outcome view = render({"--map", "max_depth", "--view", "3d", "--turn", "30", "--out", "none"});
+    EXPECT_EQ(view.exit_code, 2);
+    EXPECT_NE(view.err.find("--turn: is for maps only"), std::string::npos) << view.err;
     for (const char* wrong : {"north", "181"}) {
         const Outcome outcome = render({"--map", "max_depth", "--turn", wrong, "--out", "none"});
         EXPECT_EQ(outcome.exit_code, 2);

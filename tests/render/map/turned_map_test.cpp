@@ -98,6 +98,7 @@ TEST(TurnedMap, TheLongerAxisOfAFlowLiesAlongThePage) {
     MapSpec spec = map_of_patches(ground, strip);
     EXPECT_NEAR(turn_along_content(spec, false).deg, 30, 1.2);
     EXPECT_NEAR(turn_along_content(spec, true).deg, -60, 1.2);
+    EXPECT_NEAR(turn_along_content(spec, std::nullopt).deg, 30, 1.2) << "a page may lie with the flow";
     // A strip to the north takes less room lying: 650 m by 200 m on a page wider than high.
     const Raster north = test::tongue();
     MapSpec of_north = map_of_patches(ground, north);

@@ -36,9 +36,6 @@
 namespace frana::app::study {
 namespace {
 
-constexpr const char* k_matrix_source =
-    "after the Swiss recommendations of 1997 (BWW, BRP, BUWAL), or as the region gives it";
-
 /// The finished members, of a region those of one scenario.
 std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& result,
                                     const std::optional<std::string>& scenario) {
@@ -61,12 +58,15 @@ std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degr
     const auto is_same = [&](const DegreeMatrix& other) {
         return matrix.degrees == other.degrees && matrix.periods == other.periods;
     };
-    const bool is_of_scheme = scheme->matrix && is_same(*scheme->matrix) && !is_same(DegreeMatrix{});
+    const bool is_of_scheme = scheme->matrix && scheme->name != "custom" && is_same(*scheme->matrix);
+    const std::string source = is_of_scheme              ? scheme->source
+                               : is_same(DegreeMatrix{}) ? "BWW, BRP, BUWAL 1997"
+                                                         : "[degree], " + fs::path(input.reading.study.file).filename().string();
     ClassMap map{"hazard_degree",
                  "Degree of hazard",
                  degree_classes(matrix),
                  *scheme,
-                 is_of_scheme ? scheme->source : k_matrix_source,
+                 source,
                  k_degree_zones_file,
                  intensity_limits(*scheme)};
     return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
