@@ -124,8 +124,8 @@ struct MapSpec {
     Words words{};  ///< of the furniture; the texts above are in its language already
 };
 
-/// Returns the turn with which the longer principal axis of the flow's cells lies level, or `upright`, none: whichever is
-/// nearer; grid north as far up as possible. In whole degrees.
+/// Returns the turn with which the longer principal axis of the flow's cells lies level, or `upright`, none: whichever
+/// is nearer; grid north as far up as possible. In whole degrees.
 MapTurn turn_along_content(const MapSpec& spec, std::optional<bool> upright);
 
 /// The scales at which a map's content fits its frame.
