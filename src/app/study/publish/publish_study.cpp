@@ -59,16 +59,12 @@ std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degr
         return matrix.degrees == other.degrees && matrix.periods == other.periods;
     };
     const bool is_of_scheme = scheme->matrix && scheme->name != "custom" && is_same(*scheme->matrix);
-    const std::string source = is_of_scheme              ? scheme->source
-                               : is_same(DegreeMatrix{}) ? "BWW, BRP, BUWAL 1997"
-                                                         : "[degree], " + fs::path(input.reading.study.file).filename().string();
-    ClassMap map{"hazard_degree",
-                 "Degree of hazard",
-                 degree_classes(matrix),
-                 *scheme,
-                 source,
-                 k_degree_zones_file,
-                 intensity_limits(*scheme)};
+    const std::string source = is_of_scheme ? scheme->source
+                               : is_same(DegreeMatrix{})
+                                   ? "BWW, BRP, BUWAL 1997"
+                                   : "[degree], " + fs::path(input.reading.study.file).filename().string();
+    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   *scheme,
+                 source,          k_degree_zones_file, intensity_limits(*scheme)};
     return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
 }
 
