@@ -208,7 +208,10 @@ std::string scenario_line(const MapSource& source) {
 }
 
 void add_warnings(MapSource& source, const std::vector<Sentence>& warnings) {
-    const std::string line = warning_line(warnings, source.style.words);
+    // A small picture has no room for long sentences; a sheet of paper has.
+    const double letters = static_cast<double>(source.style.size.width) * source.style.size.height / 4000;
+    const std::string line =
+        warning_line(warnings, source.style.words, static_cast<std::size_t>(std::clamp(letters, 40.0, 480.0)));
     if (line.empty()) return;
     const std::string scenario = scenario_line(source);
     source.scenario = scenario + (scenario.ends_with('.') ? "  " : ".  ") + line;

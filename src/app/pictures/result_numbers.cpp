@@ -176,11 +176,10 @@ std::vector<Sentence> warnings_in(const Json& summary) {
     return warnings;
 }
 
-std::string warning_line(const std::vector<Sentence>& warnings, const Words& words) {
-    constexpr std::size_t k_longest = 480;  // letters: the sentences of most runs are whole
+std::string warning_line(const std::vector<Sentence>& warnings, const Words& words, std::size_t longest) {
     if (warnings.empty()) return "";
     std::string first = valid_utf8(warnings.front().in(words));
-    if (const std::string begin = elided(first, k_longest); begin != first)  // at a space
+    if (const std::string begin = elided(first, longest); begin != first)  // at a space
         first = begin.substr(0, begin.rfind(' ')) + " \u2026";
     if (warnings.size() == 1) return words("Warning:") + " " + first;
     return words("{1} warnings (see {2}), the first: {3}", {std::to_string(warnings.size()), k_summary_file, first});

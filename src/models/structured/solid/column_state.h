@@ -50,6 +50,7 @@ struct ParticleLoad {
     double lost = 0;        ///< what that takes off beyond the cohesion [Pa]
     double held = 0;        ///< fraction of the initial confined fluid and structured solids that strength holds
     double structured = 0;  ///< f_sc
+    double kept = 0;        ///< confined fluid that remains [m]
     double load = 0;        ///< N, excess pore pressure included: that of the stress inside [Pa]
     double bearing = 0;     ///< N without it: that of friction at the bed [Pa]
     double borne = 0;       ///< mean vertical pressure that strength bears [Pa]
@@ -137,9 +138,22 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
     s.mass = grain_density * solids + laws.basal.fluid_density * confined;
     s.held = held_fraction(ratio, DruckerPrager::of(friction, s.cohesion).uniaxial(),
                            laws.basal.gravity * s.mass * inverse_area);
+    double kept = confined;
+    if constexpr (Kind::pressed && Kind::wet && Kind::cohesive)
+        if (const double start = particles[Field::confined_start][p]; start > 0) {
+            // Strength returns where excess pressure becomes hydrostatic; structure that has let its water go does not.
+            s.held = std::min(s.held, confined / start);
+            kept = std::min(kept, start * s.held);
+        }
     s.structured = laws.initial_structured * s.held;
+    // The grid's submergence is of all pores, and of water that is on the grid: those of structured solids have
+    // confined fluid, and what is released in this step is in the loose solids' already.
+    if constexpr (Kind::pressed && Kind::wet)
+        if (const double pores = (1 - s.structured) * particles[Field::pores][p]; pores > 0)
+            submerged = std::min(1.0, (submerged * particles[Field::pores][p] + confined - kept) / pores);
+    s.kept = kept * inverse_area;
     s.depth = (solids + confined) * inverse_area;
-    s.load = laws.basal({solids * inverse_area, confined * inverse_area, s.structured, submerged}, grain_density);
+    s.load = laws.basal({solids * inverse_area, s.kept, s.structured, submerged}, grain_density);
     s.bearing = s.load;
     if constexpr (Kind::pressed) {
         s.lost = std::min(s.lost, 0.5 * friction * s.load);

@@ -25,15 +25,14 @@ void advance_pore_pressure(ParticleRun run, double dt, const SolidLaws& laws, co
         const Saturated whole = Saturated::of<Kind>(laws, particles, p);
         double hydrostatic = 0;
         if constexpr (Kind::wet) {
-            const Column full{particles[Field::volume][p] / area[p], particles[Field::confined][p] / area[p],
-                              particle_load<Kind>(laws, particles, p).structured, 1};
+            const ParticleLoad load = particle_load<Kind>(laws, particles, p);
+            const Column full{particles[Field::volume][p] / area[p], load.kept, load.structured, 1};
             if (particles[Field::pores][p] > 0)
                 hydrostatic = 1 - laws.basal(full, particles[Field::grain_density][p]) /
                                       (laws.basal.gravity * whole.density * whole.depth);
         }
         double &ratio = particles[Field::pore_pressure][p], &before = particles[Field::hydrostatic][p];
-        const double risen = hydrostatic - before;
-        ratio = risen > 0 && ratio >= before ? std::max(ratio, hydrostatic) : ratio + risen;
+        ratio = ratio > before ? std::max(ratio, hydrostatic) : ratio + hydrostatic - before;
         before = hydrostatic;
         if (!(dt > 0)) continue;
         PorePressure law = laws.pores;
