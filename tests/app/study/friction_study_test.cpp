@@ -59,7 +59,8 @@ TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
     write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
     ASSERT_EQ(frana({"ensemble", "union.ini", "--out", "union", "--quiet"}).exit_code, 0);
     EXPECT_EQ(metadata_of(path("union/mu.tif")).at("FRICTION_OF"), "largest source");
-    EXPECT_NE(read_text(path("union/report.html")).find("Friction of the source with the largest area"), std::string::npos);
+    EXPECT_NE(read_text(path("union/report.html")).find("Friction of the source with the largest area"),
+              std::string::npos);
 }
 
 }  // namespace
