@@ -177,7 +177,9 @@ std::vector<Sentence> warnings_in(const Json& summary) {
 }
 
 std::string warning_line(const std::vector<Sentence>& warnings, const Words& words, std::size_t longest) {
+    constexpr std::size_t k_least = 100;  // letters of a sentence that still says something
     if (warnings.empty()) return "";
+    if (longest < k_least) return words("Warning:") + " " + k_summary_file;
     std::string first = valid_utf8(warnings.front().in(words));
     if (const std::string begin = elided(first, longest); begin != first)  // at a space
         first = begin.substr(0, begin.rfind(' ')) + " \u2026";
