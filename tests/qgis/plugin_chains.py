@@ -68,7 +68,7 @@ def test_outputs_of_one_run():
     check_outputs("compare", compared)
     raster = run("compare", {"RASTER": first["MAX_DEPTH"], "OBSERVED": SCAR, "OUTPUT": os.path.join(folder, "raster")})
     check_outputs("compare", raster, {"RUNOUT_DIFFERENCE_M"})  # a raster alone has no path
-    pages = run("render", {"RESULT": first["OUTPUT"], "MAPS": "max_depth, max_velocity", "SIZE": "800x600",
+    pages = run("render", {"RESULT": first["OUTPUT"], "MAPS": "max_depth, max_velocity", "SIZE": "640x480",
                            "FORMATS": ["png", "pdf"], "OUTPUT": os.path.join(folder, "drawn")})
     check_outputs("render", pages, {"ANIMATION"})
     assert pages["COUNT"] == 4 and all(os.path.isfile(path) for path in pages["FILES"].split("\n")), pages

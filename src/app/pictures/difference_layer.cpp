@@ -229,8 +229,9 @@ DifferenceMap difference_map(const ResultReader& first, const ResultReader& seco
     layer.notes = {words.labelled("A", name_of_a), words.labelled("B", name_of_b), words("A minus B"),
                    both ? words("where both came") : words("0 where one did not come")};
     add_second(map.source, other, all);
-    const std::string of_a = words.labelled("A", map.source.scenario);
-    map.source.scenario = of_a + (of_a.ends_with('.') ? "  " : ".  ") + words.labelled("B", other.scenario);
+    map.source.scenario =
+        sentences(words.labelled("A", scenario_line(map.source)), words.labelled("B", scenario_line(other)));
+    map.source.warnings.clear();
     constexpr Rgb k_release_of_second{120, 60, 0};
     if (!other.release.empty() && !same_outline(other.release, map.source.release))
         map.source.marks.push_back({words("Release of B"), other.release, k_release_of_second, 2, true});

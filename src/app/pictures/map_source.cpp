@@ -204,17 +204,15 @@ std::string date_on_maps(const std::optional<std::string>& chosen, const std::st
 }
 
 std::string scenario_line(const MapSource& source) {
-    return source.scenario.empty() ? source.subtitle : source.scenario;
-}
-
-void add_warnings(MapSource& source, const std::vector<Sentence>& warnings) {
     // A small picture has no room for long sentences; a sheet of paper has.
     const double letters = static_cast<double>(source.style.size.width) * source.style.size.height / 4000;
-    const std::string line =
-        warning_line(warnings, source.style.words, static_cast<std::size_t>(std::clamp(letters, 40.0, 480.0)));
-    if (line.empty()) return;
-    const std::string scenario = scenario_line(source);
-    source.scenario = scenario + (scenario.ends_with('.') ? "  " : ".  ") + line;
+    return sentences(
+        source.scenario.empty() ? source.subtitle : source.scenario,
+        warning_line(source.warnings, source.style.words, static_cast<std::size_t>(std::clamp(letters, 40.0, 480.0))));
+}
+
+std::string sentences(const std::string& first, const std::string& second) {
+    return first.empty() || second.empty() ? first + second : first + (first.ends_with('.') ? "  " : ".  ") + second;
 }
 
 std::vector<std::string> block_lines(const MapStyle& style) {

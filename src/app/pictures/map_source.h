@@ -57,6 +57,7 @@ struct MapSource {
     std::string title;               ///< the scene's name
     std::string subtitle;            ///< model, scheme, simulated time
     std::string scenario;            ///< in its place on maps and views; empty: the subtitle
+    std::vector<Sentence> warnings;  ///< of the run: maps are passed on without the log
     std::string terrain_source;      ///< of the elevations; empty: unknown
     std::vector<std::string> notes;  ///< values beside the map
     std::string crs_label;
@@ -77,10 +78,10 @@ struct MapSource {
 /// Returns the date on maps: as chosen ("none": no date), else that of the run.
 std::string date_on_maps(const std::optional<std::string>& chosen, const std::string& of_run);
 
-/// Returns the scenario; if it is not known, the subtitle.
+/// Returns the scenario; if it is not known, the subtitle. Then the warnings, as far as the page has room.
 std::string scenario_line(const MapSource& source);
-/// Adds what a run warned of to the scenario: maps are passed on without the log.
-void add_warnings(MapSource& source, const std::vector<Sentence>& warnings);
+/// "A.  B"
+std::string sentences(const std::string& first, const std::string& second);
 /// Returns organisation, author and date, those that are known.
 std::vector<std::string> block_lines(const MapStyle& style);
 /// Returns the parts joined as at the foot of a page, without empty ones.

@@ -34,7 +34,7 @@ MapSource map_source(const ResultReader& written, const PictureRequest& request)
     MapSource source = written.map_source(request.statistics);
     if (!request.date.empty()) source.style.date = date_on_maps(request.spec.output.map_date, request.date);
     source.title = title_of(request.spec);  // the folder does not have its name yet
-    add_warnings(source, request.warnings);
+    if (!request.warnings.empty()) source.warnings = request.warnings;
     return source;
 }
 
