@@ -11,13 +11,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -341,16 +339,10 @@ GdalDataset in_memory(const PicturePixels& picture, const std::string& path, con
     return dataset;
 }
 
-/// Map coordinates of a point of a page on which the map is turned; exactly the same if it is not.
-Point unturned(Point page, double turn_deg) {
-    const double angle = turn_deg * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
-    return {page.x * c - page.y * s, page.y * c + page.x * s};
-}
-
-void set_place(GDALDatasetH dataset, const Bounds& box, const std::string& crs_wkt, double turn_deg) {
-    const Point corner = unturned({box.west, box.north}, turn_deg),
-                right = unturned({box.width() / GDALGetRasterXSize(dataset), 0}, turn_deg),
-                down = unturned({0, -box.height() / GDALGetRasterYSize(dataset)}, turn_deg);
+void set_place(GDALDatasetH dataset, const Bounds& box, const std::string& crs_wkt, const MapTurn& turn) {
+    const Point corner = turn.map({box.west, box.north}),
+                right = turn.map({box.width() / GDALGetRasterXSize(dataset), 0}),
+                down = turn.map({0, -box.height() / GDALGetRasterYSize(dataset)});
     std::array<double, 6> geo{corner.x, right.x, down.x, corner.y, right.y, down.y};
     GDALSetGeoTransform(dataset, geo.data());
     if (crs_wkt.empty()) return;
@@ -374,11 +366,12 @@ void write(const std::string& path, GDALDatasetH dataset, const char* driver, co
     memory.write_to_disk(path, Sync::no);
 }
 
-std::string neat_line(const Bounds& map, double turn_deg) {
+std::string neat_line(const Bounds& map, const MapTurn& turn) {
     std::string text;
-    for (const Point page : {Point{map.west, map.north}, Point{map.east, map.north}, Point{map.east, map.south},
-                             Point{map.west, map.south}, Point{map.west, map.north}}) {
-        const Point corner = unturned(page, turn_deg);
+    Ring ring = corners(map);
+    ring.push_back(ring.front());
+    for (const Point page : ring) {
+        const Point corner = turn.map(page);
         std::array<char, 64> pair{};
         std::snprintf(pair.data(), pair.size(), "%.3f %.3f", corner.x, corner.y);
         text += (text.empty() ? "" : ",") + std::string(pair.data());
@@ -390,10 +383,10 @@ std::string neat_line(const Bounds& map, double turn_deg) {
 
 void write_picture_geotiff(const std::string& path, const PicturePixels& picture, const Bounds& box,
                            const std::string& crs_wkt, const std::map<std::string, std::string>& metadata,
-                           double turn_deg) {
+                           const MapTurn& turn) {
     const GdalSession session;
     const GdalDataset dataset = in_memory(picture, path, session);
-    set_place(dataset.get(), box, crs_wkt, turn_deg);
+    set_place(dataset.get(), box, crs_wkt, turn);
     for (const auto& [key, value] : metadata)
         GDALSetMetadataItem(dataset.get(), key.c_str(), valid_utf8(value).c_str(), nullptr);
     CPLStringList options;
@@ -430,8 +423,8 @@ void write_pdf(const std::string& path, const std::string& bytes, const std::opt
         const ThreadOption encoding("GDAL_PDF_GEO_ENCODING", "ISO32000");
         const GdalDataset page(GDALOpenEx(copy.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
         if (!page) session.refuse_written("the picture", path);
-        set_place(page.get(), place->page, place->crs_wkt, place->turn_deg);
-        GDALSetMetadataItem(page.get(), "NEATLINE", neat_line(place->map, place->turn_deg).c_str(), nullptr);
+        set_place(page.get(), place->page, place->crs_wkt, place->turn);
+        GDALSetMetadataItem(page.get(), "NEATLINE", neat_line(place->map, place->turn).c_str(), nullptr);
     }
     if (session.failed()) session.refuse_written("the picture", path);
     memory.write_to_disk(path, Sync::no);

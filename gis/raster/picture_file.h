@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/grid_spec.h"
+#include "core/geometry.h"
 
 namespace frana::gis {
 
@@ -57,18 +57,17 @@ struct PicturePixels {
 
 /// The position of a map on the ground.
 struct PicturePlace {
-    Bounds page;  ///< of the whole page, margins included, in map coordinates if it is not turned
+    Bounds page;  ///< of the whole page, margins included, in coordinates of the page (MapTurn)
     Bounds map;   ///< inside the map's frame
     std::string crs_wkt;
-    double turn_deg = 0;  ///< of the map on its page, about the origin: grid north clockwise from straight up
+    MapTurn turn{};
 };
 
 /// Writes a cloud-optimised GeoTIFF of three bytes per pixel with its position. Written aside and renamed. Throws
 /// Error(environment).
-/// @param turn_deg of `box`, as in PicturePlace
 void write_picture_geotiff(const std::string& path, const PicturePixels& picture, const Bounds& box,
                            const std::string& crs_wkt, const std::map<std::string, std::string>& metadata,
-                           double turn_deg = 0);
+                           const MapTurn& turn = {});
 
 /// Returns whether a file is a map written by write_picture_geotiff.
 bool is_drawn_geotiff(const std::string& path);

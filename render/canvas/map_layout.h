@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,23 +23,6 @@ struct PageBox {
     [[nodiscard]] bool inside(const PageBox& other) const noexcept {
         return left >= other.left && right <= other.right && top >= other.top && bottom <= other.bottom;
     }
-};
-
-/// A map turned on its page. Coordinates of the page are metres to the right and upwards; not turned they are those of
-/// the map.
-struct MapTurn {
-    double deg = 0;  ///< direction of grid north, clockwise from straight up on the page
-    double c = 1, s = 0;
-
-    MapTurn() = default;
-    explicit MapTurn(double degrees)
-        : deg(degrees),
-          c(degrees == 0 ? 1 : std::cos(degrees * std::numbers::pi / 180)),
-          s(degrees == 0 ? 0 : std::sin(degrees * std::numbers::pi / 180)) {}
-    [[nodiscard]] Point page(Point map) const { return {map.x * c + map.y * s, map.y * c - map.x * s}; }
-    [[nodiscard]] Point map(Point page) const { return {page.x * c - page.y * s, page.y * c + page.x * s}; }
-    /// Whether eastings vary more than northings along a level line of the page.
-    [[nodiscard]] bool east_is_level() const { return std::fabs(c) >= std::fabs(s); }
 };
 
 /// A piece of text and the pixels that its ink covers.

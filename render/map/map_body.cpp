@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "render/canvas/image.h"
@@ -13,15 +13,9 @@
 namespace frana::render {
 
 Bounds MapFrame::ground_bounds() const {
-    std::optional<Bounds> all;
-    for (const double x : {window.west, window.east})
-        for (const double y : {window.south, window.north}) {
-            const Point p = turn.map({x, y});
-            if (!all) all = Bounds{p.x, p.y, p.x, p.y};
-            *all = {std::min(all->west, p.x), std::min(all->south, p.y), std::max(all->east, p.x),
-                    std::max(all->north, p.y)};
-        }
-    return *all;
+    Ring ring = corners(window);
+    for (Point& corner : ring) corner = turn.map(corner);
+    return bounds(MultiPolygon{{std::move(ring), {}}});
 }
 
 ReliefTones::ReliefTones(const Raster& shade) {

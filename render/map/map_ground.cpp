@@ -143,21 +143,13 @@ const GridSpec& map_grid(const MapSpec& spec) {
 }
 
 /// The least box in coordinates of the page.
-std::optional<Bounds> box_of(const std::vector<Point>& points, const MapTurn& turn) {
-    std::optional<Bounds> box;
-    for (const Point map : points) {
-        const Point p = turn.page(map);
-        include(box, {p.x, p.y, p.x, p.y});
-    }
-    return box;
-}
-
-std::vector<Point> corners(const Bounds& box) {
-    return {{box.west, box.south}, {box.east, box.south}, {box.east, box.north}, {box.west, box.north}};
+Bounds box_of(Ring points, const MapTurn& turn) {
+    for (Point& p : points) p = turn.page(p);
+    return bounds(MultiPolygon{{std::move(points), {}}});
 }
 
 /// Corners of the first and the last cell with a value of each row.
-void add_ends(const Raster& raster, std::vector<Point>& points) {
+void add_ends(const Raster& raster, Ring& points) {
     const GridSpec& grid = raster.grid;
     std::map<std::int64_t, std::pair<std::int64_t, std::int64_t>> ends;
     raster.values.for_each_stored([&](std::size_t cell, double value) {
@@ -176,8 +168,8 @@ void add_ends(const Raster& raster, std::vector<Point>& points) {
 }
 
 /// The flow and the outlines: points that together lie as far out as they do. Empty without either.
-std::vector<Point> content_points(const MapSpec& spec) {
-    std::vector<Point> points;
+Ring content_points(const MapSpec& spec) {
+    Ring points;
     for (const Raster* raster : {spec.extent, spec.layer}) {
         if (raster == nullptr || (raster == spec.layer && !spec.layer_frames_map)) continue;
         add_ends(*raster, points);
@@ -190,7 +182,10 @@ std::vector<Point> content_points(const MapSpec& spec) {
 
 /// The flow and the outlines in coordinates of the page; none without either.
 std::optional<Bounds> content(const MapSpec& spec) {
-    if (spec.turn.deg != 0) return box_of(content_points(spec), spec.turn);
+    if (spec.turn.deg != 0) {
+        const Ring points = content_points(spec);
+        return points.empty() ? std::nullopt : std::optional(box_of(points, spec.turn));
+    }
     std::optional<Bounds> shown;
     for (const Raster* raster : {spec.extent, spec.layer}) {
         if (raster == nullptr || (raster == spec.layer && !spec.layer_frames_map)) continue;
@@ -228,7 +223,7 @@ MapTurn turn_along_content(const MapSpec& spec, std::optional<bool> upright) {
 }
 
 Bounds required_window(const MapSpec& spec) {
-    const auto turned = [&](const Bounds& box) { return *box_of(corners(box), spec.turn); };
+    const auto turned = [&](const Bounds& box) { return box_of(corners(box), spec.turn); };
     if (spec.window) return turned(*spec.window);
     if (const auto shown = content(spec)) return *shown;
     return turned(spec.terrain != nullptr ? spec.terrain->grid.bounds() : map_grid(spec).bounds());

@@ -23,8 +23,8 @@ void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, 
 void draw_place(Sheet& sheet, const PageStyle& style, Point at, Rgb colour);
 
 /// Draws coordinates: ticks and labels along the frame's lower and left side, of each the coordinate that varies more
-/// along it; small crosses inside. The caller draws
-/// the frame itself. `projected`: eastings and northings, otherwise plain metres.
+/// along it; small crosses inside. The caller draws the frame itself. `projected`: eastings and northings, otherwise
+/// plain metres.
 void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected, const Words& words);
 
 /// Width of the band beside the frame for ticks and their labels [px].
@@ -42,8 +42,8 @@ struct RoundPlace {
 std::vector<RoundPlace> round_places(const std::function<double(double)>& at, double step);
 
 /// Draws longitudes along the upper and latitudes along the right side of the frame, on a map turned by more than 45
-/// degrees the other way round: ticks and labels at round degrees,
-/// minutes or seconds, placed by the projection. Nothing if the window has no longitude.
+/// degrees the other way round: ticks and labels at round degrees, minutes or seconds, placed by the projection.
+/// Nothing if the window has no longitude.
 void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
                     const std::function<Point(Point)>& longitude_latitude, const Words& words);
 

@@ -48,10 +48,8 @@ Image draw_inset(Sheet& sheet, const PageStyle& style, const MapFrame& inset, co
     Image picture(inset.width, inset.height, k_no_terrain);
     paint_relief(picture, inset.alone(), terrain);
     const PageBox box = inset.box();
-    const Bounds& window = map.window;
     Polyline shown;
-    for (const Point corner : {Point{window.west, window.south}, Point{window.east, window.south},
-                               Point{window.east, window.north}, Point{window.west, window.north}}) {
+    for (const Point corner : corners(map.window)) {
         const Point p = inset.page(map.turn.map(corner));
         shown.push_back({std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)});
     }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,27 @@ MultiPolygon moved(MultiPolygon polygons, const Move& move) {
     return polygons;
 }
 
+/// A map turned on its page. Coordinates of the page are metres to the right and upwards; not turned they are those of
+/// the map.
+struct MapTurn {
+    double deg = 0;  ///< direction of grid north, clockwise from straight up on the page
+    double c = 1, s = 0;
+
+    MapTurn() = default;
+    explicit MapTurn(double degrees)
+        : deg(degrees),
+          c(degrees == 0 ? 1 : std::cos(degrees * std::numbers::pi / 180)),
+          s(degrees == 0 ? 0 : std::sin(degrees * std::numbers::pi / 180)) {}
+    [[nodiscard]] Point page(Point map) const { return {map.x * c + map.y * s, map.y * c - map.x * s}; }
+    [[nodiscard]] Point map(Point page) const { return {page.x * c - page.y * s, page.y * c + page.x * s}; }
+    /// Whether eastings vary more than northings along a level line of the page.
+    [[nodiscard]] bool east_is_level() const { return std::fabs(c) >= std::fabs(s); }
+};
+
+/// Returns the corners of a box, from the south-western one to the east.
+inline Ring corners(const Bounds& box) {
+    return {{box.west, box.south}, {box.east, box.south}, {box.east, box.north}, {box.west, box.north}};
+}
 /// Returns the smallest rectangle around all outer rings; all zero if there is none.
 Bounds bounds(const MultiPolygon& polygons);
 

@@ -395,8 +395,8 @@ void add_scene(py::module_& module) {
             },
             "key"_a, "values"_a,
             "Sets a key of [zones], such as \"zones.friction-angle\" [degrees], or of the structured model's solids, "
-            "such "
-            "as \"structured.cohesion\" [Pa], or \"structured.initial-fluid-depth\" [m], by place: array of float64, "
+            "such as \"structured.cohesion\" [Pa], or \"structured.initial-fluid-depth\" [m], by place: array of "
+            "float64, "
             "rows x columns; NaN: the material's own value. Not copied.")
         .def(
             "set_walls",

@@ -158,11 +158,10 @@ SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
 
 /// Extremes over all materials of a scene.
 struct Extremes {
-    double cohesion = 0;        ///< [Pa]
-    double strain = 0;          ///< elastic, at the uniaxial strength [-]
-    double steepest_bed = 0;    ///< greatest bed friction, as an angle [degrees]
-    double bed_over_own = 0;    ///< by how much it exceeds the material's own at most [degrees]
-    double solid_fraction = 0;  ///< greatest
+    double cohesion = 0;      ///< [Pa]
+    double strain = 0;        ///< elastic, at the uniaxial strength [-]
+    double steepest_bed = 0;  ///< greatest bed friction, as an angle [degrees]
+    double bed_over_own = 0;  ///< by how much it exceeds the material's own at most [degrees]
     double least_solid_fraction = 1;
 
     explicit Extremes(const StructuredMaterial& m) {
@@ -171,7 +170,6 @@ struct Extremes {
             cohesion = std::max(cohesion, solid.cohesion);
             steepest_bed = std::max(steepest_bed, degrees(solid.bed_friction));
             bed_over_own = std::max(bed_over_own, degrees(solid.bed_friction) - degrees(solid.friction));
-            solid_fraction = std::max(solid_fraction, solid.solid_fraction);
             least_solid_fraction = std::min(least_solid_fraction, solid.solid_fraction);
             if (solid.cohesion > 0 && solid.friction >= 0)
                 strain = std::max(strain, structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial() *
@@ -223,10 +221,11 @@ std::vector<Sentence> structured_warnings(const StructuredMaterial& m, double th
     const double least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * cell_size;
     if (thickness > 0 && thickness < least)
         warnings.push_back(worded(
-            "the release is at most {1} m thick, less than 0.81 tan({2} degrees) times the cell size, {3} m: its edges "
+            "the release is at most {1} m thick, less than {5} tan({2} degrees) times the cell size, {3} m: its edges "
             "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
             {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
-             numeral(number_text(least, 3)), number_text(0.5 * thickness / least * cell_size, 2)}));
+             numeral(number_text(least, 3)), number_text(0.5 * thickness / least * cell_size, 2),
+             numeral(number_text(k_edge, 2))}));
     const double shortest = k_least_length * cell_size, longest = k_greatest_default * cell_size;
     if (const double wanted = k_of_thickness * thickness;
         thickness > 0 && e.cohesion > 0 && !m.damage_length && (wanted < shortest || wanted > longest))
@@ -352,11 +351,6 @@ Sentence ground_sentence(const GroundStatistics& ground) {
                   {numeral(number_text(ground.lowest, 5)), numeral(number_text(ground.highest, 5)),
                    numeral(number_text(ground.mean_slope_deg, 2)), numeral(number_text(ground.steepest_slope_deg, 2))});
 }
-
-const char* const k_held_remedy = worded(
-    "Elevations that are too low for their eastings look like this, as metres that were converted as if they were "
-    "feet: "
-    "check the elevations above against a map, and the friction");
 
 std::vector<Sentence> release_ground_warnings(const GroundStatistics& ground, double friction,
                                               const Sentence& held_remedy) {

@@ -55,7 +55,10 @@ Sentence ground_sentence(const GroundStatistics& ground);
 double sure_friction(const SceneSpec& scene);
 
 /// What to do where a release is held and its elevations are in metres.
-extern const char* const k_held_remedy;
+inline constexpr const char* k_held_remedy = worded(
+    "Elevations that are too low for their eastings look like this, as metres that were converted as if they were "
+    "feet: "
+    "check the elevations above against a map, and the friction");
 
 /// Returns what is doubtful of the ground under a release: nearly vertical or flat, as in nature only where elevations
 /// are in another unit than eastings or the layers do not belong together; or nowhere as steep as the slope up to which

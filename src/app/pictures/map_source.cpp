@@ -301,8 +301,7 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     spec.longitude_latitude = source.longitude_latitude;
     const Size& wanted = source.style.size;
     const auto upright = wanted.turns ? std::nullopt : std::optional(wanted.height > wanted.width);
-    spec.turn =
-        source.style.turn_deg ? render::MapTurn(*source.style.turn_deg) : render::turn_along_content(spec, upright);
+    spec.turn = source.style.turn_deg ? MapTurn(*source.style.turn_deg) : render::turn_along_content(spec, upright);
     const Bounds shown = render::required_window(spec);
     const Size size = size_for_ground(source.style.size, shown.width(), shown.height());
     spec.width = size.width;
@@ -387,12 +386,12 @@ std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std:
     PageFiles writer(page, spec.title, source_.style.size.dots_per_inch);
     for (const std::string& file : files) {
         if (!file.ends_with(".tif")) {
-            writer.write(file, gis::PicturePlace{ground_of_page(layout), layout.window, crs, layout.turn.deg});
+            writer.write(file, gis::PicturePlace{ground_of_page(layout), layout.window, crs, layout.turn});
         } else {
             const render::Image face = face_of(writer.pixels(), layout.map);
             gis::write_picture_geotiff(
                 file, pixels(face), layout.window, crs,
-                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}}, layout.turn.deg);
+                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}}, layout.turn);
         }
     }
     return files;

@@ -193,16 +193,6 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     });
 }
 
-/// What the result itself tells comes first: a page may have room for the first sentence only.
-std::vector<Sentence> ordered_warnings(const RunLog& log, const RunResult& result, const Scene& scene) {
-    const std::vector<Sentence> of_result = result_warnings(result, scene);
-    std::vector<Sentence> all = log.warnings();
-    std::stable_partition(all.begin(), all.end(), [&](const Sentence& one) {
-        return std::find(of_result.begin(), of_result.end(), one) != of_result.end();
-    });
-    return all;
-}
-
 /// Writes a result on the cells that its rasters have.
 PictureOutcome publish_rest(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     const Stopwatch output_watch;
@@ -247,17 +237,15 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
-    const PictureOutcome pictures =
-        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date,
-                       ordered_warnings(log, result, prepared.scene)},
-                      log);
+    const PictureOutcome pictures = draw_pictures(
+        {prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date, log.warnings()}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
     facts.wall.engine = result.engine_seconds;
     facts.wall.total = run.earlier_seconds + run.since_start.seconds();
     facts.peak_memory_bytes = peak_memory_bytes();
-    facts.warnings = ordered_warnings(log, result, prepared.scene);
+    facts.warnings = log.warnings();
     facts.data_identity = data_identity(prepared);
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
     if (prepared.spec.output.report) {
@@ -283,7 +271,8 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
-    log.warn_all(result_warnings(result, prepared.scene));
+    // A page may have room for the first sentence only.
+    log.warn_first(result_warnings(result, prepared.scene));
 }
 
 void warn_without_pages(const Prepared& prepared, const RunResult& result, RunLog& log) {

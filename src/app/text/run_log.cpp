@@ -25,9 +25,9 @@ void RunLog::warn(const Sentence& warning) {
     tell(warning);
 }
 
-void RunLog::warn_first(const Sentence& warning) {
-    warnings_.insert(warnings_.begin(), warning);
-    tell(warning);
+void RunLog::warn_first(const std::vector<Sentence>& warnings) {
+    warnings_.insert(warnings_.begin(), warnings.begin(), warnings.end());
+    for (const Sentence& warning : warnings) tell(warning);
 }
 
 void RunLog::warn_of(const Sentence& thing, const std::vector<Sentence>& warnings) {

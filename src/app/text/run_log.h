@@ -22,7 +22,7 @@ class RunLog {
         for (const Sentence& warning : warnings) warn(warning);
     }
     /// The same for what must be read before all other warnings, although it was found after some of them.
-    void warn_first(const Sentence& warning);
+    void warn_first(const std::vector<Sentence>& warnings);
     /// Logs such facts about one thing: "DTM: ...".
     void warn_of(const Sentence& thing, const std::vector<Sentence>& warnings);
     /// Writes a line to the terminal and the log.

@@ -474,7 +474,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const std::vector<RunOfStudy> all = runs_of(runs);
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
-    if (troubles.any()) log.warn_first(headline(troubles));
+    if (troubles.any()) log.warn_first({headline(troubles)});
     if (troubles.open > 0)
         log.warn(
             worded("The scores of runs that were cut, held or left the ground are those of unfinished flows, and so "

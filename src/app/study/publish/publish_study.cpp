@@ -301,16 +301,17 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
              percent(facts.error.largest()) + " at most, " + percent(facts.error.mean()) +
              " on average where it is not 0; where all or none came, up to " + percent(facts.least_margin) +
              " away are still likely (95 %)");
-    if (const auto& rare = facts.rare_place)
+    if (const auto& rare = facts.rare_place) {
         log.info(rare->event.gauge + " is deeper than " + shortest_text(rare->event.threshold) +
                  " m with a probability of " + number_text(rare->probability.value, 3) +
                  " (95 %: " + number_text(rare->probability.low(), 2) + " to " +
                  number_text(rare->probability.high(), 2) + "); " + std::to_string(rare->hits) + " members came there");
-    if (const auto& rare = facts.rare_place; rare && rare->hits < k_least_hits)
-        log.warn(
-            worded("Only {1} of {2} members came to {3}: its probability and the interval may be far too low. Raise "
-                   "study.samples",
-                   {std::to_string(rare->hits), std::to_string(result.finished_at.size()), rare->event.gauge}));
+        if (rare->hits < k_least_hits)
+            log.warn(
+                worded("Only {1} of {2} members came to {3}: its probability and the interval may be far too low. "
+                       "Raise study.samples",
+                       {std::to_string(rare->hits), std::to_string(result.finished_at.size()), rare->event.gauge}));
+    }
     for (const StudyFacts::EmulatedMap& one : facts.emulated)
         log.note(one.raster +
                  (one.is_used ? ": with polynomials of the keys beside the members, standard error "
@@ -380,7 +381,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     facts.troubles = troubles_of(runs, is_region);
     facts.troubles.on_levels = !input.levels.empty();
     outcome.has_troubles = facts.troubles.any();
-    if (facts.troubles.any()) log.warn_first(headline(facts.troubles));
+    if (facts.troubles.any()) log.warn_first({headline(facts.troubles)});
     outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
     for (const Sentence& kind : kinds_of_warnings(runs, log.warnings())) log.warn(kind);
     const StudySpec echoed = seen_from(input.reading.study, directory.target());

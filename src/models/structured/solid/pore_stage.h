@@ -14,7 +14,8 @@ namespace frana::structured {
 /// Pore pressure of the solids over dt, by the law of the first model (PorePressure), each particle with its own
 /// hydrostatic ratio: that of the pressure that the load on the bed (BasalPressure) already counts when the pores are
 /// full, over the weight of the saturated solids. Where structure that breaks lets hydrostatic pressure reach the bed,
-/// it takes the place of excess pressure, so that no pressure counts twice; otherwise the excess stays. In a step of no
+/// it takes the place of excess pressure, so that no pressure counts twice and none is lost; what is not above it
+/// follows it. In a step of no
 /// length only that. Reads places, velocities, volumes, area, flatness, strength; writes pore_pressure, hydrostatic
 /// and, with dilatancy, solid_fraction.
 template <class Kind>
