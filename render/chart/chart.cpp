@@ -10,24 +10,29 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "render/canvas/furniture.h"
 #include "render/canvas/page.h"
 
 namespace frana::render {
 namespace {
 
-/// Names of series with a swatch before each, in as many rows as needed.
+/// Names of series with a swatch before each, in as many rows as needed: shortened until they fit.
 class ChartKey {
   public:
-    ChartKey(const Sheet& sheet, const TextStyle& letters, std::vector<const ChartSeries*> series, double width);
+    ChartKey(const Sheet& sheet, const TextStyle& letters, std::vector<const ChartSeries*> series, double width,
+             double most_height);
 
     [[nodiscard]] double height() const noexcept { return height_; }
     /// `corner`: the key's upper left one.
     void draw(Sheet& sheet, const PageStyle& style, Point corner) const;
 
   private:
+    void lay_out(const Sheet& sheet, double width, std::size_t most_letters);
+
     TextStyle letters_;
     std::vector<const ChartSeries*> series_;
+    std::vector<std::string> labels_;
     std::vector<Point> places_;
     double height_ = 0;
 };
@@ -115,13 +120,24 @@ void draw_markers(Sheet& sheet, const PageStyle& style, const ChartSeries& serie
         sheet.fill(corners_of(*series.marker, place, 1.2 + style.line(3.2)), series.colour);
 }
 
-ChartKey::ChartKey(const Sheet& sheet, const TextStyle& letters, std::vector<const ChartSeries*> series, double width)
+ChartKey::ChartKey(const Sheet& sheet, const TextStyle& letters, std::vector<const ChartSeries*> series, double width,
+                   double most_height)
     : letters_(letters), series_(std::move(series)) {
     std::erase_if(series_, [](const ChartSeries* one) { return one->label.empty(); });
-    const double letter = letters.size_px;
+    for (const std::size_t most_letters : {200, 24, 18, 14, 10, 7, 5, 3}) {
+        lay_out(sheet, width, most_letters);
+        if (height_ <= most_height) break;
+    }
+}
+
+void ChartKey::lay_out(const Sheet& sheet, double width, std::size_t most_letters) {
+    const double letter = letters_.size_px;
     double x = 0, y = 0;
+    labels_.clear();
+    places_.clear();
     for (const ChartSeries* one : series_) {
-        const double length = (k_swatch + k_gap) * letter + sheet.lettering().width(one->label, letters);
+        labels_.push_back(elided(one->label, most_letters));
+        const double length = (k_swatch + k_gap) * letter + sheet.lettering().width(labels_.back(), letters_);
         if (x > 0 && x + length > width) {
             x = 0;
             y += k_row * letter;
@@ -138,7 +154,7 @@ void ChartKey::draw(Sheet& sheet, const PageStyle& style, Point corner) const {
         const double x = corner.x + places_[i].x, y = corner.y + places_[i].y + letter / 2;
         draw_line(sheet, style, *series_[i], {{x, y}, {x + k_swatch * letter, y}});
         draw_markers(sheet, style, *series_[i], {{x + k_swatch * letter / 2, y}});
-        sheet.text(series_[i]->label, {x + (k_swatch + k_gap) * letter, y}, letters_, Across::left, Upright::middle);
+        sheet.text(labels_[i], {x + (k_swatch + k_gap) * letter, y}, letters_, Across::left, Upright::middle);
     }
 }
 
@@ -410,7 +426,7 @@ void draw_panel(Sheet& sheet, const PageStyle& style, const Chart& chart, const 
         sheet.text(panel.title, {left, cell.top + capital_height(style.heading)},
                    fitted(sheet, panel.title, style.heading, right - left), Across::left, Upright::baseline);
     const ChartKey key(sheet, style.small, chart.alike ? std::vector<const ChartSeries*>{} : series_of(panel),
-                       right - left);
+                       right - left, (cell.height() - above - below) / 2);
     const PageBox box{left, cell.top + above + key.height(), right, cell.bottom - below};
     draw_inside(sheet, style, panel, box, chart.words, layout);
     key.draw(sheet, style, {left, cell.top + above});
@@ -427,7 +443,7 @@ void draw_panel(Sheet& sheet, const PageStyle& style, const Chart& chart, const 
 /// Draws the names that equal panels share; returns the remaining area.
 PageBox draw_common_names(Sheet& sheet, const PageStyle& style, const Chart& chart, PageBox room) {
     const double letter = style.label.size_px;
-    const ChartKey key(sheet, style.label, kinds_of(chart), room.width());
+    const ChartKey key(sheet, style.label, kinds_of(chart), room.width(), room.height() / 3);
     key.draw(sheet, style, {room.left, room.top});
     const PageBox left{room.left + 1.4 * letter, room.top + key.height() + 0.6 * letter, room.right,
                        room.bottom - 1.4 * letter};

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -187,6 +188,17 @@ void FileAside::rename_into_place() {
         fail("a finished file cannot be renamed", reason);
     }
     done_ = true;
+}
+
+TemporaryFolder::TemporaryFolder() : path_((fs::temp_directory_path() / "franaXXXXXX").string()) {
+    if (::mkdtemp(path_.data()) == nullptr)
+        throw Error(ErrorKind::environment, Problem{std::string("no folder can be made: ") + std::strerror(errno),
+                                                    path_, "", "", "Name a folder that may be written by TMPDIR"});
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
 }
 
 void write_file(const std::string& path, std::string_view bytes, Sync sync) {

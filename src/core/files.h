@@ -51,6 +51,21 @@ struct FileInMaking {
 /// Returns nothing for a name not of that form.
 std::optional<FileInMaking> file_in_making(const std::string& name);
 
+/// A folder of a new name in the system's temporary folder, which only its owner may enter; it disappears with this.
+/// Throws Error(environment).
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+  private:
+    std::string path_;
+};
+
 enum class Sync { no, yes };
 
 /// Writes a whole file aside, checks that every byte was written, syncs it to the disk if requested, and renames it.

@@ -26,6 +26,9 @@ enum class ModuleScope { own, process };
 template <class Table>
 const Table& module_table(const std::string& name, ModuleScope scope = ModuleScope::own);
 
+/// Throws as module_table does if the module's file is missing or cut short, without loading it.
+void require_module(const std::string& name);
+
 /// What a module's only exported function returns.
 struct ModuleContent {
     const char* build;  ///< version and compiler of the program

@@ -100,7 +100,7 @@ void require_finite(const MixedShape& shape) {
 
 /// As frana run warns, in its order: of the run, the keys, the ground under the release, the ground under its path.
 std::vector<std::string> warnings_of(const RunResult& result, const EngineScene& prepared, const TraceFigures& trace) {
-    std::vector<std::string> all = texts_of(result_warnings(result, prepared.scene));
+    std::vector<std::string> all = texts_of(sentences_of(result.warnings));
     all.insert(all.end(), prepared.warnings.begin(), prepared.warnings.end());
     const auto add = [&](const std::vector<Sentence>& more) {
         for (const Sentence& warning : more) all.push_back(warning.text());

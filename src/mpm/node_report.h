@@ -18,12 +18,15 @@ struct NodeReport {
     double volume = 0;             ///< of all nodes [m3]
     double energy = 0;             ///< kinetic and potential, over density, at the present positions [m5/s2]
     double kinetic = 0;            ///< of which kinetic
+    double levelled = 0;           ///< of which the potential of a level surface above that of a flow along the bed
+    double sloping = 0;            ///< what it would have more if every surface were level
     double dissipated = 0;         ///< energy over density dissipated by friction and walls [m5/s2]
 
     template <class Archive>
     void serialise(Archive& archive) {
-        auto& [depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost] = *this;
-        archive(depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost);
+        auto& [depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, level, slope, lost] =
+            *this;
+        archive(depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, level, slope, lost);
     }
 
     void merge(const NodeReport& r) noexcept {
@@ -37,6 +40,8 @@ struct NodeReport {
         volume += r.volume;
         energy += r.energy;
         kinetic += r.kinetic;
+        levelled += r.levelled;
+        sloping += r.sloping;
         dissipated += r.dissipated;
     }
 };

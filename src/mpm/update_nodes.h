@@ -287,7 +287,7 @@ struct NodeSweep {
 
     const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
     Number max_depth = 0.0, max_speed = 0.0, moving = 0.0, thin = 0.0, volume = 0.0, energy = 0.0, kinetic = 0.0,
-           dissipated = 0.0;
+           levelled = 0.0, sloping = 0.0, dissipated = 0.0;
     typename L::Count covered{}, unsupported{}, moves{};
 
     /// `count` nodes from i on; those that are not `real` have no mass: only their results are ignored. `ghost`: none
@@ -326,8 +326,11 @@ struct NodeSweep {
         // The particles' own mean velocity: the new nodal velocity overshoots at nodes with almost no mass.
         const Number gathered = bed.speed(old);
         if (!ghost) {
-            const Number middle = 0.5 * mass * inverse_area * (in.ponding + (1 - in.ponding) / drive.n);
-            count_energy(real, mass, in.height + middle, bed, old, turned, driven, after);
+            const Number whole = 0.5 * mass * inverse_area, more = whole - whole / drive.n;
+            count_energy(real, mass, in.height + whole - (1 - in.ponding) * more, bed, old, turned, driven, after);
+            const Number weight = select(real, k.gravity * mass * more, zero);
+            levelled += in.ponding * weight;
+            sloping += (1 - in.ponding) * weight;
             moving += select(real & (gathered > k.moving_speed), mass, zero);
         }
         // However thin: tips fly first.
@@ -376,6 +379,8 @@ struct NodeSweep {
         r.volume = L::sum(volume);
         r.energy = L::sum(energy);
         r.kinetic = L::sum(kinetic);
+        r.levelled = L::sum(levelled);
+        r.sloping = L::sum(sloping);
         r.dissipated = L::sum(dissipated);
         return r;
     }

@@ -188,10 +188,12 @@ StepStatistics Flow::step(double dt_limit) {
     f.kinetic = report.particles.kinetic + report.aloft_kinetic;
     f.energy = report.nodes.energy;
     f.energy_moving = report.nodes.kinetic;
+    f.energy_levelled = report.nodes.levelled;
+    f.energy_sloping = report.nodes.sloping;
     f.energy_volume = report.nodes.volume;
     f.energy_dissipated = report.nodes.dissipated;
     f.moving = report.nodes.moving + report.aloft;
-    f.thin = report.nodes.thin;
+    if (report.nodes.volume > 0) f.thin_fraction = std::min(1.0, report.nodes.thin / report.nodes.volume);
     f.covered = report.nodes.covered;
     f.unsupported = report.nodes.unsupported;
     f.non_finite = report.particles.non_finite;
@@ -418,24 +420,6 @@ void Flow::add_to(RunResult& result) const {
         result.add("jump_height", jump_height());
         result.low_flights = low_flights();
     }
-    if (result.hard_events.non_finite == 0) add_claims_to(result);
-}
-
-void Flow::add_claims_to(RunResult& result) const {
-    const ParticleSet& particles = state_.particles;
-    const Raster depth = cell_depth(particles, grid_);
-    Raster claimed(grid_, 0);
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const Cell c = cell_of(grid_, {particles[Field::x][p], particles[Field::y][p]});
-        claimed.at(c.row, c.column) += particles[Field::area][p] / grid_.cell_area();
-    }
-    depth.values.for_each_stored([&](std::size_t cell, double deep) {
-        if (!(deep > k_claimed_depth)) return;
-        const double share = std::as_const(claimed).values[cell];
-        const auto place = static_cast<std::int64_t>(cell);
-        if (!result.most_claimed || share > result.most_claimed->share)
-            result.most_claimed = {share, deep, grid_.cell_centre(place / grid_.columns, place % grid_.columns)};
-    });
 }
 
 }  // namespace frana

@@ -142,7 +142,6 @@ class Flow final : public Model {
   private:
     void gather();
     [[nodiscard]] Raster bed_depth_raster(double ErodibleBed::*depth) const;
-    void add_claims_to(RunResult& result) const;
     // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
     template <class Visit>
     void for_each_reached_cell(const Visit& visit) const;

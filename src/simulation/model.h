@@ -34,10 +34,12 @@ struct StepStatistics {
     double energy = std::numeric_limits<double>::quiet_NaN();
     ///< kinetic and potential, over density, at the beginning of the step [m5/s2]; NaN: not known
     double energy_moving = 0;      ///< of which kinetic [m5/s2]
+    double energy_levelled = 0;    ///< of which the potential of a level surface above that of a flow along the bed
+    double energy_sloping = 0;     ///< what it would have more if every surface were level [m5/s2]
     double energy_volume = 0;      ///< of the volume to which it belongs [m3]
     double energy_dissipated = 0;  ///< by friction and walls in the step, over density [m5/s2]
     double moving = 0;             ///< volume faster than the run's moving speed, however thin [m3]
-    double thin = 0;               ///< volume thinner than the minimum depth [m3]
+    double thin_fraction = 0;      ///< of the volume at the beginning of the step, thinner than the minimum depth
     std::int64_t covered = 0;      ///< cells deeper than the minimum depth
     std::int64_t unsupported = 0;  ///< see RunResult::unsupported
     std::int64_t non_finite = 0;   ///< particles or cells with a non-finite state

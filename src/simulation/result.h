@@ -12,6 +12,7 @@
 #include "core/geometry.h"
 #include "core/point_table.h"
 #include "core/raster.h"
+#include "core/words/sentence.h"
 
 namespace frana {
 
@@ -206,14 +207,11 @@ struct PhaseBudget {
         0;  ///< between the velocities of both phases where both are, weighted by fluid, at the end [m/s]
 };
 
-/// Thinner cells claim more than they fill by design, since a film's particles are wide.
-inline constexpr double k_claimed_depth = 1;
-
-/// A cell and what its particles claim of it at the end.
-struct ClaimedCell {
-    double share = 0;  ///< sum of their areas over the cell's: about 1 where material lies as it should
-    double depth = 0;  ///< their volume over the cell's area [m]
-    Point place;       ///< its centre in map coordinates
+/// What a reader must know before relying on a result.
+struct RunWarning {
+    Sentence words;           ///< a pattern and its numbers; made a text of where it is shown
+    bool limits_use = false;  ///< changes how a map may be used (cut, left the ground, a lower bound): it stands on it
+    std::optional<Point> place{};  ///< map coordinates; none: of the result as a whole
 };
 
 /// The result of a run: rasters on the working grid (NaN where nothing ever flowed), series, counts.
@@ -268,12 +266,11 @@ struct RunResult {
     std::optional<Jumps> jumps;  ///< none if nothing flew
     /// Greatest rise of energy not explained by gravity and dissipation (EnergyWatch); none if unknown.
     std::optional<double> energy_error;
-    /// The cell with the greatest share of those deeper than k_claimed_depth; none without such cells, or with solids.
-    std::optional<ClaimedCell> most_claimed;
     HardEvents hard_events;
     std::vector<RunProblem> run_problems;  ///< of the run's last step
     std::vector<std::string> terms;        ///< physics and numerics of the run
-    std::vector<std::string> notes;        ///< for log.txt: choices made, warnings
+    std::vector<std::string> notes;        ///< for log.txt: choices made
+    std::vector<RunWarning> warnings;      ///< the first is the worst
 };
 
 /// Expected resources of a run of a scene.

@@ -371,9 +371,6 @@ void add_flow(Json& json, const RunResult& result, const SceneSpec& spec) {
                          {"failed", area.failed}});
     if (result.energy_error) json["energy_error"] = *result.energy_error;
     json["depth_direction"] = result.depth_is_normal ? k_normal : k_vertical;
-    if (const auto& cell = result.most_claimed)
-        json["greatest_claimed_share"] = {
-            {"share", cell->share}, {"depth_m", cell->depth}, {"x", cell->place.x}, {"y", cell->place.y}};
     add_peak_places(json, result);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
 #include "core/text.h"
 #include "core/words/number_text.h"
@@ -19,11 +20,11 @@
 namespace frana {
 namespace {
 
-using Warnings = std::vector<Sentence>;
+using Warnings = std::vector<RunWarning>;
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 constexpr double k_energy_error = 0.005;   // greatest rise of energy without a warning, of the work of gravity
-constexpr double k_claimed_share = 2;      // of a deep cell at the end, without a warning
+constexpr double k_pile = 0.05;            // of the deepest deposit, that a pile may stand too high without a warning
 constexpr double k_thin_fraction = 0.1;    // of the volume that may be thinner than visible without a warning
 constexpr double k_high_step = 30;         // of the surface of a release between two cells, without a warning [m]
 constexpr double k_steep_step = 1.75;      // and its slope: 60 degrees
@@ -38,8 +39,8 @@ const char* const k_steep_remedy = worded(
     "Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
     "terrain.vertical-unit, and the DTM for steps and towers");
 
-void append(Warnings& warnings, const Warnings& more) {
-    warnings.insert(warnings.end(), more.begin(), more.end());
+void append(Warnings& warnings, const std::vector<Sentence>& more, bool limits_use) {
+    for (const Sentence& words : more) warnings.push_back({words, limits_use});
 }
 
 Sentence percent(double fraction) {
@@ -57,10 +58,12 @@ void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warning
     const GapContact gap = gap_contact(result, scene);
     if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
     warnings.push_back(
-        worded("the flow came to ground without elevation, in {1} cells in or beside it, up to {2} m deep: such ground "
-               "holds it back as a wall would, and its run-out may be too short; use a DTM without gaps, or set "
-               "terrain.nodata-policy to wall or fill",
-               {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}));
+        {worded(
+             "the flow came to ground without elevation, in {1} cells in or beside it, up to {2} m deep: such ground "
+             "holds it back as a wall would, and its run-out may be too short; use a DTM without gaps, or set "
+             "terrain.nodata-policy to wall or fill",
+             {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}),
+         true});
 }
 
 /// At the end time: the moving volume, and how fast the main results still grow.
@@ -78,11 +81,13 @@ void warn_of_motion(const RunResult& result, const Scene& scene, Warnings& warni
                          volume_that_moved(s.deposit)});
     }
     const bool front_rests = result.settling && result.settling->front_is_final;
-    warnings.push_back(worded(
-        front_rests ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: "
+    warnings.push_back(
+        {worded(front_rests
+                    ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: "
                              "raise time.end")
                     : worded("{1}. Final depth and run-out are not those of the deposit: raise time.end"),
-        {motion}));
+                {motion}),
+         true});
 }
 
 /// Warns of flow not shown on maps.
@@ -90,46 +95,47 @@ void warn_of_thin_flow(const RunResult& result, const Scene& scene, Warnings& wa
     if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = scene.numerics.minimum_depth;
     const bool was_visible = maximum(result.raster("max_depth")) > 0;
-    warnings.push_back(worded(
-        was_visible
-            ? worded("at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
-                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                     "hundredth of the usual flow depth")
-            : worded("the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
-                     "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                     "hundredth of the usual flow depth"),
-        {percent(result.thin_fraction), shortest_text(minimum)}));
+    warnings.push_back(
+        {worded(
+             was_visible
+                 ? worded("at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
+                          "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                          "hundredth of the usual flow depth")
+                 : worded(
+                       "the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
+                       "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+                       "hundredth of the usual flow depth"),
+             {percent(result.thin_fraction), shortest_text(minimum)}),
+         true});
 }
 
 /// Warns of flow on maps that is not in outlines and run-out.
 void warn_of_empty_trace(const RunResult& result, const Scene& scene, Warnings& warnings) {
     const double threshold = scene.time.trace_threshold, deepest = maximum(result.raster("max_depth"));
     if (!(deepest > 0) || deepest > threshold) return;
-    warnings.push_back(worded(
-        "the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, deposit and covered area "
-        "are empty, run-out is 0 and a comparison finds nothing. Set output.trace-threshold to about a tenth of the "
-        "usual flow depth",
-        {shortest_text(threshold), numeral(number_text(deepest, 3))}));
+    warnings.push_back({worded("the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, "
+                               "deposit and covered area "
+                               "are empty, run-out is 0 and a comparison finds nothing. Set output.trace-threshold to "
+                               "about a tenth of the "
+                               "usual flow depth",
+                               {shortest_text(threshold), numeral(number_text(deepest, 3))}),
+                        true});
 }
 
 void warn_of_energy(const RunResult& result, Warnings& warnings) {
     if (!result.energy_error || *result.energy_error <= k_energy_error) return;
     warnings.push_back(
-        worded("the energy rises without cause by {1} % of the work of gravity: speeds and run-out may be too "
-               "great; compare with a run on smaller cells",
-               {percent(*result.energy_error)}));
+        {worded("energy error {1} %: speeds and run-out may be too great", {percent(*result.energy_error)}), false});
 }
 
-/// Crowded particles at rest keep areas that add up to more than their cell: their pressure is then that of a shallower
-/// flow.
-void warn_of_claims(const RunResult& result, Warnings& warnings) {
-    if (!result.most_claimed || result.most_claimed->share <= k_claimed_share) return;
-    const ClaimedCell& cell = *result.most_claimed;
-    warnings.push_back(
-        worded("at E {2}, N {3} the particles of a cell claim {1} times its area at the end, with {4} m of material "
-               "in it: the pile does not feel its whole weight and may stand too high beside its surroundings",
-               {numeral(number_text(cell.share, 2)), numeral(grouped(cell.place.x)), numeral(grouped(cell.place.y)),
-                numeral(number_text(cell.depth, 3))}));
+/// Crowded particles at rest feel the pressure of a shallower flow: a pile of them may stand too high.
+void warn_of_piles(const RunResult& result, const Scene& scene, Warnings& warnings) {
+    const std::optional<Pile> pile = highest_pile(result, scene);
+    if (!pile || pile->height <= k_pile * maximum(result.raster("final_depth"))) return;
+    warnings.push_back({worded("{1} m of a deposit of {2} m at E {3}, N {4} are more than friction carries",
+                               {numeral(number_text(pile->height, 2)), numeral(number_text(pile->depth, 3)),
+                                numeral(grouped(pile->place.x)), numeral(grouped(pile->place.y))}),
+                        false, pile->place});
 }
 
 /// The greatest step of a release's surface that the bed below does not have.
@@ -179,7 +185,7 @@ struct Extremes {
 };
 
 void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e, const KeyPlace& where,
-                                 const KeyTest& is_given, Warnings& warnings) {
+                                 const KeyTest& is_given, std::vector<Sentence>& warnings) {
     if (m.fluid_viscosity == 0) {
         for (const char* key : {"structured.mobility", "structured.viscosity-growth",
                                 "structured.solids-profile-factor", "structured.velocity-profile-factor"})
@@ -302,48 +308,98 @@ Sentence released_sentence(const ReleasedArea& area, std::size_t index) {
         {name, numeral(grouped(area.volume)), numeral(grouped(area.area)), numeral(shortest_text(area.start))});
 }
 
-std::vector<Sentence> result_warnings(const RunResult& result, const Scene& scene) {
-    std::vector<Sentence> warnings;
+std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene) {
+    Warnings warnings;
     for (std::size_t i = 0; i < result.released.size(); ++i)
         if (!result.released[i].failed)
             warnings.push_back(
-                worded("{1}: not before the end of the run", {released_sentence(result.released[i], i)}));
+                {worded("{1}: not before the end of the run", {released_sentence(result.released[i], i)}), true});
     if (result.stop_reason == StopReason::reached_no_data) {
-        warnings.push_back(worded(
-            "the run ended because the flow reached ground without elevation: the map is incomplete; use a larger DTM, "
-            "or set terrain.nodata-policy to wall or fill"));
+        warnings.push_back({worded("the run ended because the flow reached ground without elevation: the map is "
+                                   "incomplete; use a larger DTM, "
+                                   "or set terrain.nodata-policy to wall or fill"),
+                            true});
     }
     if (!result.hard_events.none())
-        warnings.push_back(worded(
-            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json"));
+        warnings.push_back({worded("the computation had numerical events that do not occur in a good run; see "
+                                   "hard_events in summary.json"),
+                            true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, scene, warnings);
-    append(warnings, thin_release_warnings(result.raster("release"), scene));
+    append(warnings, thin_release_warnings(result.raster("release"), scene), true);
     warn_of_thin_flow(result, scene, warnings);
     warn_of_empty_trace(result, scene, warnings);
     append(warnings,
-           release_warnings(result.raster("bed"), result.raster("release"), result.released, result.particles_initial));
+           release_warnings(result.raster("bed"), result.raster("release"), result.released, result.particles_initial),
+           false);
     warn_of_energy(result, warnings);
-    warn_of_claims(result, warnings);
+    warn_of_piles(result, scene, warnings);
     const double shown = result.volume_shown;
     if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
-        warnings.push_back(worded(
-            shown < result.volume_final
-                ? worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are "
-                         "crowded, in gullies narrower than a few cells, the depths shown are too small. Choose "
-                         "smaller cells, or take deposit volumes from summary.json")
-                : worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: at edges and walls the "
-                         "depths shown are too great. Choose smaller cells, or take deposit volumes from "
-                         "summary.json"),
-            {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
+        warnings.push_back(
+            {worded(
+                 shown < result.volume_final
+                     ? worded(
+                           "the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are "
+                           "crowded, in gullies narrower than a few cells, the depths shown are too small. Choose "
+                           "smaller cells, or take deposit volumes from summary.json")
+                     : worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: at edges and walls "
+                              "the "
+                              "depths shown are too great. Choose smaller cells, or take deposit volumes from "
+                              "summary.json"),
+                 {numeral(grouped(shown)), numeral(grouped(result.volume_final))}),
+             false});
     }
     if (result.volume_left > 0) {
         warnings.push_back(
-            worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
-                   "run-out; use a larger DTM or terrain.bounds",
-                   {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}));
+            {worded(
+                 "{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
+                 "run-out; use a larger DTM or terrain.bounds",
+                 {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}),
+             true});
     }
     return warnings;
+}
+
+std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, WarningsOn on) {
+    std::vector<Sentence> sentences;
+    for (const RunWarning& warning : warnings)
+        if (on == WarningsOn::pages || warning.limits_use) sentences.push_back(warning.words);
+    return sentences;
+}
+
+std::optional<Pile> highest_pile(const RunResult& result, const Scene& scene) {
+    const bool at_rest = result.stop_reason == StopReason::still || result.stop_reason == StopReason::settled;
+    if (!at_rest || scene.structured || !result.hard_events.none()) return std::nullopt;
+    const Raster &bed = result.raster("bed"), &shown = result.raster("final_depth");
+    const Raster vertical = result.depth_is_normal ? vertical_depth(shown, bed) : Raster();
+    const Raster& depth = result.depth_is_normal ? vertical : shown;
+    const GridSpec& grid = depth.grid;
+    const auto inside = [&](std::int64_t row, std::int64_t column) {
+        return row >= 0 && column >= 0 && row < grid.rows && column < grid.columns;
+    };
+    const std::optional<Raster>& zones = scene.zones.friction_coefficient;
+    std::optional<Pile> highest;
+    depth.values.for_each_stored([&](std::size_t cell, double deep) {
+        if (!(deep > 0)) return;
+        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
+                   column = static_cast<std::int64_t>(cell) % grid.columns;
+        const double friction = zones ? zones->values[cell] : scene.material.bed_friction_coefficient();
+        double height = deep;
+        bool stands_free = false;
+        // Between two that face each other the slope of the ground cancels.
+        for (const auto& [r, c] : {std::pair{0, 1}, {1, 0}, {1, 1}, {1, -1}}) {
+            if (!inside(row - r, column - c) || !inside(row + r, column + c)) continue;
+            const double before = depth.at(row - r, column - c), after = depth.at(row + r, column + c);
+            if (!(before > 0) || !(after > 0)) continue;
+            const double beside = (before + bed.at(row - r, column - c) + after + bed.at(row + r, column + c)) / 2;
+            stands_free = true;
+            height = std::min(height, deep + bed.values[cell] - beside - friction * std::hypot(r, c) * grid.cell_size);
+        }
+        if (stands_free && height > 0 && (!highest || height > highest->height))
+            highest = {height, deep, grid.cell_centre(row, column)};
+    });
+    return highest;
 }
 
 Sentence ground_sentence(const GroundStatistics& ground) {

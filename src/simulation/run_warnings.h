@@ -45,7 +45,19 @@ std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& 
 Sentence released_sentence(const ReleasedArea& area, std::size_t index);
 
 /// Returns everything that a run itself tells: how it ended, what its maps do not show.
-std::vector<Sentence> result_warnings(const RunResult& result, const Scene& scene);
+std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene);
+enum class WarningsOn { pages, maps };
+/// Returns their sentences; for maps only of those that limit their use.
+std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, WarningsOn on = WarningsOn::pages);
+
+/// A cell of a deposit at rest whose surface stands above those beside it by more than friction carries.
+struct Pile {
+    double height = 0;  ///< of what friction does not carry [m]
+    double depth = 0;   ///< of the cell, vertical [m]
+    Point place;        ///< its centre in map coordinates
+};
+/// The highest. None: nothing stands higher, or the flow may still have moved.
+std::optional<Pile> highest_pile(const RunResult& result, const Scene& scene);
 
 /// Returns "412 to 780 m, slope 27 degrees on average, 51 at most".
 Sentence ground_sentence(const GroundStatistics& ground);

@@ -12,6 +12,7 @@
 #include "mpm/node_grid.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/release.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 #include "simulation/terms.h"
 
@@ -317,11 +318,10 @@ void SteppedRun::count(const StepStatistics& statistics) {
     // The step that ends a run with values that are no numbers has no row: whoever reads the file would refuse it.
     if (const SeriesRow row = series_row(*model_, statistics, result_); std::isfinite(row.volume + row.kinetic_energy))
         result_.series.push_back(row);
-    if (statistics.volume > 0) {
-        result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin / statistics.volume);
+    result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin_fraction);
+    if (statistics.volume > 0)
         result_.moving_fraction_limit =
             std::min(1.0, statistics.moving / statistics.volume);  // some may have just left
-    }
     result_.particles_peak = std::max(result_.particles_peak, model_->particle_count());
     result_.hard_events.depth_clamped += statistics.clamped;
     result_.unsupported += statistics.unsupported;
@@ -440,6 +440,7 @@ RunResult SteppedRun::finish() {
     result.volume_left = model_->volume_left();
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
+    result.warnings = run_warnings(result, scene_);
     engine_.stop();
     result.engine_seconds = engine_.seconds();
     return std::move(result);

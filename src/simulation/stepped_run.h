@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -97,20 +98,29 @@ class SettlingWatch {
 /// greatest kinetic energy plus the dissipation by then, which is the work of gravity. Velocities lag half a step
 /// behind positions: a step's kinetic energy is the mean of before and after, and half of its dissipation is counted
 /// before. Steps between which volume entered or left (release, inflow, open edges, erosion) are excluded.
+///
+/// The potential energy of a flow along a slope is that of its pressure, g h^2 / 2n; that of one that ponds has the
+/// whole height. Where a thick pile changes from one to the other, its counted energy changes by the difference, g h^2
+/// / 2 (1 - 1/n), though nothing moved. So E is counted in three ways, as the flow ponds at the time, as if it never
+/// did and as if it always did: an error of the computation raises all three.
 class EnergyWatch {
   public:
     void add(const StepStatistics& statistics) {
         if (std::isnan(statistics.energy)) return;
-        const double now = statistics.energy, volume = statistics.energy_volume;
-        const double half = 0.5 * statistics.energy_dissipated;
-        if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_)
-            balance_ += now - energy_ + half_dissipated_ + half;
+        const double volume = statistics.energy_volume, half = 0.5 * statistics.energy_dissipated;
+        const double energies[] = {statistics.energy, statistics.energy - statistics.energy_levelled,
+                                   statistics.energy + statistics.energy_sloping};
+        const bool same = known_ && std::abs(volume - volume_) <= k_same_volume * volume_;
+        for (std::size_t i = 0; i < std::size(counts_); ++i) {
+            Count& count = counts_[i];
+            if (same) count.balance += energies[i] - count.energy + half_dissipated_ + half;
+            count.lowest = std::min(count.lowest, count.balance);
+            count.rise = std::max(count.rise, count.balance - count.lowest);
+            count.energy = energies[i];
+        }
         dissipated_ += statistics.energy_dissipated;
-        lowest_ = std::min(lowest_, balance_);
-        rise_ = std::max(rise_, balance_ - lowest_);
         turned_over_ = std::max(turned_over_, statistics.energy_moving + dissipated_);
         greatest_volume_ = std::max(greatest_volume_, volume);
-        energy_ = now;
         half_dissipated_ = half;
         volume_ = volume;
         known_ = true;
@@ -119,22 +129,30 @@ class EnergyWatch {
     /// that settles, a fraction of almost nothing), or if the model does not report energy.
     [[nodiscard]] std::optional<double> error() const {
         if (!(turned_over_ > 0.5 * greatest_volume_ * k_hardly * k_hardly)) return std::nullopt;
-        return rise_ / turned_over_;
+        const auto less = [](const Count& a, const Count& b) { return a.rise < b.rise; };
+        return std::min_element(std::begin(counts_), std::end(counts_), less)->rise / turned_over_;
     }
 
     template <class Archive>
     void serialise(Archive& archive) {
-        auto& [known, energy, half, volume, balance, lowest, rise, dissipated, turned, greatest] = *this;
-        archive(known, energy, half, volume, balance, lowest, rise, dissipated, turned, greatest);
+        auto& [known, half, volume, counts, dissipated, turned, greatest] = *this;
+        archive(known, half, volume, dissipated, turned, greatest);
+        for (Count& count : counts) archive(count.energy, count.balance, count.lowest, count.rise);
     }
 
   private:
     static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
     static constexpr double k_hardly = 1;          ///< [m/s]: a mean fall of 5 cm
 
+    /// E, counted in one way [m5/s2].
+    struct Count {
+        double energy = 0;                         ///< of the previous step
+        double balance = 0, lowest = 0, rise = 0;  ///< relative to the start
+    };
+
     bool known_ = false;
-    double energy_ = 0, half_dissipated_ = 0, volume_ = 0;  ///< of the previous step
-    double balance_ = 0, lowest_ = 0, rise_ = 0;            ///< of E, relative to the start [m5/s2]
+    double half_dissipated_ = 0, volume_ = 0;  ///< of the previous step
+    Count counts_[3];
     double dissipated_ = 0, turned_over_ = 0, greatest_volume_ = 0;
 };
 

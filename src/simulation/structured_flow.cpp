@@ -260,7 +260,7 @@ StepStatistics StructuredFlow::observe() {
         NodeRange(tiles[t], tiles_, state_.grid)
             .for_each(state_.grid.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
                 const double depth = inside(i, j) ? column(cell).depth : 0;
-                if (depth < numerics_.minimum_depth) f.thin += depth * area;
+                if (depth < numerics_.minimum_depth) f.thin_fraction += depth * area;
                 if (!(depth >= laws_.fluid.dry)) return;
                 const double fast = speed(cell), fluid_fast = fluid_speed(cell);
                 f.kinetic += 0.5 * fluid_fraction * fluid_depth(cell) * area * fluid_fast * fluid_fast;
@@ -279,7 +279,7 @@ StepStatistics StructuredFlow::observe() {
     for (const StepStatistics& f : statistics) {
         sum.kinetic += f.kinetic;
         sum.moving += f.moving;
-        sum.thin += f.thin;
+        sum.thin_fraction += f.thin_fraction;
         sum.covered += f.covered;
         sum.max_depth = std::max(sum.max_depth, f.max_depth);
         sum.max_speed = std::max(sum.max_speed, f.max_speed);
@@ -287,6 +287,7 @@ StepStatistics StructuredFlow::observe() {
     }
     sum.front_distance = std::sqrt(sum.front_distance);
     sum.volume = volume();
+    sum.thin_fraction = sum.volume > 0 ? std::min(1.0, sum.thin_fraction / sum.volume) : 0;
     return sum;
 }
 

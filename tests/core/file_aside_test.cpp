@@ -19,6 +19,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A name that is known before lets another user plant a link there.
+TEST(TemporaryFolder, HasANewNameIsItsOwnersAloneAndDisappears) {
+    std::string path;
+    {
+        const TemporaryFolder one, other;
+        path = one.path();
+        EXPECT_NE(path, other.path());
+        EXPECT_EQ(path.find(std::to_string(::getpid())), std::string::npos);
+        EXPECT_EQ(fs::status(path).permissions(), fs::perms::owner_all);
+        std::ofstream(path + "/file") << "x";
+    }
+    EXPECT_FALSE(fs::exists(path));
+}
+
 class FileAsideIn : public ::testing::Test {
   protected:
     FileAsideIn() : folder_(fs::temp_directory_path() / ("frana_unnamed_" + std::to_string(::getpid()))) {

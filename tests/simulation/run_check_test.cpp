@@ -166,6 +166,29 @@ TEST(EnergyWatch, KnowsNoErrorOfWhatHardlyMoves) {
     EXPECT_NEAR(*error_of(1.1), 2, 1e-12);
 }
 
+// A pile of 1000 m3 that falls and rests: whatever its surface becomes on the way, it gains nothing; a fault gains.
+TEST(EnergyWatch, TellsAGainFromASurfaceThatBecomesLevel) {
+    const auto error_of = [](double gain) {
+        EnergyWatch watch;
+        StepStatistics step;
+        step.energy_volume = 1000;
+        for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const double thick = 2e4;  // a level surface has so much more
+            step.energy_moving = 1e6 * time * (1 - time);
+            step.energy_dissipated = time > 0 ? 2.5e5 : 0;
+            step.energy_levelled = time * thick;
+            step.energy_sloping = (1 - time) * thick;
+            // Half of a step's dissipation is counted before.
+            const double dissipated = 1e6 * time - step.energy_dissipated / 2;
+            step.energy = 1e6 - dissipated + step.energy_levelled + gain * 1e6 * time;
+            watch.add(step);
+        }
+        return watch.error().value();
+    };
+    EXPECT_LT(error_of(0), 1e-9);
+    EXPECT_NEAR(error_of(0.01), 0.01, 1e-9);
+}
+
 double bound_of(const Scene& scene) {
     return RunCheck(scene, make_release(scene), Arrivals(scene, {}), 1).greatest_speed();
 }

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
+#include "simulation/run_warnings.h"
 #include "simulation/simulation.h"
 
 namespace frana {
@@ -60,31 +60,57 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     EXPECT_LT(seen, 4);
 }
 
-// From the last frame's particles, each of which covers its volume over its depth.
-TEST(Run, TheMostClaimedCellIsThatOfItsParticles) {
+// On a plane of any slope a pile may stand as high as friction carries between cells of 2 m, and no higher.
+TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
+    Scene scene = slide();  // friction 0.3
+    RunResult result;
+    result.stop_reason = StopReason::settled;
+    result.add("bed", scene.terrain);
+    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    EXPECT_FALSE(highest_pile(result, scene));
+    Raster& depth = result.raster("final_depth");
+    depth.at(30, 20) = 1 + 0.59;
+    EXPECT_FALSE(highest_pile(result, scene));
+    depth.at(30, 20) = 1 + 1.0;
+    const auto pile = highest_pile(result, scene);
+    ASSERT_TRUE(pile);
+    EXPECT_NEAR(pile->height, 1 - 0.6 * std::sqrt(2), 1e-12);  // of the diagonals, which are longer; roundings
+    EXPECT_NEAR(pile->depth, 2, 1e-12);
+    EXPECT_EQ(pile->place.x, 600041);
+    EXPECT_EQ(pile->place.y, 5000059);
+    const auto is_named = [&] {
+        for (const Sentence& words : sentences_of(run_warnings(result, scene)))
+            if (words.text().find("more than friction carries") != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_TRUE(is_named());
+    for (std::int64_t r = 0; r < 60; ++r) depth.at(r, 100) = 20;  // beside such depths nothing changes by 5 %
+    EXPECT_FALSE(is_named());
+    result.stop_reason = StopReason::end_time;  // a flow that moves has steep fronts
+    EXPECT_FALSE(highest_pile(result, scene));
+}
+
+TEST(Run, OfAFlowThatEndsAtRestNoPileIsNamed) {
+    const Scene scene = slide();
+    const RunResult result = run(scene, {});
+    ASSERT_EQ(result.stop_reason, StopReason::still);
+    for (const Sentence& words : sentences_of(result.warnings))
+        EXPECT_EQ(words.text().find("more than friction carries"), std::string::npos) << words.text();
+}
+
+// Thin before the step, of the volume before the step: what left in it counts in both.
+TEST(Run, NoMoreThanAllOfAFlowIsThin) {
     Scene scene = slide();
-    PointTable particles;
-    RunOptions options;
-    options.particles_in_frames = true;
-    options.on_frame = [&](const Frame& frame) { particles = frame.particles; };
-    const RunResult result = run(scene, options);
-    std::map<std::pair<std::int64_t, std::int64_t>, std::pair<double, double>> cells;  // volume and area
-    const std::vector<double>&volume = *particles.find("volume_m3"), &depth = *particles.find("depth_m");
-    for (std::size_t p = 0; p < volume.size(); ++p) {
-        const Point place = particles.places[p];
-        auto& [volumes, areas] = cells[{static_cast<std::int64_t>((place.x - scene.grid.west) / 2),
-                                        static_cast<std::int64_t>((scene.grid.north - place.y) / 2)}];
-        volumes += volume[p];
-        areas += volume[p] / depth[p];
-    }
-    double greatest = 0;
-    for (const auto& [cell, sums] : cells)
-        if (sums.first / 4 > 1) greatest = std::max(greatest, sums.second / 4);
-    ASSERT_TRUE(result.most_claimed);
-    EXPECT_NEAR(result.most_claimed->share, greatest, 1e-9);
-    EXPECT_GT(result.most_claimed->depth, 1);
-    EXPECT_GT(result.most_claimed->share, 0.5);
-    EXPECT_LT(result.most_claimed->share, 2);  // a pile that lies as it should is not warned of
+    scene.release[0].outline = {{{{600010, 5000010}, {600238, 5000010}, {600238, 5000110}, {600010, 5000110}}, {}}};
+    scene.release[0].thickness = 0.001;
+    scene.release[0].speed = 20;
+    scene.release[0].azimuth = M_PI / 2;
+    scene.numerics.minimum_depth = 0.01;
+    scene.time.end = 20;
+    const RunResult result = run(scene, {});
+    EXPECT_GT(result.volume_left, 0.5 * result.volume_initial);
+    EXPECT_GT(result.thin_fraction, 0.9);
+    EXPECT_LE(result.thin_fraction, 1);
 }
 
 TEST(Run, NothingMovesBelowTheFrictionBound) {

@@ -318,7 +318,7 @@ int cmd_check(const Arguments& arguments) {
     const double input_seconds = input_watch.seconds();
     // The libraries that draw are loaded by a run alone, unless their addresses count: where the shell limits these.
     const bool loads = std::isfinite(address_room());
-    if (loads) load_drawing(prepared.spec);
+    load_drawing(prepared.spec, loads ? Loading::now : Loading::later);
     const std::int64_t in_use = resident_memory() + (loads ? 0 : drawing_library_bytes(prepared.spec));
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);

@@ -288,8 +288,10 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
                               {{"scar", {{simulated.input.survey.scar, {}, {}}}}}, simulated.input.words);
     if (comparison.statistics) {
         simulated.source.scar = simulated.input.survey.scar;
-        LayerDrawer drawer(simulated.source);
-        draw_comparison(comparison, drawer, folder);
+        is_drawn("comparison.png", log, [&] {
+            LayerDrawer drawer(simulated.source);
+            draw_comparison(comparison, drawer, folder);
+        });
     }
     return comparison;
 }

@@ -13,6 +13,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/scene_variants.h"
 #include "app/input/share_directory.h"
+#include "app/pictures/charts.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish.h"
 #include "app/publish/report_answer.h"
@@ -335,10 +336,10 @@ int cmd_converge(const Arguments& arguments) {
     const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
     gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
                       gis::StyleKind::classed, words(row.title));
-    render::write_png((folder / k_chart).string(), chart_of(levels, estimates, words));
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(levels, estimates, spec));
+    is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(levels, estimates, words)); });
     record_files(files_of(folder));
     const std::string report = renewed_report(folder, spec, finest);
     if (values->count("json") > 0) {

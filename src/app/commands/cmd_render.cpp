@@ -283,6 +283,7 @@ struct Place {
     std::string folder;
     std::string option;              ///< that specifies it
     std::vector<std::string> reads;  ///< results that they may be written to
+    bool is_own = false;             ///< of the result itself: no link leads elsewhere
 };
 
 /// Prepares a folder for files, before the first is written. Throws Error, with nothing made, if one of them would
@@ -293,7 +294,7 @@ void prepare_place(const Place& place, const std::vector<std::string>& files, co
     problems.throw_if_any();  // one problem per file
     check_own(place.folder, files, place.option, place.reads, problems);
     problems.throw_if_any();
-    make_picture_folder(place.folder);
+    place.is_own ? make_drawing_folder(place.folder) : make_picture_folder(place.folder);
     begin_own(place.folder, files);
 }
 
@@ -425,12 +426,13 @@ void render_result(const Values& values, const Request& request, Problems& probl
         render_animation(result, source, request, animation, kept);
     } else if (request.charts) {
         const std::string folder = request.out.value_or(result.path("charts"));
-        prepare_place({folder, "--out", own_result(result)}, chart_files(result, source, folder), kept, problems);
+        prepare_place({folder, "--out", own_result(result), !request.out}, chart_files(result, source, folder), kept,
+                      problems);
         log_written(draw_charts(result, source, folder, problems));
         problems.throw_if_any();
     } else {
-        draw(source, layers, request.view_3d, {request.out.value_or(result.path("maps")), "--out", own_result(result)},
-             kept);
+        draw(source, layers, request.view_3d,
+             {request.out.value_or(result.path("maps")), "--out", own_result(result), !request.out}, kept);
     }
 }
 

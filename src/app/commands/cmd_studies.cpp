@@ -263,7 +263,7 @@ struct ManyRuns {
         own.identity = own.studies.front().identity;
         return own;
     }
-    static void load_drawing(const Input& input) { study::load_study_drawing(input); }
+    static void load_drawing(const Input& input) { study::load_study_drawing(input, Loading::now); }
     static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
 
     static MembersRun run(Input& input, const study::RunSetting& setting, RunLog& log) {
@@ -303,7 +303,7 @@ struct CalibrationByEvents {
         return study::prepare_calibration(std::move(texts), place, log);
     }
     static study::RankStudies for_rank(Input input) { return study::studies_of(std::move(input)); }
-    static void load_drawing(const Input& input) { study::load_calibration_drawing(input); }
+    static void load_drawing(const Input& input) { study::load_calibration_drawing(input, Loading::now); }
     static std::span<const study::StudyInput> studies(const Input& input) { return input.own; }
 
     static Ran run(Input& input, const study::RunSetting& setting, RunLog& log) {

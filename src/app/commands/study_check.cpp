@@ -18,6 +18,7 @@
 #include "app/store/result_directory.h"
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/region_input.h"
+#include "app/study/publish/publish_calibration.h"
 #include "app/study/publish/study_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
@@ -291,6 +292,7 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     const std::optional<Problem> place = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.central.problems);
     const study::StudyInput input = study::prepare_study(std::move(texts), place, log);
+    study::load_study_drawing(input, Loading::later);
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
     const study::StudySpec& study = input.reading.study;
@@ -419,6 +421,7 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
     const std::optional<Problem> place =
         check_result_directory(directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.problems);
     const study::CalibrationInput input = study::prepare_calibration(std::move(texts), place, log);
+    study::load_calibration_drawing(input, Loading::later);
     const study::CalibrationSpec& calibration = input.spec();
     const CalibrationForecast expected = forecast(input, threads);
     if (print) print_calibration(input, expected, threads, directory);

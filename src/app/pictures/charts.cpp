@@ -329,16 +329,22 @@ std::vector<std::string> draw_charts(const ResultReader& result, const MapSource
                 problem.where += (problem.where.empty() ? "" : ", ") + ("chart " + one.name);
                 problems.add(Error(error.kind(), problem));
             }
+        } catch (const std::exception& error) {
+            problems.add({error.what(), "chart " + one.name, "", "", ""});
         }
     }
     return files;
 }
 
 bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw) {
-    const auto warn = [&](const Error& error) {
+    try {
+        draw();
+        log.note("drew " + what);
+        return true;
+    } catch (const std::exception& error) {
         log.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
-    };
-    return attempt(warn, [&] { draw(), log.note("drew " + what); });
+        return false;
+    }
 }
 
 void write_chart(const NamedChart& one, const MapStyle& style, const std::string& folder, bool for_page) {

@@ -54,7 +54,8 @@ void write_chart(const NamedChart& one, const MapStyle& style, const std::string
 /// The drawing of a chart in the report, as wide as its text.
 std::string page_chart_svg(const render::Chart& chart);
 
-/// Calls `draw` and notes it; returns false, with a warning, if `what` could not be drawn.
+/// Calls `draw` and notes it; returns false, with a warning, if `what` could not be drawn, whatever was thrown: a
+/// picture never fails what was computed.
 bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw);
 
 /// Writes the charts of a study or a calibration to charts/ of its folder; returns false if one could not be drawn,
@@ -64,10 +65,10 @@ bool draw_chart_rows(const Rows& rows, const Data& data, const MapSource& source
                      bool for_page, RunLog& log) {
     bool good = true;
     for (const auto& row : rows) {
-        auto chart = row.draw(data, source.style.words(row.of.title), source);
-        if (!chart) continue;
-        const NamedChart one{row.of.name, std::move(*chart)};
-        good &= is_drawn("charts/" + one.name, log, [&] { write_chart(one, source.style, folder, for_page); });
+        good &= is_drawn("charts/" + std::string(row.of.name), log, [&] {
+            if (auto chart = row.draw(data, source.style.words(row.of.title), source))
+                write_chart({row.of.name, std::move(*chart)}, source.style, folder, for_page);
+        });
     }
     return good;
 }

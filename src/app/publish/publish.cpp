@@ -237,8 +237,9 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
+    facts.map_warnings = sentences_of(result.warnings, WarningsOn::maps);
     const PictureOutcome pictures = draw_pictures(
-        {prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date, log.warnings()}, log);
+        {prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date, facts.map_warnings}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
@@ -272,7 +273,7 @@ void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& l
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
     // A page may have room for the first sentence only.
-    log.warn_first(result_warnings(result, prepared.scene));
+    log.warn_first(sentences_of(result.warnings));
 }
 
 void warn_without_pages(const Prepared& prepared, const RunResult& result, RunLog& log) {

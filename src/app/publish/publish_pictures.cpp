@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
@@ -10,10 +11,12 @@
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/store/frame_store.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "core/error.h"
+#include "core/module.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
@@ -38,14 +41,6 @@ MapSource map_source(const ResultReader& written, const PictureRequest& request)
     return source;
 }
 
-void make_folder(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
-                                                    "Check the place's rights and free space"});
-}
-
 /// Draws pictures one after the other.
 class Drawings {
   public:
@@ -57,17 +52,26 @@ class Drawings {
     void attempt(const std::string& what, const std::vector<std::string>& files, const Draw& draw) {
         const auto is_there = [](const std::string& file) { return fs::exists(file); };
         if (only_missing_ && std::all_of(files.begin(), files.end(), is_there)) return;
-        try {
-            if (stop_signal() != 0 || !draw()) {
-                outcome_.left_out.push_back(what);
-                return;
-            }
-            outcome_.drawn.push_back(what);
-            outcome_.files.insert(outcome_.files.end(), files.begin(), files.end());
-            log_.note("drew " + what);
-        } catch (const Error& error) {
+        outcome_.files.insert(outcome_.files.end(), files.begin(), files.end());
+        guard(what, [&] {
+            const bool complete = stop_signal() == 0 && draw();
+            (complete ? outcome_.drawn : outcome_.left_out).push_back(what);
+            if (complete) log_.note("drew " + what);
+        });
+    }
+    /// Whatever drawing throws is a warning. Memory and disk may be there for --resume; no other failure goes away.
+    template <class Work>
+    void guard(const std::string& what, const Work& work) {
+        const auto warn = [&](const std::exception& error, bool may_pass) {
             log_.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
-            outcome_.failed.push_back(what);
+            if (may_pass) outcome_.failed.push_back(what);
+        };
+        try {
+            work();
+        } catch (const Error& error) {
+            warn(error, error.kind() == ErrorKind::environment);
+        } catch (const std::exception& error) {
+            warn(error, dynamic_cast<const std::bad_alloc*>(&error) != nullptr);
         }
     }
     [[nodiscard]] PictureOutcome outcome() const {
@@ -103,7 +107,7 @@ void draw_maps(const std::vector<std::string>& requested, const ResultReader& wr
         if (may_lack && !written.has(layer + ".tif")) continue;
         const std::string stem = written.path("maps/" + name);
         drawings.attempt("maps/" + name, picture_files(drawer.style(), stem, !view_3d), [&] {
-            make_folder(written.path("maps"));
+            make_drawing_folder(written.path("maps"));
             drawer.draw(written.map_layer(layer), view_3d, stem);
             return true;
         });
@@ -116,7 +120,7 @@ void draw_all_charts(const ResultReader& written, const MapSource& source, Drawi
     // The error is reported when they are drawn.
     if (!attempt([&] { files = chart_files(written, source, folder); })) files.emplace_back();
     drawings.attempt("charts", files, [&] {
-        make_folder(folder);
+        make_drawing_folder(folder);
         Problems problems;
         draw_charts(written, source, folder, problems);
         problems.throw_if_any();
@@ -135,19 +139,21 @@ void draw_animation(const ResultReader& written, const MapSource& source, Drawin
     });
 }
 
-/// Whether a run needs the library that draws pictures and writes tables of particles. A surveyed area is drawn with
-/// the result whatever output.maps says.
+/// Whether a run needs the library that draws pictures and writes tables of particles.
 bool draws(const SceneSpec& scene) {
     const OutputSpec& output = scene.output;
-    return output.animation || output.maps.front() != "off" || particle_formats(output.formats).vtp ||
-           scene.observed.perimeter || scene.observed.deposit;
+    return output.animation || output.maps.front() != "off" || particle_formats(output.formats).vtp;
 }
 
 }  // namespace
 
-void load_drawing(const SceneSpec& scene) {
-    if (draws(scene)) render::vtk();
-    if (scene.output.animation) render::libav();
+void load_drawing(bool pictures, bool films, Loading loading) {
+    if (pictures) loading == Loading::now ? static_cast<void>(render::vtk()) : require_module("vtk");
+    if (films) loading == Loading::now ? static_cast<void>(render::libav()) : require_module("libav");
+}
+
+void load_drawing(const SceneSpec& scene, Loading loading) {
+    load_drawing(draws(scene), scene.output.animation, loading);
 }
 
 std::int64_t drawing_library_bytes(const SceneSpec& scene) {
@@ -158,27 +164,29 @@ std::int64_t drawing_library_bytes(const SceneSpec& scene) {
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const OutputSpec& output = request.spec.output;
     Drawings drawings(request.only_missing, log);
-    const bool is_compared = request.comparison && request.comparison->statistics;
-    if (output.maps.front() == "off" && !output.animation && !is_compared) return drawings.outcome();
-    const ResultReader written(request.folder);
-    const MapSource source = map_source(written, request);
-    LayerDrawer drawer(source);
-    drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
-    if (output.report && !request.only_missing) {
-        const std::string folder = written.path(k_page_folder);
-        make_folder(folder);
-        drawer.draw_for_page_too(folder);
-    }
-    draw_maps(output.maps, written, drawer, drawings);
-    if (is_compared) {
-        drawings.attempt("comparison", comparison_pictures(source.style, written.directory()), [&] {
-            draw_comparison(*request.comparison, drawer, written.directory());
-            return true;
-        });
-    }
-    if (output.charts && output.maps.front() != "off") draw_all_charts(written, source, drawings);
-    if (output.animation) draw_animation(written, source, drawings);
-    if (const auto warning = letter_warning()) log.warn(*warning);
+    const bool maps = output.maps.front() != "off";
+    if (!maps && !output.animation) return drawings.outcome();
+    drawings.guard("the pictures", [&] {
+        const ResultReader written(request.folder);
+        const MapSource source = map_source(written, request);
+        LayerDrawer drawer(source);
+        drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
+        if (output.report && !request.only_missing) {
+            const std::string folder = written.path(k_page_folder);
+            make_drawing_folder(folder);
+            drawer.draw_for_page_too(folder);
+        }
+        draw_maps(output.maps, written, drawer, drawings);
+        if (maps && request.comparison && request.comparison->statistics) {
+            drawings.attempt("comparison", comparison_pictures(source.style, written.directory()), [&] {
+                draw_comparison(*request.comparison, drawer, written.directory());
+                return true;
+            });
+        }
+        if (maps && output.charts) draw_all_charts(written, source, drawings);
+        if (output.animation) draw_animation(written, source, drawings);
+        if (const auto warning = letter_warning()) log.warn(*warning);
+    });
     return drawings.outcome();
 }
 

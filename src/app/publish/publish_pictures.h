@@ -27,8 +27,8 @@ struct PictureRequest {
 /// The result of drawing.
 struct PictureOutcome {
     std::vector<std::string> drawn;     ///< "maps/max_depth"
-    std::vector<std::string> files;     ///< written to the disk
-    std::vector<std::string> failed;    ///< each with a warning
+    std::vector<std::string> files;     ///< of all that were begun
+    std::vector<std::string> failed;    ///< for a reason that may pass; each with a warning
     std::vector<std::string> left_out;  ///< not drawn because of a stop signal; one warning for all
 
     [[nodiscard]] bool complete() const noexcept { return failed.empty() && left_out.empty(); }
@@ -36,12 +36,14 @@ struct PictureOutcome {
 
 /// Loads what the pictures and the particles of a run are drawn and written with: it is better missed before the run
 /// than after it. Throws Error(environment) if it is missing.
-void load_drawing(const SceneSpec& scene);
+enum class Loading { now, later };  ///< later: only looks whether they are there, as `frana check` does
+void load_drawing(const SceneSpec& scene, Loading loading = Loading::now);
+void load_drawing(bool pictures, bool films, Loading loading);
 /// The memory that this takes once they are loaded, as measured on Debian 12 [bytes].
 std::int64_t drawing_library_bytes(const SceneSpec& scene);
 
-/// Draws them; a problem is a warning, since the numbers are more important than a picture. Pictures not begun when a
-/// stop signal arrives are left out, so that the program ends soon.
+/// Draws them; any exception is a warning, since the numbers are more important than a picture. Pictures not begun when
+/// a stop signal arrives are left out, so that the program ends soon.
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log);
 
 }  // namespace frana::app

@@ -106,8 +106,12 @@ Document chart_figures(const render::ChartPanel& panel, const std::string& alt, 
             part.series.back().width_px = 3;
             render::look_apart(part.series.back(), i - first);
         }
-        figures.add(Figure{"", "", alt,
-                           render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height)});
+        try {
+            figures.add(Figure{"", "", alt,
+                               render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height)});
+        } catch (const std::exception& error) {  // the values of the page are worth more than a chart
+            figures.small(words("{1} could not be drawn: {2}", {alt, std::string(error.what())}));
+        }
     }
     return figures;
 }

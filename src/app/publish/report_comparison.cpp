@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/report_comparison.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "app/compare/probability_comparison.h"
 #include "app/pictures/charts.h"
@@ -15,6 +14,7 @@
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
+#include "core/files.h"
 #include "core/text.h"
 #include "params/keys/result_rasters.h"
 
@@ -97,29 +97,21 @@ class PictureForPage {
     PictureForPage(const std::string& folder, const Comparison& comparison, const MapSource& source)
         : path_((fs::path(folder) / k_picture).string()) {
         if (!comparison.statistics) return;
-        scratch_ = fs::temp_directory_path() / ("frana_page_" + std::to_string(::getpid()));
-        const fs::path pages = scratch_ / k_page_folder;
+        const fs::path scratch = scratch_.emplace().path(), pages = scratch / k_page_folder;
         fs::create_directories(pages);
         MapSource drawn = source;
         drawn.style.formats.clear();  // for the page alone
         LayerDrawer drawer(drawn);
         drawer.draw_for_page_too(pages.string());
-        draw_comparison(comparison, drawer, scratch_.string());
+        draw_comparison(comparison, drawer, scratch.string());
         path_ = (pages / k_picture).string();
     }
-    ~PictureForPage() {
-        std::error_code ignored;
-        if (!scratch_.empty()) fs::remove_all(scratch_, ignored);
-    }
-    PictureForPage(const PictureForPage&) = delete;
-    PictureForPage& operator=(const PictureForPage&) = delete;
-
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   private:
     static constexpr const char* k_picture = "comparison.png";
     std::string path_;
-    fs::path scratch_;
+    std::optional<TemporaryFolder> scratch_;
 };
 
 }  // namespace

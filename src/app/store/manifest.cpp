@@ -111,14 +111,14 @@ fs::path result_around(const fs::path& file) {
     }
 }
 
-/// Returns those files that exist and are in results, by result.
-std::map<fs::path, std::vector<fs::path>> by_result(const std::vector<std::string>& paths) {
+/// Returns those files that exist, or may be made in an existing folder, and are in results, by result.
+std::map<fs::path, std::vector<fs::path>> by_result(const std::vector<std::string>& paths, bool may_lack = false) {
     std::map<fs::path, fs::path> results;  // by folder
     std::map<fs::path, std::vector<fs::path>> found;
     for (const std::string& path : paths) {
         std::error_code error;
-        const fs::path file = fs::canonical(path, error);
-        if (error || !fs::is_regular_file(file, error)) continue;
+        const fs::path file = may_lack ? fs::weakly_canonical(path, error) : fs::canonical(path, error);
+        if (error || !(may_lack || fs::is_regular_file(file, error))) continue;
         const auto [known, is_new] = results.try_emplace(file.parent_path());
         if (is_new) known->second = result_around(file);
         if (!known->second.empty()) found[known->second].push_back(file);
@@ -190,6 +190,8 @@ std::optional<Manifest> read_manifest(const std::string& folder) {
         for (const Json& entry : json->at("files"))
             manifest.files[unescaped_name(entry.at("name").get<std::string>())] = {
                 entry.at("bytes").get_ref<const Json::number_unsigned_t&>(), entry.at(k_checksum).get<std::string>()};
+        for (const Json& name : json->value("in_making", Json::array()))
+            manifest.in_making.insert(unescaped_name(name.get<std::string>()));
     } catch (const std::exception&) {
         return std::nullopt;
     }
@@ -207,6 +209,7 @@ void write_manifest(const std::string& folder, const Manifest& manifest) {
     Json& files = json["files"] = Json::array();
     for (const auto& [name, mark] : manifest.files)
         files.push_back({{"name", escaped_name(name)}, {"bytes", mark.bytes}, {k_checksum, mark.checksum}});
+    for (const std::string& name : manifest.in_making) json["in_making"].push_back(escaped_name(name));
     write_file((fs::path(folder) / k_manifest_file).string(), json_text(json), Sync::yes);
     if (const int reason = sync_path(folder); reason != 0) fail("cannot be written to the disk", folder, reason);
 }
@@ -222,13 +225,26 @@ bool is_unlisted_result(const std::string& folder) {
     return summary && value_in<std::string>(*summary, "/program") == k_program;
 }
 
+void note_in_making(const std::vector<std::string>& paths) {
+    for (const auto& [result, files] : by_result(paths, true)) {
+        const ManifestLock lock(result.string());
+        std::optional<Manifest> manifest = read_manifest(result.string());
+        if (!manifest) continue;
+        for (const fs::path& file : files) manifest->in_making.insert(file.lexically_relative(result).generic_string());
+        write_manifest(result.string(), *manifest);
+    }
+}
+
 void record_files(const std::vector<std::string>& paths) {
     for (const auto& [result, files] : by_result(paths)) {
         const ManifestLock lock(result.string());
         std::optional<Manifest> manifest = read_manifest(result.string());
         if (!manifest) continue;
-        for (const fs::path& file : files)
-            manifest->files[file.lexically_relative(result).generic_string()] = mark_on_disk(file.string());
+        for (const fs::path& file : files) {
+            const std::string name = file.lexically_relative(result).generic_string();
+            manifest->files[name] = mark_on_disk(file.string());
+            manifest->in_making.erase(name);
+        }
         std::set<fs::path> folders;
         for (const fs::path& file : files) folders.insert(file.parent_path());
         for (const fs::path& folder : folders) sync_path(folder.string());
@@ -242,7 +258,9 @@ std::vector<std::string> changed_files(const std::vector<std::string>& paths) {
         const std::optional<Manifest> manifest = read_manifest(result.string());
         if (!manifest) continue;
         for (const fs::path& file : files) {
-            const auto listed = manifest->files.find(file.lexically_relative(result).generic_string());
+            const std::string name = file.lexically_relative(result).generic_string();
+            const auto listed = manifest->files.find(name);
+            if (manifest->in_making.count(name) > 0) continue;
             if (listed == manifest->files.end() || mark_of(file.string()) != listed->second)
                 changed.push_back(file.string());
         }

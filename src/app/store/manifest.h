@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Manifest {
     /// Complete; checkpoints that still exist only have to be removed; none: of an older frana without this field.
     std::optional<bool> finished;
     std::map<std::string, FileMark> files;  ///< by path inside the result, with '/' between folders
+    std::set<std::string> in_making{};      ///< names that frana is writing, or was when it was killed
 };
 
 /// Escapes a name as in URLs: file names are bytes, and JSON supports only Unicode.
@@ -53,6 +55,10 @@ void write_manifest(const std::string& folder, const Manifest& manifest);
 bool is_listed_result(const std::string& folder);
 /// Returns whether a folder is the result of an older frana without lists of files: its summary.json names the program.
 bool is_unlisted_result(const std::string& folder);
+
+/// Notes that files will be written, so that those of a killed program are known as frana's; record_files ends it. The
+/// same files and results as there.
+void note_in_making(const std::vector<std::string>& paths);
 
 /// Adds files just written to the manifest of the result that contains them, with their marks; those outside results,
 /// or in results without a manifest, are ignored. Several programs may do so at once. Throws Error(environment).

@@ -80,7 +80,7 @@ class OwnFiles {
         const fs::path path = fs::path(folder_) / name;
         std::error_code error;
         if (!fs::is_regular_file(fs::symlink_status(path, error))) return false;
-        if (is_list_or_note(name) || is_leftover(name)) return true;
+        if (is_list_or_note(name) || is_leftover(name) || (list_ && list_->in_making.count(name) > 0)) return true;
         if (knows(name)) return !list_ || is_as_listed(path.string(), list_->files.at(name));
         for (const std::string ending : {".aux.xml", "-shm", "-wal", "~"})
             if (name.ends_with(ending) && knows(name.substr(0, name.size() - ending.size())))
@@ -393,9 +393,21 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
     }
 }
 
+void make_drawing_folder(const std::string& folder) {
+    std::error_code error;
+    if (fs::is_symlink(folder, error))
+        throw Error(ErrorKind::environment, Problem{"is a symbolic link: pictures would be written elsewhere", folder,
+                                                    "", "", "Remove the link, or name its target with --out"});
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
+                                                    "Check the place's rights and free space"});
+}
+
 void begin_own(const std::string& folder, const std::vector<std::string>& files) {
     if (!around(folder, lists_files) && !around(folder, is_result)) write_manifest(folder, {});
     keep_changed_files(files);
+    note_in_making(files);
 }
 
 void clear_own(const std::string& folder, const std::vector<std::string>& files,

@@ -112,6 +112,10 @@ class KeptFiles {
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
                const std::vector<std::string>& reads, Problems& problems);
 
+/// Makes a folder of a result for pictures, if it is not there. Throws Error(environment), also where its name is a
+/// symbolic link, through which files would be written elsewhere.
+void make_drawing_folder(const std::string& folder);
+
 /// Call before the first of the files is written: creates a list in a folder without one, so that files are identified
 /// after a kill and changed ones are kept; record_files() lists them at the end. Throws Error(environment).
 void begin_own(const std::string& folder, const std::vector<std::string>& files);

@@ -104,7 +104,7 @@ std::optional<Problem> broken_link(const std::string& directory, const fs::path&
     std::error_code error;
     if (fs::is_symlink(path, error)) return Problem{"is a symbolic link to itself", where, path.string(), "", k_choose};
     const fs::path named = clean(directory);
-    if (path == named || !fs::is_symlink(named, error) || fs::exists(path.parent_path(), error)) return {};
+    if (path == named || !fs::is_symlink(named, error) || fs::exists(path, error)) return {};
     return Problem{
         "is a symbolic link to a place that does not exist", where, named.string() + " -> " + path.string(), "",
         "Connect the disk or create the folder that it points to, or choose another result directory with --out"};
@@ -173,6 +173,10 @@ Problem other_run(const std::string& result) {
 }
 
 std::optional<Problem> partial_problem(const std::string& partial) {
+    std::error_code error;
+    if (fs::is_symlink(partial, error))
+        return Problem{"is a symbolic link: the result would be built elsewhere", partial, "", "",
+                       "Remove it, or choose another folder with --out"};
     if (!has_files(partial)) return {};
     if (!is_being_built(partial) && !is_being_replaced(partial))
         return Problem{"was not made by frana, which builds the result in a folder of this name", partial, "", "",

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "app/input/share_directory.h"
@@ -91,8 +92,15 @@ std::map<std::string, std::string> provenance(const Prepared& prepared) {
 
 namespace {
 
-// Returns the "section.key = value" lines of a scene's text. Not the language, which may be that of the locale: a run
-// goes on in the language that it began with.
+// Whether an output key says how a result is shown, not what is computed or which data are written: with --resume
+// another value of it is as good.
+bool is_of_pictures(const std::string& line) {
+    static const std::regex k_keys(
+        "(map-|view-|classes|maps |animation |charts |report |title |language |checkpoint-interval ).*");
+    return std::regex_match(line, k_keys);
+}
+
+// Returns the "section.key = value" lines of a scene's text that bind a resumed run.
 std::string keys(const std::string& text) {
     std::istringstream lines(text);
     std::string section, all;
@@ -100,8 +108,7 @@ std::string keys(const std::string& text) {
         if (line.empty() || line.front() == '#') continue;
         if (line.front() == '[') {
             section = line.substr(1, line.size() - 2);
-        } else if (section != "output" ||
-                   (!line.starts_with("checkpoint-interval ") && !line.starts_with("language "))) {
+        } else if (section != "output" || !is_of_pictures(line)) {
             all += section + "." + line + "\n";
         }
     }

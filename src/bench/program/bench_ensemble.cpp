@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/program/bench_output.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,6 +22,7 @@
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
 #include "core/error.h"
+#include "core/files.h"
 #include "core/text.h"
 #include "render/canvas/image.h"
 #include "render/chart/chart.h"
@@ -186,23 +185,14 @@ struct Extent {
 /// A folder for records, which disappears with the bench.
 class Scratch {
   public:
-    Scratch() : folder_((fs::temp_directory_path() / ("frana_bench_" + std::to_string(::getpid()))).string()) {
-        clear();
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
     void clear() const {
-        fs::remove_all(folder_);
-        fs::create_directories(fs::path(folder_) / k_record_folder);
+        fs::remove_all(fs::path(folder()) / k_record_folder);
+        fs::create_directories(fs::path(folder()) / k_record_folder);
     }
-    [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
+    [[nodiscard]] const std::string& folder() const noexcept { return folder_.path(); }
 
   private:
-    std::string folder_;
+    TemporaryFolder folder_;
 };
 
 /// The members of a study by one method, as far as they finished.

@@ -9,6 +9,7 @@
 #include "app/publish/summary.h"
 #include "app/text/number_text.h"
 #include "simulation/run_summary.h"
+#include "simulation/run_warnings.h"
 #include "simulation/terms.h"
 
 namespace frana::app {
@@ -38,20 +39,14 @@ AccuracyRecord record(double finest) {
     return all;
 }
 
-TEST(WarnOfResult, ACellThatItsParticlesClaimMoreThanTwiceIsNamed) {
+TEST(WarnOfResult, WhatLimitsTheUseOfAMapStandsOnIt) {
     const auto prepared = std::make_unique<const Prepared>();
     RunResult result;
-    for (const char* name : {"max_depth", "release", "bed"}) result.add(name, {});
-    for (const auto& [share, warnings] : {std::pair{2.0, 0U}, std::pair{7.84, 1U}}) {
-        result.most_claimed = {share, 187, {600123, 5000456}};
-        RunLog log(true);
-        warn_of_result(*prepared, result, log);
-        ASSERT_EQ(log.warnings().size(), warnings) << share;
-        if (warnings == 0) continue;
-        const std::string text = log.warnings().front().text();
-        for (const char* part : {"E 600 123, N 5 000 456", "claim 7.8 times", "187 m"})
-            EXPECT_NE(text.find(part), std::string::npos) << text;
-    }
+    result.warnings = {{worded("it was cut"), true}, {worded("a number of the computation"), false}};
+    RunLog log(true);
+    warn_of_result(*prepared, result, log);
+    EXPECT_EQ(texts_of(log.warnings()), (std::vector<std::string>{"it was cut", "a number of the computation"}));
+    EXPECT_EQ(texts_of(sentences_of(result.warnings, WarningsOn::maps)), std::vector<std::string>{"it was cut"});
 }
 
 TEST(ReportWords, TheVerdictOnAccuracyIsInTheLanguage) {

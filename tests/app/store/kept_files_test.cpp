@@ -2,9 +2,11 @@
 // No picture and no table replaces an input or a file of a result, whichever path or name leads to it.
 #include <gdal.h>
 
+#include <csignal>
 #include <fstream>
 
 #include "app/store/manifest.h"
+#include "started_program.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -251,6 +253,33 @@ TEST_F(OwnPictures, AreReplacedAndNoOthers) {
     expect_refusal({"render", "result", "--charts", "--out", "charts"}, k_foreign);
     write("max_depth.png", "the user's");
     expect_refusal({"render", "result/max_depth.tif", "--size", "640x480"}, k_foreign);
+}
+
+// The program that drew them was killed before it listed them.
+TEST_F(OwnPictures, OfAKilledProgramAreReplaced) {
+    const std::vector<std::string> draw{"render", "result",       "--map",  "max_depth",
+                                        "--map",  "max_velocity", "--size", "640x480"};
+    {
+        StartedProgram program(folder_.string(), draw);
+        ASSERT_TRUE(program.wait_until([&] { return fs::exists(path("result/maps/max_depth.png")); }));
+        program.send(SIGKILL);
+        program.wait();
+    }
+    ASSERT_EQ(frana(draw).exit_code, 0);
+    for (const std::string& name : files()) EXPECT_EQ(name.find("kept-"), std::string::npos) << name;
+    write("result/maps/max_depth.png", "edited");
+    ASSERT_EQ(frana(draw).exit_code, 0);
+    EXPECT_EQ(read_text(path("result/maps/max_depth.kept-1.png")), "edited");
+}
+
+TEST_F(OwnPictures, AreNotDrawnThroughALink) {
+    fs::remove_all(path("result/maps"));
+    fs::create_directory(path("elsewhere"));
+    fs::create_directory_symlink(path("elsewhere"), path("result/maps"));
+    const Outcome outcome = frana({"render", "result", "--map", "max_depth", "--size", "640x480"});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_NE(outcome.err.find("is a symbolic link: pictures would be written elsewhere"), std::string::npos);
+    EXPECT_TRUE(fs::is_empty(path("elsewhere")));
 }
 
 TEST_F(OwnPictures, OfAnimationsAreReplacedAndNoOthers) {

@@ -57,28 +57,28 @@ class Mounted {
 TEST_F(Place, ASymbolicLinkIsKeptAndTheResultIsBuiltAtItsTarget) {
     fs::create_directories(path("disk/empty"));
     fs::create_directory_symlink("disk/empty", path("to_empty"));
-    fs::create_directory_symlink(path("disk/new"), path("to_nothing_yet"));
     fs::create_directory_symlink("to_empty", path("to_link"));
-    for (const std::string out : {"to_empty", "to_nothing_yet/"}) {
-        const Outcome outcome = run(out);
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    }
+    const Outcome outcome = run("to_empty/");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_TRUE(is_result("disk/empty"));
-    EXPECT_TRUE(is_result("disk/new"));
     EXPECT_EQ(run("to_link").exit_code, 2);
     ASSERT_EQ(run("to_link", {"--overwrite", "--set", "release.thickness=1"}).exit_code, 0);
     EXPECT_NEAR(json_number(read_text(path("disk/empty/summary.json")), "initial_m3"), 2000, 1e-6);
     EXPECT_EQ(fs::read_symlink(path("to_link")), "to_empty");
     EXPECT_EQ(fs::read_symlink(path("to_empty")), "disk/empty");
-    EXPECT_EQ(fs::read_symlink(path("to_nothing_yet")), path("disk/new"));
     for (const std::string& name : files()) EXPECT_EQ(name.find("partial"), std::string::npos) << name;
 }
 
 TEST_F(Place, BrokenLinksAreRefused) {
     fs::create_directory_symlink("no_disk/result", path("dangling"));
     fs::create_directory_symlink("circle", path("circle"));
+    fs::create_directory_symlink("nothing_yet", path("to_nothing"));  // whoever made the link chose that place
     expect_refused("dangling", 2, "is a symbolic link to a place that does not exist");
+    expect_refused("to_nothing/", 2, "is a symbolic link to a place that does not exist");
     expect_refused("circle", 2, "is a symbolic link to itself");
+    fs::create_directory(path("elsewhere"));
+    fs::create_directory_symlink("elsewhere", path("result.partial"));
+    expect_refused("result", 2, "is a symbolic link: the result would be built elsewhere");
 }
 
 TEST_F(Place, AMountPointIsRefusedAtTheStartAndAFolderInItAccepted) {
@@ -86,6 +86,7 @@ TEST_F(Place, AMountPointIsRefusedAtTheStartAndAFolderInItAccepted) {
     const Mounted disk(path("disk"));
     if (!disk.is_there()) GTEST_SKIP() << "nothing may be mounted here";
     fs::create_directory_symlink("disk", path("to_disk"));
+    fs::create_directory(path("disk/deep"));
     fs::create_directory_symlink("disk/deep", path("deep"));
     for (const std::string out : {"disk", "to_disk"}) {
         expect_refused(out, 2, "is a mount point");

@@ -462,9 +462,9 @@ bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& l
 
 }  // namespace
 
-void load_calibration_drawing(const CalibrationInput& input) {
+void load_calibration_drawing(const CalibrationInput& input, Loading loading) {
     for (const StudyInput& event : input.own)
-        if (event.base.spec.output.maps.front() != "off") render::vtk();
+        load_drawing(event.base.spec.output.maps.front() != "off", false, loading);
 }
 
 StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,

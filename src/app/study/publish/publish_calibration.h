@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/process/terminal.h"
+#include "app/publish/publish_pictures.h"
 #include "app/store/result_directory.h"
 #include "app/study/pool/calibration_runs.h"
 #include "app/study/publish/publish_study.h"
@@ -63,7 +64,7 @@ struct CalibrationFacts {
 };
 
 /// Loads what the maps and charts are drawn with, before anything runs. Throws Error(environment) if it is missing.
-void load_calibration_drawing(const CalibrationInput& input);
+void load_calibration_drawing(const CalibrationInput& input, Loading loading);
 
 /// Writes everything that follows from the runs: tables, the best scenes, charts, report.html, summary.json. Throws
 /// Error(environment), and Error(numerical) if no member finished for all events.

@@ -15,6 +15,7 @@
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/publish/publish_rasters.h"
+#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
@@ -356,14 +357,6 @@ void write_probability_outlines(const StudyInput& input, const Raster& probabili
     write_result_outlines(path, probability.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
-void make_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
-                                                    "Check the place's rights and free space"});
-}
-
 /// Those that are handed on; `frana render` draws the others.
 bool is_drawn_at_once(const std::string& name) {
     return name.starts_with("probability_") || name.starts_with("quantile_max_depth_") ||
@@ -476,11 +469,10 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
     }
 }
 
-void load_study_drawing(const StudyInput& input) {
+void load_study_drawing(const StudyInput& input, Loading loading) {
     const OutputSpec& output = input.base.spec.output;
     const bool films = output.animation && !input.reading.study.per_polygon();
-    if (films || output.maps.front() != "off") render::vtk();
-    if (films) render::libav();
+    load_drawing(films || output.maps.front() != "off", films, loading);
 }
 
 bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
@@ -488,26 +480,28 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
     const OutputSpec& output = input.base.spec.output;
     if (output.maps.front() == "off") return true;
     bool good = true;
-    const ResultReader written(directory.folder());
-    MapSource source = written.map_source();
-    source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
-    LayerDrawer drawer(source);
-    drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
-    if (output.report) {
-        make_folder(written.path(k_page_folder));
-        drawer.draw_for_page_too(written.path(k_page_folder));
-    }
-    make_folder(written.path("maps"));
-    for (const std::string& name : written.drawable()) {
-        if (!is_drawn_at_once(name)) continue;
-        good &= is_drawn("maps/" + name, log,
-                         [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
-    }
-    if (!output.charts || input.reading.study.per_polygon()) return good;  // of sources there is no distribution
-    make_folder(written.path("charts"));
-    return draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report,
-                           log) &&
-           good;
+    const bool begun = is_drawn("the pictures", log, [&] {
+        const ResultReader written(directory.folder());
+        MapSource source = written.map_source();
+        source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
+        LayerDrawer drawer(source);
+        drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
+        if (output.report) {
+            make_drawing_folder(written.path(k_page_folder));
+            drawer.draw_for_page_too(written.path(k_page_folder));
+        }
+        make_drawing_folder(written.path("maps"));
+        for (const std::string& name : written.drawable()) {
+            if (!is_drawn_at_once(name)) continue;
+            good &= is_drawn("maps/" + name, log,
+                             [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
+        }
+        if (!output.charts || input.reading.study.per_polygon()) return;  // of sources there is no distribution
+        make_drawing_folder(written.path("charts"));
+        good &= draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report,
+                                log);
+    });
+    return begun && good;
 }
 
 }  // namespace frana::app::study

@@ -8,6 +8,7 @@
 
 #include "app/pictures/charts.h"
 #include "app/publish/publish_exposure.h"
+#include "app/publish/publish_pictures.h"
 #include "app/store/result_directory.h"
 #include "app/study/member_record.h"
 #include "app/study/plan/study_input.h"
@@ -63,7 +64,7 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 
 /// Loads what draw_study() and film_member() draw with, before the members run. Throws Error(environment) if it is
 /// missing.
-void load_study_drawing(const StudyInput& input);
+void load_study_drawing(const StudyInput& input, Loading loading);
 
 /// Draws the maps and charts that the scene's output.maps and output.charts ask for. Returns false if one could not be
 /// drawn, with a warning.

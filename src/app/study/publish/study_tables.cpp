@@ -100,7 +100,7 @@ bool film_member(const StudyInput& input, const StudyResult& result, const Media
             log.note(std::string("drew ") + k_animation_file + ": " + sentence(median));
         else
             log.warn(worded("{1} is left out because of the signal", {k_animation_file}));
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         log.warn(worded("{1} could not be drawn: {2}", {k_animation_file, std::string(error.what())}));
     }
     remove_frames(directory);

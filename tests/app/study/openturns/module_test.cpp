@@ -107,16 +107,38 @@ class WithoutDrawing : public Modules {
     }
 };
 
-TEST_F(WithoutDrawing, ARunWithASurveyedOutlineIsRefused) {
+TEST_F(WithoutDrawing, ARunIsRefusedAndSoItsCheck) {
+    for (const char* command : {"run", "check"}) {
+        expect_named_first({command, "scene.ini", "--set", "output.directory=out", "--set", "output.maps=on"},
+                           "vtk.so");
+        expect_named_first({command, "scene.ini", "--set", "output.directory=out", "--set", "output.animation=on"},
+                           "vtk.so");
+    }
+    // Without maps a surveyed outline is not drawn.
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "truth", "--quiet"}).exit_code, 0);
-    expect_named_first({"run", "scene.ini", "--out", "out", "--set", "observed.perimeter=truth/extent.gpkg", "--set",
-                        "observed.perimeter-layer=trace"},
-                       "vtk.so");
+    EXPECT_EQ(copy({"run", "scene.ini", "--out", "out", "--set", "observed.perimeter=truth/extent.gpkg", "--set",
+                    "observed.perimeter-layer=trace"})
+                  .exit_code,
+              0);
+}
+
+TEST_F(WithoutDrawing, AModuleThatIsCutShortIsNamed) {
+    const std::string whole = read_text((built() / "vtk.so").string());
+    for (const std::size_t bytes : {std::size_t{40}, whole.size() / 3, whole.size() - 1}) {
+        write("bin/modules/vtk.so", whole.substr(0, bytes));
+        for (const char* command : {"run", "check"}) {
+            const Outcome outcome =
+                copy({command, "scene.ini", "--set", "output.directory=out", "--set", "output.maps=on"});
+            EXPECT_EQ(outcome.exit_code, 4) << bytes << ": " << outcome.err;
+            EXPECT_NE(outcome.err.find("vtk.so: a part of frana is cut short"), std::string::npos) << outcome.err;
+        }
+    }
 }
 
 TEST_F(WithoutDrawing, AStudyIsRefused) {
     write_study("samples = 4\n", "[set]\noutput.maps = on\n" + k_two_keys);
     expect_named_first({"ensemble", "study.ini", "--out", "out"}, "vtk.so");
+    expect_named_first({"check", "study.ini", "--out", "out"}, "vtk.so");
     fs::copy_file(built() / "vtk.so", path("bin/modules/vtk.so"));
     write_study("samples = 4\n", "[set]\noutput.animation = on\n" + k_two_keys);
     expect_named_first({"ensemble", "study.ini", "--out", "out"}, "libav.so");
