@@ -68,7 +68,7 @@ TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
     result.add("bed", scene.terrain);
     for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
     EXPECT_FALSE(highest_pile(result, scene));
-    Raster& depth = result.raster("final_depth");
+    Raster& depth = result.rasters[1].values;
     depth.at(30, 20) = 1 + 0.59;
     EXPECT_FALSE(highest_pile(result, scene));
     depth.at(30, 20) = 1 + 1.0;

@@ -32,6 +32,7 @@ class PictureFaults : public ResultScenes {
 
 /// Every kind of picture of a run: maps in all formats, views, comparison, charts, those of the report, a film.
 const std::string k_pictures =
+    k_voellmy +
     "[output]\nframes = on\nmap-size = 640x480\nmap-formats = png, pdf, svg, tif\nmaps = max_depth, max_velocity_3d, "
     "hazard\ngauges = gauge.geojson\ncross-sections = section.geojson\n[hazard]\nscheme = austrian-torrent\n"
     "[observed]\nperimeter = scar.geojson\n";
@@ -65,7 +66,7 @@ TEST_F(PictureFaults, LeaveEverythingElseOfARun) {
 
 TEST_F(PictureFaults, LeaveEverythingElseOfAStudy) {
     if (k_sanitized) GTEST_SKIP() << "left out: a sanitizer must be loaded first";
-    run("[output]\nmaps = off\nanimation = off\n", "whole");
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "whole");
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 4\n[set]\noutput.maps = on\noutput.animation = on\noutput.map-size = "
           "640x480\n[vary]\nmaterial.friction-angle = uniform 12 18\n");
@@ -77,7 +78,7 @@ TEST_F(PictureFaults, LeaveEverythingElseOfAStudy) {
 
 TEST_F(PictureFaults, LeaveTheTablesOfAConvergenceStudy) {
     if (k_sanitized) GTEST_SKIP() << "left out: a sanitizer must be loaded first";
-    run("[output]\nmaps = off\nanimation = off\n", "whole");
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "whole");
     const Outcome outcome = with_fault(1, k_all, {"converge", "scene.ini", "--out", "study"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const char* file : {"convergence.csv", "convergence.json", "uncertainty.tif"})
@@ -94,19 +95,19 @@ TEST_F(PictureFaults, LongNamesOfManyGaugesAreShortened) {
     write("gauge.geojson", R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
                            R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)" +
                                features + "]}");
-    run("[output]\nanimation = off\nmap-size = 640x480\ngauges = gauge.geojson\n", "out");
+    run(k_voellmy + "[output]\nanimation = off\nmap-size = 640x480\ngauges = gauge.geojson\n", "out");
     EXPECT_TRUE(fs::exists(path("out/charts/gauges.png")));
     EXPECT_EQ(read_text(path("out/report.html")).find("could not be drawn"), std::string::npos);
 }
 
 TEST_F(PictureFaults, WithoutMapsTheComparisonIsNotDrawn) {
-    run("[output]\nmaps = off\nanimation = off\n[observed]\nperimeter = scar.geojson\n", "out");
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\n[observed]\nperimeter = scar.geojson\n", "out");
     EXPECT_TRUE(fs::exists(path("out/comparison.tif")));
     EXPECT_FALSE(fs::exists(path("out/comparison.png")));
 }
 
 TEST_F(PictureFaults, OtherPicturesDoNotBindAResume) {
-    run("[output]\nmaps = off\nanimation = off\n", "out");
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "out");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--resume", "--set", "output.maps=max_depth",
                                    "--set", "output.map-size=640x480", "--set", "output.title=Other"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
