@@ -84,7 +84,12 @@ TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
         return false;
     };
     EXPECT_TRUE(is_named());
-    for (std::int64_t r = 0; r < 60; ++r) depth.at(r, 100) = 20;  // beside such depths nothing changes by 5 %
+    // Beside a heap of 20 m, 0.25 in 1 steep, nothing changes by 5 %.
+    for (std::int64_t r = 0; r < 60; ++r)
+        for (std::int64_t c = 60; c < 120; ++c) {
+            const auto away = static_cast<double>(std::max(std::abs(r - 30), std::abs(c - 95)));
+            depth.at(r, c) = std::max(1.0, 20 - 0.5 * away);
+        }
     EXPECT_FALSE(is_named());
     result.stop_reason = StopReason::end_time;  // a flow that moves has steep fronts
     EXPECT_FALSE(highest_pile(result, scene));
@@ -102,14 +107,14 @@ TEST(Run, OfAFlowThatEndsAtRestNoPileIsNamed) {
 TEST(Run, NoMoreThanAllOfAFlowIsThin) {
     Scene scene = slide();
     scene.release[0].outline = {{{{600010, 5000010}, {600238, 5000010}, {600238, 5000110}, {600010, 5000110}}, {}}};
-    scene.release[0].thickness = 0.001;
+    scene.release[0].thickness = 0.02;
     scene.release[0].speed = 20;
     scene.release[0].azimuth = M_PI / 2;
     scene.numerics.minimum_depth = 0.01;
     scene.time.end = 20;
     const RunResult result = run(scene, {});
     EXPECT_GT(result.volume_left, 0.5 * result.volume_initial);
-    EXPECT_GT(result.thin_fraction, 0.9);
+    EXPECT_GT(result.thin_fraction, 0.5);
     EXPECT_LE(result.thin_fraction, 1);
 }
 

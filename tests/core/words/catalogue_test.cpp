@@ -80,7 +80,8 @@ const std::set<std::string>& shown_texts() {
 std::vector<std::string> other_warnings() {
     std::vector<std::string> found;
     const std::regex call(R"(\b(?:log_?\.warn|warnings\.push_back)\(\s*([^;]*);)"),
-        sentence(R"(\{?worded\([^]*|\{words, limits_use\}\)|\*?\w+\)|std::string\(error\.what\(\)\)\)|accuracy_verdict\([^]*)");
+        sentence(
+            R"(\{?worded\([^]*|\{words, limits_use\}\)|\*?\w+\)|std::string\(error\.what\(\)\)\)|accuracy_verdict\([^]*)");
     std::vector<fs::path> sources = sources_in({"src/app"});
     sources.push_back(fs::path(FRANA_SOURCE_DIR) / "src/simulation/run_warnings.cpp");
     for (const fs::path& path : sources) {
