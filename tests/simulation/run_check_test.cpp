@@ -210,7 +210,7 @@ TEST(EnergyWatch, FindsAGainPlantedIntoTheStepsOfAPile) {
     EXPECT_GT(levelled, 0);
     ASSERT_TRUE(honest.error() && faulty.error());
     EXPECT_LT(*honest.error(), 0.005);  // warned of from there
-    EXPECT_GT(*faulty.error(), 0.01);
+    EXPECT_GT(*faulty.error(), 0.005);
 }
 
 double bound_of(const Scene& scene) {

@@ -107,7 +107,8 @@ TEST(Run, OfAFlowThatEndsAtRestNoPileIsNamed) {
 TEST(Run, NoMoreThanAllOfAFlowIsThin) {
     Scene scene = slide();
     scene.release[0].outline = {{{{600010, 5000010}, {600238, 5000010}, {600238, 5000110}, {600010, 5000110}}, {}}};
-    scene.release[0].thickness = 0.02;
+    scene.release[0].thickness = 0.011;
+    scene.material.friction_coefficient = 0;
     scene.release[0].speed = 20;
     scene.release[0].azimuth = M_PI / 2;
     scene.numerics.minimum_depth = 0.01;
