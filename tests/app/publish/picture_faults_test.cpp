@@ -69,7 +69,7 @@ TEST_F(PictureFaults, LeaveEverythingElseOfAStudy) {
     run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "whole");
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 4\n[set]\noutput.maps = on\noutput.animation = on\noutput.map-size = "
-          "640x480\n[vary]\nmaterial.friction-angle = uniform 12 18\n");
+          "640x480\n[vary]\nmaterial.friction-angle = uniform(12, 18)\n");
     const Outcome outcome = with_fault(1, k_all, {"ensemble", "study.ini", "--out", "study"});
     EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
     for (const char* file : {"members.csv", "summary.json", "report.html", "manifest.json"})
