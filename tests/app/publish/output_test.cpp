@@ -321,6 +321,21 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     })) << named;
 }
 
+TEST_F(Output, ZonesOfPressureFollowThePressureRasterToTheCell) {
+    run(k_quiet + "trace-threshold = 0.5\n[hazard]\nscheme = custom\npressure-limits = 3, 10\n",
+        {"material.density=2000"});
+    const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
+    int shallow = 0;
+    for (std::size_t i = 0; i < classes.values.size(); ++i) {
+        const double kPa = pressure.values[i];
+        ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(kPa));
+        if (std::isnan(kPa)) continue;
+        ASSERT_EQ(classes.values[i], kPa > 10 ? 3 : kPa > 3 ? 2 : 1) << kPa;
+        shallow += kPa > 3 && depth.values[i] <= 0.5 ? 1 : 0;
+    }
+    EXPECT_GT(shallow, 0) << "margins that a least depth would take away";
+}
+
 TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
     const std::string deeper = k_quiet + "trace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
     for (const std::string& more : {k_quiet + "[hazard]\nscheme = swiss-debris-flow\n", deeper}) {
@@ -423,7 +438,8 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
         "[class-2]\nname = Inner\nname-it = Interna\ncolour = d7191c\ncondition = pressure >= 2 kPa or depth > 1 m\n";
     std::ofstream(path("own.ini")) << own;
     run("[output]\nmaps = hazard\nmap-formats = svg\nanimation = off\nframes = off\ncharts = off\nlanguage = it\n"
-        "[hazard]\nscheme = own.ini\n");
+        "[hazard]\nscheme = own.ini\n",
+        {"material.density=2000"});
     const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
     int inner = 0, outer = 0;
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
@@ -451,7 +467,7 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
     EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 0);
     // What is wrong with it is told before anything is computed.
     std::ofstream(path("own.ini")) << own << "colour = red\n[class-4]\n";
-    const std::string refusal = frana({"check", "scene.ini"}).err;
+    const std::string refusal = frana({"check", "scene.ini", "--set", "material.density=2000"}).err;
     for (const char* said : {"own.ini: class-2.colour", "is given more than once"})
         EXPECT_NE(refusal.find(said), std::string::npos) << said << " in\n" << refusal;
     EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 2);

@@ -75,6 +75,14 @@ TEST_F(RareStudy, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
     expect_same("out1", "out");
 }
 
+// With every run cut nobody knows: from nothing to one, as the map has it.
+TEST_F(RareStudy, RunsThatWereCutMayHaveComeThere) {
+    write_study("samples = 64\n" + k_importance, "[set]\ntime.end = 0.2\n" + k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(parse_json(read_text(path("out/summary.json")))["run_troubles"]["cut"], 64);
+    EXPECT_EQ(rare_place().at("interval_95").at(1), 1);
+}
+
 TEST_F(RareStudy, WhatDoesNotGoTogetherIsRefused) {
     const auto expect_refused = [&](const std::string& words) {
         const Outcome outcome = run();
