@@ -220,7 +220,7 @@ void add_keys_of(std::vector<Parameter>& list, Section section) {
                 plain.called = key.called;
                 list.push_back(key.may_be_off ? or_off(plain, member) : plain);
             }
-            list.back().decides_map = true;
+            list.back().decides_map = !list.back().default_text().empty();
         });
     });
 }

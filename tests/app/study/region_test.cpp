@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
 #include "gis/vector/vector_in.h"
 #include "study/tiny_study.h"
 
@@ -279,7 +280,7 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
 TEST_F(Region, SlopesThatWereCutAreTold) {
     write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
     write_slopes(three());
-    write_region("[set]\ntime.end = 0.3\n");  // they run on to 3 s
+    write_region("[set]\ntime.end = 0.6\n");  // they run on to 6 s
     const Outcome outcome = batch();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));
