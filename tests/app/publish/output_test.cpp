@@ -321,21 +321,6 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     })) << named;
 }
 
-TEST_F(Output, ZonesOfPressureFollowThePressureRasterToTheCell) {
-    run(k_quiet + "trace-threshold = 0.5\n[hazard]\nscheme = custom\npressure-limits = 3, 10\n",
-        {"material.density=2000"});
-    const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
-    int shallow = 0;
-    for (std::size_t i = 0; i < classes.values.size(); ++i) {
-        const double kPa = pressure.values[i];
-        ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(kPa));
-        if (std::isnan(kPa)) continue;
-        ASSERT_EQ(classes.values[i], kPa > 10 ? 3 : kPa > 3 ? 2 : 1) << kPa;
-        shallow += kPa > 3 && depth.values[i] <= 0.5 ? 1 : 0;
-    }
-    EXPECT_GT(shallow, 0) << "margins that a least depth would take away";
-}
-
 TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
     const std::string deeper = k_quiet + "trace-threshold = 0.3\n[hazard]\nscheme = swiss-flood\n";
     for (const std::string& more : {k_quiet + "[hazard]\nscheme = swiss-debris-flow\n", deeper}) {

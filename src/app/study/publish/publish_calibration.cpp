@@ -199,9 +199,7 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     result.posteriors = key_posteriors(result.after, sample.weights);
     result.indistinct = indistinct_pairs(result.after, sample.weights);
     result.sentences = sentences(result.posteriors, result.indistinct);
-    const Troubles troubles = troubles_of(runs_of(runs), false);
-    if (troubles.any()) result.doubts.push_back(headline(troubles));
-    if (troubles.open > 0)
+    if (troubles_of(runs_of(runs), false).open > 0)
         result.doubts.push_back(
             worded("The scores of runs that were cut, held or left the ground are those of unfinished flows, and so "
                    "is the posterior: raise time.end, or use a larger DTM"));
@@ -333,8 +331,9 @@ Json json_of(const CalibrationResult& result, const Explained& one) {
 }
 
 /// Lines before the header: who reads the table reads its doubts, and `frana ensemble` repeats them.
-std::string doubt_lines(const CalibrationResult& result) {
-    std::string text;
+std::string doubt_lines(const CalibrationRuns& runs, const CalibrationResult& result) {
+    const Troubles troubles = troubles_of(runs_of(runs), false);
+    std::string text = troubles.any() ? "# " + one_line(headline(troubles).text()) + "\n" : "";
     for (const Sentence& doubt : result.doubts) text += "# " + one_line(doubt.text()) + "\n";
     return text;
 }
@@ -342,7 +341,7 @@ std::string doubt_lines(const CalibrationResult& result) {
 /// Returns posterior.csv: a row for each member with its weight, score, values and misfits. A column
 /// of a shared key has the key's name, so that `frana ensemble` takes the file with sampling = table:FILE.
 std::string posterior_csv(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
-    return doubt_lines(result) + csv_of(columns_of(input, runs, result.weights));
+    return doubt_lines(runs, result) + csv_of(columns_of(input, runs, result.weights));
 }
 
 /// The same for one event that has keys of its own: all its keys by their names.
@@ -357,7 +356,7 @@ std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationRe
                std::isnan(misfits[i][event]) ? "" : shortest_text(1 - misfits[i][event])};
         row.insert(row.end(), table.values[i].begin(), table.values[i].end());
     }
-    return doubt_lines(result) + csv_of(columns);
+    return doubt_lines(runs, result) + csv_of(columns);
 }
 
 /// Returns calibration.json: best values, intervals, scores by event, fitted and predicted. No wall time is in it.
@@ -490,8 +489,7 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
     if (troubles.any()) log.warn_first({headline(troubles)});
-    for (const Sentence& doubt : result.doubts)
-        if (!(doubt == headline(troubles))) log.warn(doubt);
+    for (const Sentence& doubt : result.doubts) log.warn(doubt);
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
     for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);
     write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
