@@ -202,12 +202,11 @@ TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
     EXPECT_FALSE(fs::exists(path("out/records")));
 }
 
-// posterior.csv is a table of weighted members: an ensemble of it runs those with a weight, with these weights, here on
-// to the 12 s of the calibration.
+// posterior.csv is a table of weighted members: an ensemble of it runs those with a weight, with these weights.
 TEST_F(Calibrate, ItsPosteriorIsTheInputOfAnEnsemble) {
     ASSERT_EQ(run().exit_code, 0);
     write("ensemble.ini",
-          "[study]\nscene = slope.ini\nsampling = table:out/posterior.csv\n[set]\ntime.end = 1.2\n"
+          "[study]\nscene = slope.ini\nsampling = table:out/posterior.csv\n[set]\ntime.end = 12\n"
           "output.depth-thresholds = 0.1\n");
     const Outcome outcome = frana({"ensemble", "ensemble.ini", "--out", "range", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

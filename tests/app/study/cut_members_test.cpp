@@ -14,11 +14,15 @@ namespace fs = std::filesystem;
 // Eighteen creeks were stopped by their momentum with half of their volume moving, and no word of it.
 TEST_F(Ensemble, WhateverStopsARunThatMovesIsTold) {
     for (const std::string key : {"time.end", "time.stop-momentum"}) {
-        const std::string value = key == "time.end" ? "=3" : "=0.5";
+        const bool is_end = key == "time.end";
+        const std::string set = key + (is_end ? "=3" : "=0.5"),
+                          other = is_end ? "time.stop-momentum=0" : "time.end=300",
+                          friction = is_end ? "material.friction-angle=18" : "material.friction-angle=32";
         for (const auto& [strict, code] : {std::pair("--strict", 3), {"--quiet", 0}})
-            EXPECT_EQ(
-                frana({"run", "scene.ini", "--out", "one", "--overwrite", strict, "--set", key + value}).exit_code,
-                code)
+            EXPECT_EQ(frana({"run", "scene.ini", "--out", "one", "--overwrite", strict, "--set", set, "--set", other,
+                             "--set", friction})
+                          .exit_code,
+                      code)
                 << key;
         EXPECT_NE(read_text(path("one/log.txt")).find("still moves when " + key + " ends the run"), std::string::npos);
         EXPECT_TRUE(gis::read_raster_text(path("one/max_depth.tif")).metadata.contains("LOWER_BOUND"));

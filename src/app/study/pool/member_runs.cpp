@@ -56,13 +56,14 @@ MemberRecord require_own_record(const StudyInput& input, const RecordPlace& plac
 
 namespace {
 
-/// Whether a member is run again for longer because time.end cut it: not if that is one of its values, or if more would
-/// be released or flow in later, which is another event.
+/// Whether a member is run again for longer because time.end cut it: not if that is one of its values, if a table gives
+/// them (it repeats runs, as a calibration's posterior does), or if more would be released or flow in later.
 bool runs_on(const StudyInput& input, const MemberTask& task, const Scene& scene, const RunResult& result) {
     const auto is_end = [](const std::string& value) { return value.starts_with("time.end="); };
     const auto waits = [](const ReleasedArea& area) { return !area.failed; };
-    return input.runs_on && result.stop_reason == StopReason::end_time && motion_at_end(result).front &&
-           scene.inflows.empty() && std::none_of(task.overrides.begin(), task.overrides.end(), is_end) &&
+    return input.runs_on && input.reading.study.sampling != Sampling::table &&
+           result.stop_reason == StopReason::end_time && motion_at_end(result).front && scene.inflows.empty() &&
+           std::none_of(task.overrides.begin(), task.overrides.end(), is_end) &&
            std::none_of(result.released.begin(), result.released.end(), waits);
 }
 
