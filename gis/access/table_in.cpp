@@ -6,8 +6,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -40,11 +42,39 @@ std::string cell_of(const std::string& line) {
     return first == line.npos ? "" : line.substr(first, last - first + 1);
 }
 
+/// The lines before a header, without their "# "; `rest` is what follows them.
+std::vector<std::string> remarks_before(std::istream& file, std::string& rest) {
+    std::vector<std::string> remarks;
+    std::string line;
+    while (file.peek() == '#' && std::getline(file, line)) remarks.push_back(cell_of(line.substr(1)));
+    if (!remarks.empty()) rest.assign(std::istreambuf_iterator<char>(file), {});
+    return remarks;
+}
+
+/// A copy of a file in memory, where GDAL reads it.
+class MemoryFile {
+  public:
+    explicit MemoryFile(std::string content)
+        : content_(std::move(content)),
+          path_("/vsimem/frana_table_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))) {
+        VSIFCloseL(
+            VSIFileFromMemBuffer(path_.c_str(), reinterpret_cast<GByte*>(content_.data()), content_.size(), FALSE));
+    }
+    ~MemoryFile() { VSIUnlink(path_.c_str()); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    std::string content_, path_;
+};
+
 /// A table with one column, which GDAL takes for no table: it has no separator.
 Table table_of_one_column(const std::string& path) {
     Table table;
     std::ifstream file(path);
     std::string line;
+    while (file.peek() == '#') std::getline(file, line);
     if (!std::getline(file, line) || cell_of(line).empty() || line.find_first_of(",;\t") != line.npos ||
         valid_utf8(line) != line)
         return table;
@@ -73,8 +103,13 @@ Table read_table(const std::string& path, const std::string& where) {
     const char* const drivers[] = {"CSV", nullptr};
     const char* const options[] = {"HEADERS=YES", "AUTODETECT_TYPE=NO", "KEEP_GEOM_COLUMNS=YES", nullptr};
     (void)refuse_special_file(path.c_str());
+    std::ifstream file(path, std::ios::binary);
+    std::string rest;
+    const std::vector<std::string> remarks = remarks_before(file, rest);
+    const MemoryFile without_remarks(std::move(rest));
+    const std::string& read = remarks.empty() ? path : without_remarks.path();
     const GDALDatasetUniquePtr dataset(
-        GDALDataset::Open(("CSV:" + path).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, options));
+        GDALDataset::Open(("CSV:" + read).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, options));
     OGRLayer* layer = dataset && dataset->GetLayerCount() == 1 ? dataset->GetLayer(0) : nullptr;
     Table table;
     if (layer) {
@@ -98,6 +133,7 @@ Table read_table(const std::string& path, const std::string& where) {
                     Problem{"the file is not a table with a header and rows", place, "", "",
                             "Give a CSV: a line with the names of the columns, then a line for each row"});
     }
+    table.remarks = remarks;
     return table;
 }
 

@@ -12,12 +12,13 @@ std::string date_text(double seconds);
 
 /// A table of texts, row by row.
 struct Table {
+    std::vector<std::string> remarks{};  ///< lines before the header, without their "# "
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
 };
 
-/// Reads a CSV file with a header; comma, semicolon or tab between the columns. `where` names the key. Throws
-/// Error(input): missing file, not a table, no row.
+/// Reads a CSV file with a header, before which lines may begin with #; comma, semicolon or tab between the columns.
+/// `where` names the key. Throws Error(input): missing file, not a table, no row.
 Table read_table(const std::string& path, const std::string& where);
 
 }  // namespace frana::gis

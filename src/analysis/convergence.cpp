@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "core/words/words.h"
@@ -184,6 +185,8 @@ std::vector<GridConvergence> grid_convergence(const std::vector<std::vector<Refi
             result.error = k_safety * finest * std::sqrt(own * usual * std::max(1.0, detail));
             result.index_percent = 100 * result.error / finest;
         }
+        if (result.trend == Trend::diverging)  // its changes grow: they bound nothing
+            result.error = result.index_percent = std::numeric_limits<double>::infinity();
         results.push_back(result);
     }
     return results;

@@ -32,7 +32,7 @@ struct GridConvergence {
     Trend trend = Trend::settled;
     double observed_order = 0;  ///< NaN unless converging, and at an order up to the scheme's
     double extrapolated = 0;    ///< Richardson (1911), with an order of at least 0.5; the finest value without an order
-    double error = 0;           ///< estimated |finest - limit|, in the value's unit
+    double error = 0;           ///< estimated |finest - limit|, in the value's unit; infinite where it diverges
     double index_percent = 0;   ///< the same, percent of the finest value
 };
 

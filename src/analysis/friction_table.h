@@ -43,6 +43,7 @@ struct FrictionTable {
     std::vector<double> altitudes{};  ///< least elevation of each band but the lowest [m], rising
     std::vector<Terrain> terrain{};   ///< by rising curvature
     double spacing = 0;               ///< of the elevations from which curvature is computed [m]
+    std::optional<double> density{};  ///< of the flow that it is for [kg/m3]
     std::optional<Forest> forest{};   ///< none: the table does not say
     std::vector<FrictionPair> values{};
 

@@ -33,13 +33,24 @@ std::string text_of(const HazardLimit& one, bool holds) {
     return row.words + (sign + shortest_text(one.limit)) + " " + row.sign;
 }
 
+bool is_depth(const HazardLimit& one) {
+    return one.quantity == HazardQuantity::depth || one.quantity == HazardQuantity::head ||
+           one.quantity == HazardQuantity::deposit;
+}
+
+bool names_depth(const std::vector<HazardLimit>& all) {
+    return std::any_of(all.begin(), all.end(), is_depth);
+}
+
 /// Returns the number of the highest class whose condition holds; none: not even that of the lowest.
+/// @param with_depths whether depths make classes here
 template <class ValueOf>
-std::optional<std::size_t> class_at(const std::vector<HazardClass>& classes, const ValueOf& value_of) {
-    for (std::size_t i = classes.size(); i-- > 0;) {
-        const HazardCondition& condition = classes[i].condition;
-        if (condition.empty() || std::any_of(condition.begin(), condition.end(), [&](const auto& all) {
-                return std::all_of(all.begin(), all.end(),
+std::optional<std::size_t> class_at(const HazardScheme& scheme, bool with_depths, const ValueOf& value_of) {
+    for (std::size_t i = scheme.classes.size(); i-- > 0;) {
+        const HazardCondition& condition = scheme.classes[i].condition;
+        if (condition.empty() ? with_depths : std::any_of(condition.begin(), condition.end(), [&](const auto& all) {
+                return (with_depths || !names_depth(all)) &&
+                       std::all_of(all.begin(), all.end(),
                                    [&](const HazardLimit& one) { return one.holds(value_of(one.quantity)); });
             }))
             return i;
@@ -118,12 +129,24 @@ HazardScheme custom_scheme(const HazardLimits& limits) {
                                        shortest_text(upper.limit) + " " + row.sign;
     }
     for (HazardClass& kind : scheme.classes) kind.name = kind.thresholds;
-    if (most + 1 == k_intensities) scheme.matrix = DegreeMatrix{};
+    if (most + 1 == k_intensities) scheme.matrices = {{"", "Canton of Bern, all processes together"}};
     return scheme;
 }
 
-std::string HazardScheme::minimum_label() const {
-    return worded("Any class") + (": " + text_of(HazardLimit{HazardQuantity::depth, minimum_depth}, true));
+bool HazardScheme::has_depths() const {
+    return uses(HazardQuantity::depth) || uses(HazardQuantity::head) || uses(HazardQuantity::deposit);
+}
+
+std::vector<std::string> HazardScheme::minimum_labels() const {
+    if (!has_depths()) return {};
+    return {worded("Classes by depth") + (": " + text_of(HazardLimit{HazardQuantity::depth, minimum_depth}, true))};
+}
+
+const ProcessMatrix* HazardScheme::matrix_of(const std::optional<std::string>& process) const {
+    if (!process && matrices.size() == 1) return &matrices.front();
+    const auto found = std::find_if(matrices.begin(), matrices.end(),
+                                    [&](const ProcessMatrix& one) { return process && one.process == *process; });
+    return found == matrices.end() ? nullptr : &*found;
 }
 
 bool HazardScheme::uses(HazardQuantity quantity) const {
@@ -138,9 +161,10 @@ Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quanti
     const std::array<const Raster*, 6> rasters{&quantities.depth, &quantities.velocity, &quantities.flux,
                                                &quantities.head,  &quantities.pressure, &quantities.deposit};
     Raster classes(quantities.depth.grid, k_no_data);
+    const bool has_depths = scheme.has_depths();
     quantities.depth.values.for_each_stored([&](std::size_t cell, double depth) {
-        if (!(depth > scheme.minimum_depth)) return;
-        const auto kind = class_at(scheme.classes, [&](HazardQuantity quantity) {
+        if (std::isnan(depth)) return;
+        const auto kind = class_at(scheme, !has_depths || depth > scheme.minimum_depth, [&](HazardQuantity quantity) {
             return rasters.at(static_cast<std::size_t>(quantity))->values[cell];
         });
         if (kind) classes.values[cell] = scheme.classes[*kind].value;
@@ -217,7 +241,7 @@ std::vector<HazardClass> degree_classes(const DegreeMatrix& matrix) {
 }
 
 bool has_intensities(const HazardScheme& scheme) {
-    return scheme.matrix && !scheme.classes.empty() && scheme.classes.back().value == k_intensities;
+    return !scheme.matrices.empty() && !scheme.classes.empty() && scheme.classes.back().value == k_intensities;
 }
 
 }  // namespace frana

@@ -88,9 +88,8 @@ inline constexpr int k_intensities = 3;  ///< 1 weak, 2 medium, 3 strong
 inline constexpr std::size_t k_probabilities = 3;
 
 /// Degrees for three intensities and three probabilities (high, medium, low). Rarer events are a residual hazard,
-/// whatever their intensity. The default is the Swiss matrix of nine fields for all processes as the canton of Bern
-/// publishes it; where it divides a field between two colours, by the process, the worse one. share/doc/region.md has
-/// the matrices of single processes.
+/// whatever their intensity. The default is the matrix of nine fields for all processes as the canton of Bern publishes
+/// it; where it divides a field between two colours, by the process, the worse one.
 struct DegreeMatrix {
     /// Longest return period of each probability [years], rising.
     std::array<double, k_probabilities> periods{30, 100, 300};
@@ -107,6 +106,14 @@ struct DegreeMatrix {
     [[nodiscard]] std::string conditions_of(HazardDegree degree) const;
 };
 
+/// The matrix of a process, or of all together, which colours more.
+struct ProcessMatrix {
+    std::string process{};  ///< a word of k_processes; empty: the scheme has one process
+    std::string source{};   ///< of the matrix, for maps
+    DegreeMatrix degrees{};
+};
+inline constexpr const char* k_processes[] = {"all", "flood", "channel-debris-flow", "hillslope-debris-flow"};
+
 /// What the intensities of a scenario are, or its zones. Those of share/schemes and users' own are files
 /// (src/params/scene/read_scheme.h).
 struct HazardScheme {
@@ -118,15 +125,19 @@ struct HazardScheme {
     std::string quote{}, read_at{};           ///< words of it and where they were read; empty: not read
     std::vector<double> periods{};            ///< return periods of the scenarios it is meant for [years]
     std::vector<HazardClass> classes{};       ///< from the lowest; each condition holds where that of the next does
-    std::optional<DegreeMatrix> matrix{};     ///< of the degree of hazard; none: the scheme has no three intensities
+    std::vector<ProcessMatrix> matrices{};    ///< of the degree of hazard; none: the scheme has no three intensities
     OwnTexts texts{};                         ///< its names in other languages
-    double minimum_depth = 0;                 ///< up to which there is no class [m]
+    double minimum_depth = 0;                 ///< up to which depth makes no class [m]
 
-    /// "Any class: depth > 0.1 m"
-    [[nodiscard]] std::string minimum_label() const;
+    /// Whether depths make any of its classes: a depth, an energy head or a deposit.
+    [[nodiscard]] bool has_depths() const;
+    /// "Classes by depth: depth > 0.1 m"; of a scheme without depths none.
+    [[nodiscard]] std::vector<std::string> minimum_labels() const;
     [[nodiscard]] bool uses(HazardQuantity quantity) const;
     /// Whether words of the source were read; of a scene's own limits the scene is the source.
     [[nodiscard]] bool is_source_read() const { return source != k_source_not_read; }
+    /// Returns the matrix of a process, of the only one if none is named; null: there is none, or the process must be.
+    [[nodiscard]] const ProcessMatrix* matrix_of(const std::optional<std::string>& process) const;
     [[nodiscard]] bool has_zones() const { return heading != k_intensity_title; }
 };
 
@@ -136,8 +147,8 @@ HazardScheme custom_scheme(const HazardLimits& limits);
 /// Sets what people read of the classes' conditions.
 void write_thresholds(HazardScheme& scheme);
 
-/// Returns the class of every cell deeper than the scheme's minimum depth, NaN elsewhere and where the lowest class
-/// has a condition that does not hold.
+/// Returns the class of every cell that the flow reached, NaN elsewhere and where the lowest class has a condition that
+/// does not hold. Up to the scheme's minimum depth only limits without a depth (pressure, speed, flux) make one.
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities);
 
 /// Returns "weak", "medium", "strong".

@@ -140,6 +140,12 @@ enum class StopReason {
            reason == StopReason::moving_volume || reason == StopReason::momentum || reason == StopReason::all_left;
 }
 
+/// Returns whether the flow may still have moved when a run ended for this reason.
+[[nodiscard]] constexpr bool ends_in_motion(StopReason reason) noexcept {
+    return reason == StopReason::end_time || reason == StopReason::energy || reason == StopReason::moving_volume ||
+           reason == StopReason::momentum || reason == StopReason::requested;
+}
+
 /// The actual release of one area.
 struct ReleasedArea {
     std::string name;    ///< as ReleaseArea::name

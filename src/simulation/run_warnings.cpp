@@ -66,11 +66,30 @@ void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warning
          true});
 }
 
-/// At the end time: the moving volume, and how fast the main results still grow.
+/// What stopped a run while its flow may have moved, and what lets it run on.
+std::pair<std::string, Sentence> stop_and_remedy(StopReason reason) {
+    const auto lower = [](const char* key) { return std::pair(std::string(key), worded("lower {1}", {key})); };
+    switch (reason) {
+        case StopReason::energy:
+            return lower("time.stop-energy-fraction");
+        case StopReason::moving_volume:
+            return lower("time.stop-moving-fraction");
+        case StopReason::momentum:
+            return lower("time.stop-momentum");
+        case StopReason::requested:
+            return {"signal", worded("use --resume")};
+        default:
+            return {"time.end", worded("raise time.end")};
+    }
+}
+
+/// At the end: the moving volume, and how fast the main results still grow.
 void warn_of_motion(const RunResult& result, const Scene& scene, Warnings& warnings) {
     if (!motion_at_end(result).front) return;
-    Sentence motion = worded("the flow still moves when time.end is reached: {1} % of its volume faster than {2} m/s",
-                             {percent(result.moving_fraction_limit), numeral(number_text(scene.time.moving_speed))});
+    const auto [stop, remedy] = stop_and_remedy(result.stop_reason);
+    Sentence motion =
+        worded("the flow still moves when {3} ends the run: {1} % of its volume faster than {2} m/s",
+               {percent(result.moving_fraction_limit), numeral(number_text(scene.time.moving_speed)), stop});
     // The series contains the speed shown on maps.
     if (const double fastest = result.series.back().max_speed; fastest > 0)
         motion = worded("{1}, the fastest at {2} m/s", {motion, numeral(number_text(fastest, 3))});
@@ -83,10 +102,9 @@ void warn_of_motion(const RunResult& result, const Scene& scene, Warnings& warni
     const bool front_rests = result.settling && result.settling->front_is_final;
     warnings.push_back(
         {worded(front_rests
-                    ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: "
-                             "raise time.end")
-                    : worded("{1}. Final depth and run-out are not those of the deposit: raise time.end"),
-                {motion}),
+                    ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: {2}")
+                    : worded("{1}. Final depth and run-out are not those of the deposit: {2}"),
+                {motion, remedy}),
          true});
 }
 

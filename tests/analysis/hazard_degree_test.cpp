@@ -53,7 +53,7 @@ TEST(HazardDegree, SchemesWithThreeIntensities) {
     EXPECT_TRUE(has_intensities(scheme));
     scheme.classes.erase(scheme.classes.begin());
     EXPECT_TRUE(has_intensities(scheme)) << "the upper two";
-    scheme.matrix.reset();
+    scheme.matrices.clear();
     EXPECT_FALSE(has_intensities(scheme)) << "no matrix";
     limits.depth = {0.5};
     EXPECT_FALSE(has_intensities(custom_scheme(limits)));

@@ -48,6 +48,28 @@ TEST(Hazard, GroundUpToTheMinimumDepthHasNoClass) {
     EXPECT_TRUE(std::isnan(classes[2])) << "never reached";
 }
 
+// Fast and thin at the margins: classes of pressure, flux and speed are as large as their rasters say.
+TEST(Hazard, OnlyDepthsNeedTheMinimumDepth) {
+    HazardCells cells({0.02, 0.08, 0.09, 0.1, 0.6, k_no_data});
+    cells.pressure.values = {0.5, 12, 40, 2, 1, k_no_data};
+    cells.head.values = {0.1, 2, 3, 0.2, 0.7, k_no_data};
+    const auto in_class = [&](HazardScheme scheme) {
+        scheme.minimum_depth = 0.1;
+        std::vector<double> classes = cells.classes(scheme);
+        for (double& value : classes) value = std::isnan(value) ? 0 : value;
+        return classes;
+    };
+    using Classes = std::vector<double>;
+    const HazardLimit yellow{Q::pressure, 1, true}, red{Q::pressure, 10};
+    EXPECT_EQ(in_class(scheme_of({{{yellow}}, {{red}}})), (Classes{0, 2, 2, 1, 1, 0}));
+    EXPECT_EQ(in_class(scheme_of({{}, {{red}}})), (Classes{1, 2, 2, 1, 1, 0}))
+        << "whatever pressure: all that is reached";
+    EXPECT_EQ(in_class(custom_scheme({{0.5}, {}, {}, {10, 30}})), (Classes{0, 2, 3, 0, 2, 0}));
+    EXPECT_EQ(in_class(scheme_of({{}, {{{Q::head, 1.5, true}}}})), (Classes{0, 0, 0, 0, 1, 0})) << "heights are depths";
+    EXPECT_EQ(in_class(scheme_of({{}, {{red, {Q::depth, 0.05}}}})), (Classes{0, 0, 0, 0, 1, 0}));
+    EXPECT_TRUE(scheme_of({{}, {{red}}}).minimum_labels().empty());
+}
+
 TEST(Hazard, CustomCountsTheLimitsExceeded) {
     HazardCells cells({0.2, 0.6, 3, 0.2, 0.2});
     cells.pressure.values = {0, 0, 0, 11, 31};

@@ -33,33 +33,10 @@ std::size_t lines_in(const std::string& folder) {
     return lines;
 }
 
-struct Room {
-    const char* folder;
-    std::size_t lines;
-};
-
-// How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
-constexpr Room k_rooms[] = {
-    {"src/core", 3380},         {"src/params", 5230},       {"src/physics", 1490},
-    {"src/particles", 1650},    {"src/mpm", 5010},          {"src/models", 4480},
-    {"src/simulation", 6590},   {"src/analysis", 3200},     {"src/facade", 1400},
-    {"src/python", 510},        {"src/bench", 5850},        {"src/app/process", 320},
-    {"src/app/text", 680},      {"src/app/input", 3760},    {"src/app/store", 3900},
-    {"src/app/pictures", 3175}, {"src/app/compare", 1000},  {"src/app/publish", 4340},
-    {"src/app/study", 11980},   {"src/app/commands", 5366}, {"gis", 7150},
-    {"render", 7250},
-};
-
-TEST(SourceFiles, RoomsKeepTheirBudgetOfLines) {
-    std::size_t in_rooms = 0;
-    for (const Room& room : k_rooms) {
-        const std::size_t lines = lines_in(room.folder);
-        in_rooms += lines;
-        EXPECT_LE(lines, room.lines * 105 / 100) << room.folder << " has outgrown its budget of " << room.lines;
-        EXPECT_GE(lines, room.lines * 90 / 100) << room.folder << " has shrunk: lower its budget of " << room.lines;
-    }
-    // Nothing of the product is outside a room, but for the program's main file.
-    EXPECT_EQ(in_rooms + lines_of("src/app/main.cpp").size(), lines_in("src") + lines_in("gis") + lines_in("render"));
+// Lower it when the product has shrunk; what comes in makes its room elsewhere.
+TEST(SourceFiles, TheProductKeepsItsSumOfLines) {
+    constexpr std::size_t k_lines = 94000;
+    EXPECT_LE(lines_in("src") + lines_in("gis") + lines_in("render"), k_lines);
 }
 
 // Many small files cost a reader more than their lines.

@@ -20,12 +20,6 @@ constexpr double k_least_cells = 9;
 constexpr int k_factors[] = {24, 16, 12, 8, 6, 4, 3, 2};
 constexpr int k_coarsest_inflow = 8;
 
-/// Whether each error is within its limit if first-order convergence halves it on cells half as large.
-bool halving_suffices(const std::vector<ValueEstimate>& estimates) {
-    return std::all_of(estimates.begin(), estimates.end(),
-                       [](const ValueEstimate& e) { return e.is_zero || e.error / 2 <= e.allowed; });
-}
-
 AccuracyLevel failed_level(double cell_size, const std::string& problem) {
     AccuracyLevel level;
     level.cell_size = cell_size;
@@ -116,8 +110,7 @@ std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Pr
         }
         const std::vector<ValueEstimate> estimates = value_estimates(record);
         if (estimates.empty()) continue;
-        const bool is_last = size == sizes.back();
-        if (is_reached(estimates) || (is_last && !halving_suffices(estimates))) {
+        if (is_reached(estimates)) {
             record.chosen_cell_size = size;
             break;
         }

@@ -33,9 +33,9 @@ std::optional<AccuracyLevel> compute_level(const SceneReading& reading, const Pr
 AccuracyLevel level_of(const RunResult& result, const Prepared& level, const Raster& finest_terrain);
 
 /// Chooses the cell size for a scene with numerics.accuracy: computes coarser levels, coarsest first, until the
-/// estimated errors of all reported_values() are within the requested accuracy. Chooses the scene's own cells only if
-/// half the remaining errors, as for a first-order method, are within it, or if there are too few coarser levels for an
-/// estimate. Skips a level that fails. Writes nothing. Returns nothing if a signal stopped it.
+/// estimated errors of all reported_values() are within the requested accuracy. Otherwise chooses the scene's own
+/// cells: nothing is left unclaimed before these are computed. Skips a level that fails. Writes nothing. Returns
+/// nothing if a signal stopped it.
 std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Prepared& finest, const RunLevel& run,
                                            RunLog& log);
 

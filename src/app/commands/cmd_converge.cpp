@@ -180,16 +180,20 @@ std::string table_text(const std::vector<Level>& levels) {
 std::string sentences(const std::vector<Level>& levels, const std::vector<EstimatedValue>& estimates) {
     std::string text;
     for (const auto& [name, c] : estimates) {
-        text += std::string(name.title) + ' ' + number_text(name.of(levels.back().statistics)) + ' ' + name.unit +
-                ", estimated error " + number_text(c.error, 2) + ' ' + name.unit + " (" +
+        text += std::string(name.title) + ' ' + number_text(name.of(levels.back().statistics)) + ' ' + name.unit + ", ";
+        if (!std::isfinite(c.error)) {
+            text += "not converged\n";
+            continue;
+        }
+        text += "estimated error " + number_text(c.error, 2) + ' ' + name.unit + " (" +
                 number_text(c.index_percent, 2) + " %; " + describe(c.trend);
         if (!std::isnan(c.observed_order)) text += ", order " + number_text(c.observed_order, 2);
         text += ")\n";
     }
     return text + "from " + std::to_string(levels.size()) + " resolutions, the finest " +
            number_text(levels.back().cell_size) +
-           " m; discretisation only: errors of data and material are not included, and where values do not converge "
-           "the estimate is a caution\n";
+           " m; discretisation only: errors of data and material are not included, and where values oscillate the "
+           "estimate is a caution\n";
 }
 
 /// Difference of each level's values from their extrapolated values, relative to those, against the cell size.

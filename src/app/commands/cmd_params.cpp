@@ -102,7 +102,10 @@ Json head_json(const DataOfFile& data) {
 Json json_of(const HazardScheme& scheme) {
     Json json = head_json(scheme);
     json["classes_are"] = scheme.has_zones() ? "zones" : "intensities";
-    json["degree_of_hazard"] = scheme.matrix.has_value();
+    json["degree_of_hazard"] = !scheme.matrices.empty();
+    json["processes"] = Json::array();
+    for (const ProcessMatrix& one : scheme.matrices)
+        if (!one.process.empty()) json["processes"].push_back({{"process", one.process}, {"source", one.source}});
     json["classes"] = Json::array();
     for (const HazardClass& kind : scheme.classes)
         json["classes"].push_back({{"class", kind.value},

@@ -23,6 +23,8 @@
 #include "gis/vector/vector_in.h"
 #include "params/keys/laws.h"
 #include "params/keys/output_parameters.h"
+#include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 #include "simulation/arrivals.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene.h"
@@ -257,6 +259,21 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.recording.sections = std::exchange(extra.sections, {});
     prepared.extra = std::move(extra);
     return prepared;
+}
+
+std::vector<std::string> left_at_default(const Prepared& prepared) {
+    std::vector<std::string> left;
+    for (const Parameter& key : scene_parameters()) {
+        const std::string name = key.name();
+        const auto chosen = prepared.resolved.find(name);
+        const bool is_chosen = chosen != prepared.resolved.end();
+        if (!key.decides_map || prepared.spec.origin_of(name) != frana::Origin::default_value ||
+            !is_used(prepared.spec, key, is_chosen))
+            continue;
+        left.push_back(name + " = " + (is_chosen ? chosen->second : key.write(prepared.spec).value_or("")) +
+                       (key.unit.empty() ? "" : " " + key.unit));
+    }
+    return left;
 }
 
 Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log) {

@@ -33,6 +33,7 @@ struct Prepared {
     std::vector<std::string> identity;
     /// Folder of the result, absolute, from which its scene.ini names the inputs; empty: by absolute paths.
     std::string result_folder{};
+    std::map<std::string, std::string> tags{};  ///< more metadata of its rasters, as those of a study have
 };
 
 /// Reads a scene's files. Throws Error(input) with every problem found in keys and files.
@@ -41,5 +42,9 @@ Prepared prepare(const SceneReading& reading, RunLog& log);
 /// The same if the result's place may not be usable (check_result_directory()): that is reported together with all
 /// other problems, and alone it is an Error(environment).
 Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log);
+
+/// Returns "material.density = 2000 kg/m3" for each key that the scene uses, whose default decides a number on the map,
+/// and that the user left alone.
+std::vector<std::string> left_at_default(const Prepared& prepared);
 
 }  // namespace frana::app

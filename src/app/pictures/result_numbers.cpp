@@ -194,8 +194,10 @@ RunEnd run_end(const RunResult& result) {
 }
 
 RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final) {
-    const MotionAtEnd motion =
-        motion_at_end(reason == describe(StopReason::end_time), fastest, moving_fraction, front_is_final);
+    bool in_motion = false;
+    for (int i = 0; i <= static_cast<int>(StopReason::volume_drift); ++i)
+        if (const auto one = static_cast<StopReason>(i); reason == describe(one)) in_motion = ends_in_motion(one);
+    const MotionAtEnd motion = motion_at_end(in_motion, fastest, moving_fraction, front_is_final);
     return {reason, seconds, fastest, motion.front, motion.deposit};
 }
 

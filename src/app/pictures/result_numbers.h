@@ -60,7 +60,7 @@ struct RunEnd {
     std::string reason;  ///< English, as `describe` of a StopReason
     double seconds = 0;  ///< simulated
     double fastest = 0;  ///< greatest speed of the last step [m/s]
-    /// Whether the front still moved when the end time was reached: final depth and run-out are not those of the
+    /// Whether the front still moved when the run was stopped: final depth and run-out are not those of the
     /// deposit.
     bool is_cut_short = false;
     /// Whether only the deposit did: run-out and area had stopped changing.

@@ -39,8 +39,8 @@ std::vector<gis::ColourStop> stops_of(const ClassMap& map, const Words& words) {
 }
 
 std::string titled(const ClassMap& map, const Words& words) {
-    return words("{1}, scheme {2}", {words(map.title), map.scheme.name}) + "; " +
-           class_label(map.limits.front(), words);
+    const std::string title = words("{1}, scheme {2}", {words(map.title), map.scheme.name});
+    return map.limits.empty() ? title : title + "; " + class_label(map.limits.front(), words);
 }
 
 void write_raster(const Raster& classes, const ClassMap& map, const std::string& path, const Words& words,
@@ -91,7 +91,7 @@ std::optional<HazardScheme> hazard_scheme_of(const SceneSpec& scene) {
 }
 
 std::vector<std::string> intensity_limits(const HazardScheme& scheme) {
-    std::vector<std::string> lines{scheme.minimum_label()};
+    std::vector<std::string> lines = scheme.minimum_labels();
     for (const HazardClass& kind : scheme.classes) lines.push_back(intensity_name(kind.value) + ": " + kind.thresholds);
     if (!scheme.is_source_read()) lines.push_back(scheme.source);
     return lines;
@@ -110,8 +110,8 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const std::optional<HazardScheme> scheme = hazard_scheme_of(prepared.spec);
     if (!scheme) return {};
     const Raster classes = intensity_classes(result, *scheme);
-    const ClassMap map{k_hazard,       scheme->heading,     scheme->classes,          *scheme,
-                       scheme->source, k_hazard_zones_file, {scheme->minimum_label()}};
+    const ClassMap map{k_hazard,       scheme->heading,     scheme->classes,         *scheme,
+                       scheme->source, k_hazard_zones_file, scheme->minimum_labels()};
     return publish_classes(classes, map, provenance(prepared), words_of(prepared.spec), directory);
 }
 

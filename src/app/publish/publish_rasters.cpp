@@ -96,7 +96,9 @@ PolygonFeature release_outline(const ReleaseArea& area, std::size_t index) {
 }
 
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
-    const std::map<std::string, std::string> origin = provenance(prepared);
+    std::map<std::string, std::string> origin = provenance(prepared);
+    if (is_open(result, prepared.scene))
+        origin[k_lower_bound_item] = "the full reach of the flow is not known, see warnings in summary.json";
     for (const ResultRaster& row : result_rasters())
         if (const Raster* raster = result.find_raster(row.name))
             write(directory, row, *raster, origin, prepared.spec.output, words_of(prepared.spec));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/publish/html_page.h"
@@ -194,7 +195,9 @@ ErrorEstimates error_estimates(const SummaryFacts& facts, const std::string& res
     for (const auto& [key, value] : study->at("statistics").items()) {
         const auto error = value_in<double>(value, "/estimated_error");
         const auto trend = value_in<std::string>(value, "/trend");
-        if (error) estimates.of[key] = {*error, trend == describe(Trend::converging)};
+        if (error || trend == describe(Trend::diverging))
+            estimates.of[key] = {error.value_or(std::numeric_limits<double>::infinity()),
+                                 trend == describe(Trend::converging)};
     }
     return estimates;
 }

@@ -220,6 +220,8 @@ Document material_sentences(const ReportInput& input) {
     told.paragraph(words("Friction and material."), text);
     if (const std::string source = preset_source(spec, words); !source.empty())
         told.small(words("Source of the preset {1}:", {*spec.material.preset}) + " " + source);
+    if (const std::string left = joined(left_at_default(input.prepared), ", "); !left.empty())
+        told.small(words("Left at their defaults: {1}.", {left}));
     return told;
 }
 
@@ -400,6 +402,7 @@ std::string error_text(const ErrorEstimates& errors, const std::string& key, con
     const auto estimate = errors.find(key);
     if (!estimate) return words("no estimate");
     const double error = estimate->error;
+    if (!std::isfinite(error)) return words("not converged");
     const std::string text = "± " + words.number(error < 1000 ? number_text(error, 2) : grouped(error));
     return estimate->converging ? text : text + ", " + words("not converging");
 }

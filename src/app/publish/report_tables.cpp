@@ -247,7 +247,9 @@ Document accuracy_tables(const AccuracyRecord& record, const Words& words) {
     for (const ValueEstimate& e : value_estimates(record)) {
         const std::string unit = " " + unit_sign(e.value.unit);
         values.row({title_in(e.value, words), n.rounded(e.value.value) + unit,
-                    n.rounded(e.error, 2) + unit + (e.value.value != 0 ? " (" + n(e.percent(), 2) + " %)" : ""),
+                    !std::isfinite(e.error)
+                        ? words("not converged")
+                        : n.rounded(e.error, 2) + unit + (e.value.value != 0 ? " (" + n(e.percent(), 2) + " %)" : ""),
                     words(describe(e.convergence.trend)),
                     e.is_zero       ? words("zero on all levels")
                     : e.is_within() ? words("yes")
@@ -322,12 +324,13 @@ Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& area
                    class_label(area.kind.thresholds, words),
                    {n.grouped(area.area_m2), "n"}});
     }
-    return Document()
-        .paragraph(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also depends on "
+    Document told;
+    told.paragraph(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also depends on "
                          "its frequency.",
                          {words(scheme->called), words(scheme->source)}))
-        .add(table)
-        .small(class_label(scheme->minimum_label(), words));
+        .add(table);
+    for (const std::string& label : scheme->minimum_labels()) told.small(class_label(label, words));
+    return told;
 }
 
 Document inputs_table(const Prepared& p, const Words& words) {

@@ -43,6 +43,7 @@ std::string cells(double size) {
 
 /// Percent of the value, or its unit where that is zero.
 std::string error_text(const ValueEstimate& estimate, const Words& words) {
+    if (!std::isfinite(estimate.error)) return words("not converged");
     const bool has_percent = std::isfinite(estimate.percent());
     return words.number(number_text(has_percent ? estimate.percent() : estimate.error, 2)) + " " +
            (has_percent ? "%" : estimate.value.unit);
@@ -192,9 +193,10 @@ std::string estimate_lines(const std::vector<ValueEstimate>& estimates) {
             text += "  " + e.value.title + " 0 " + e.value.unit + " on all levels: no estimate\n";
             continue;
         }
-        text += "  " + e.value.title + " " + number_text(e.value.value) + " " + e.value.unit + ", estimated error " +
-                number_text(e.error, 2) + " " + e.value.unit;
-        if (e.value.value != 0) text += " (" + number_text(e.percent(), 2) + " %)";
+        const bool is_stated = std::isfinite(e.error);
+        text += "  " + e.value.title + " " + number_text(e.value.value) + " " + e.value.unit +
+                (is_stated ? ", estimated error " + number_text(e.error, 2) + " " + e.value.unit : ", not converged");
+        if (is_stated && e.value.value != 0) text += " (" + number_text(e.percent(), 2) + " %)";
         text += std::string("; ") + describe(e.convergence.trend);
         if (!std::isnan(e.convergence.observed_order))
             text += ", order " + number_text(e.convergence.observed_order, 2);
@@ -223,15 +225,9 @@ std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
         if (++unmet <= k_named) named.push_back(title_in(e.value, words) + " (" + error_text(e, words) + ")");
     }
     if (unmet > k_named) named.push_back(words("and {1} more", {std::to_string(unmet - k_named)}));
-    std::string text =
-        words("{1} is not claimed for {2} of {3} values, whose estimated error is greater: {4}; {5}",
-              {asked, std::to_string(unmet), std::to_string(estimates.size()), joined(named, ", "), result});
-    if (!record.is_finest())
-        text += ". " + words(
-                           "The scene's own cells of {1} m were not computed: the estimate does not expect them to "
-                           "reach it. Run without numerics.accuracy for them, or ask for less",
-                           {words.number(number_text(record.finest_cell_size))});
-    return text + ". " + caution(words);
+    return words("{1} is not claimed for {2} of {3} values, whose estimated error is greater: {4}; {5}",
+                 {asked, std::to_string(unmet), std::to_string(estimates.size()), joined(named, ", "), result}) +
+           ". " + caution(words);
 }
 
 namespace {

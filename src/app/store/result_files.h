@@ -67,6 +67,8 @@ inline constexpr const char* k_exposure_table = "exposure.csv";
 inline constexpr const char* k_exposure_file = "exposure.gpkg";
 inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
 inline constexpr const char* k_degree_zones_file = "hazard_degree_zones.gpkg";
+/// Item of a raster's metadata: why its values are a lower bound.
+inline constexpr const char* k_lower_bound_item = "LOWER_BOUND";
 /// Items of a raster's metadata, numbered from 1: the limits of the intensities behind its classes.
 inline constexpr const char* k_limit_item = "HAZARD_LIMIT_";
 /// The name of the scheme for scenes and for readers, and its texts in other languages as JSON.

@@ -82,12 +82,14 @@ std::string echoed_scene_without_places(const Prepared& prepared) {
 }
 
 std::map<std::string, std::string> provenance(const Prepared& prepared) {
-    return {{"PROGRAM", k_program},
-            {"VERSION", k_version},
-            {"SCENE", valid_utf8(scene_name(prepared.spec))},
-            {"SCENE_HASH", text_hash(echoed_scene_without_places(prepared))},
-            {gis::k_depth_item, prepared.spec.output.depth == k_normal_depth ? k_normal : k_vertical},
-            {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}};
+    std::map<std::string, std::string> all = prepared.tags;
+    all.insert({{"PROGRAM", k_program},
+                {"VERSION", k_version},
+                {"SCENE", valid_utf8(scene_name(prepared.spec))},
+                {"SCENE_HASH", text_hash(echoed_scene_without_places(prepared))},
+                {gis::k_depth_item, prepared.spec.output.depth == k_normal_depth ? k_normal : k_vertical},
+                {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}});
+    return all;
 }
 
 namespace {

@@ -45,13 +45,14 @@ void serialise(Archive& archive, CellRun& run) {
 enum class Quantity { depth, velocity, arrival, pressure, intensity, deposit };
 
 /// Columns of a table of members with what MemberEnd holds, its number of warnings the last.
-inline constexpr const char* k_end_columns[] = {"stop_reason",     "moving_fraction", "left_domain_fraction",
-                                                "held_by_no_data", "energy_error",    "warnings"};
+inline constexpr const char* k_end_columns[] = {
+    "stop_reason", "end_s", "moving_fraction", "left_domain_fraction", "held_by_no_data", "energy_error", "warnings"};
 
 /// How a member's run ended, and what it warned of: what one run tells must reach the study's maps.
 struct MemberEnd {
     std::string stop_reason;     ///< as in summary.json; empty: it could not start
-    bool is_cut = false;         ///< the front still moved at time.end (motion_at_end)
+    double end = 0;              ///< time.end of its run [s]: more than the scene's if it ran on
+    bool is_cut = false;         ///< the front still moved when the run was stopped (motion_at_end)
     double moving_fraction = 0;  ///< of the volume
     double left_fraction = 0;    ///< of the volume, through the edges of the computed ground
     bool is_held = false;        ///< by cells without elevation (gap_contact)
@@ -66,7 +67,7 @@ struct MemberEnd {
 
 template <class Archive>
 void serialise(Archive& archive, MemberEnd& end) {
-    archive(end.stop_reason, end.is_cut, end.moving_fraction, end.left_fraction, end.is_held, end.energy_error,
+    archive(end.stop_reason, end.end, end.is_cut, end.moving_fraction, end.left_fraction, end.is_held, end.energy_error,
             end.warnings);
 }
 

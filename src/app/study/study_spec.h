@@ -165,7 +165,8 @@ struct StudyReading {
     StudySpec study;
     Session session;  ///< of all members
     Problems problems;
-    std::string label;  ///< the study file as the user named it
+    std::string label;                  ///< the study file as the user named it
+    std::vector<std::string> doubts{};  ///< of its table of values, as that says before its header
 
     /// Returns where a key is given, for messages: "study.ini: vary.material.turbulence".
     [[nodiscard]] std::string where(const std::string& name) const { return label + ": " + name; }

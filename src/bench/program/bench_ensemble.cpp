@@ -32,6 +32,10 @@ namespace {
 
 constexpr const char* k_estimate_csv = "estimate.csv";
 
+bool has_none(const ValueEstimate& e) {
+    return e.is_zero || !std::isfinite(e.error);
+}
+
 /// Estimates from all levels up to one, and true changes against the finest.
 struct LevelCheck {
     double cell_size = 0;
@@ -40,15 +44,15 @@ struct LevelCheck {
     std::vector<double> changes;  ///< |value - finest's|, as estimates
 
     [[nodiscard]] bool contains(std::size_t i) const { return changes[i] <= estimates[i].error; }
-    /// Number of values that are not zero on all levels.
+    /// Number of values with an estimate.
     [[nodiscard]] std::size_t estimated() const {
         std::size_t count = 0;
-        for (const ValueEstimate& e : estimates) count += e.is_zero ? 0 : 1;
+        for (const ValueEstimate& e : estimates) count += has_none(e) ? 0 : 1;
         return count;
     }
     [[nodiscard]] std::size_t contained() const {
         std::size_t count = 0;
-        for (std::size_t i = 0; i < changes.size(); ++i) count += !estimates[i].is_zero && contains(i) ? 1 : 0;
+        for (std::size_t i = 0; i < changes.size(); ++i) count += !has_none(estimates[i]) && contains(i) ? 1 : 0;
         return count;
     }
 };
@@ -88,7 +92,7 @@ std::string table_text(const std::vector<LevelCheck>& checks, const AccuracyLeve
             std::snprintf(line, sizeof line, "  %-32s %10s %-4s estimate %8s  true %8s%s\n", e.value.title.c_str(),
                           number_text(e.value.value).c_str(), e.value.unit.c_str(),
                           relative(e.error, e.value.value).c_str(), relative(check.changes[i], e.value.value).c_str(),
-                          e.is_zero           ? "  no estimate"
+                          has_none(e)         ? "  no estimate"
                           : check.contains(i) ? ""
                                               : "  *");
             text += line;
@@ -106,7 +110,7 @@ std::string csv_text(const std::vector<LevelCheck>& checks, const AccuracyLevel&
                     csv_cell(e.value.key) + ',' + e.value.unit + ',' + shortest_text(e.value.value) + ',' +
                     shortest_text(finest.values[i].value) + ',' + shortest_text(e.error) + ',' +
                     shortest_text(check.changes[i]) + ',' +
-                    (e.is_zero           ? ""
+                    (has_none(e)         ? ""
                      : check.contains(i) ? "1"
                                          : "0") +
                     '\n';

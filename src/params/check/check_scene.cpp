@@ -340,6 +340,19 @@ void check_frames(const SceneSpec& scene, const std::string& file, Problems& pro
     }
 }
 
+/// Classes of pressure need the density of what flows: that of debris makes snow seven times as strong.
+void check_density(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    const std::string key = "material.density";
+    const auto& scheme = scene.hazard.resolved;
+    if (!scheme || !scheme->uses(HazardQuantity::pressure) || !model_reads(scene, key) ||
+        scene.origin_of(key) != Origin::default_value)
+        return;
+    problems.add({"is not given, but the classes of hazard.scheme = " + scheme->name + " are of pressure",
+                  file + ": " + key, shortest_text(scene.material.density) + " kg/m3, the default",
+                  find_parameter(scene_parameters(), key)->range->text() + " kg/m3",
+                  "Set it, for example 300 for dense snow or 2000 for debris, or name a material.preset"});
+}
+
 void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& problems) {
     const bool limits = !hazard.depth_limits.empty() || !hazard.velocity_limits.empty() ||
                         !hazard.flux_limits.empty() || !hazard.pressure_limits.empty();
@@ -351,6 +364,16 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
     if (!custom && limits) {
         problems.add({"limits apply only to scheme custom", file + ": hazard.scheme",
                       hazard.scheme.value_or("not given"), "custom", "Set hazard.scheme = custom or remove them"});
+    }
+    if (hazard.process &&
+        (!hazard.scheme || (hazard.resolved && hazard.resolved->matrix_of(hazard.process) == nullptr))) {
+        std::vector<std::string> known;
+        if (hazard.resolved)
+            for (const ProcessMatrix& one : hazard.resolved->matrices)
+                if (!one.process.empty()) known.push_back(one.process);
+        problems.add({hazard.scheme ? "is no process of " + *hazard.scheme : "needs hazard.scheme",
+                      file + ": hazard.process", *hazard.process, joined(known, ", "),
+                      known.empty() ? "Remove the key" : "Name one of these"});
     }
     if (hazard.minimum_depth && !hazard.scheme)
         problems.add(
@@ -414,6 +437,7 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     check_pores(scene, file, problems);
     check_frames(scene, file, problems);
     check_hazard(scene.hazard, file, problems);
+    check_density(scene, file, problems);
     check_output(scene, given, file, problems);
 }
 

@@ -204,6 +204,12 @@ Parameter option(const std::string& name, Member member, const std::pair<const c
     return option(name, member, Words<Value>(std::begin(words), std::end(words)), meaning);
 }
 
+/// A key whose default decides a number on the map.
+inline Parameter decides_map(Parameter key) {
+    key.decides_map = true;
+    return key;
+}
+
 /// A file whose features are compared with the flow or bound it: the part of a large terrain that frana selects
 /// contains them.
 inline Parameter on_map(Parameter file) {

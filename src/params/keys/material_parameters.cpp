@@ -172,9 +172,11 @@ void add_structured(std::vector<Parameter>& list) {
                               "Content of the release: fluid alone, or blocks of solids with confined fluid.");
     phases.absent = "required with material.model = structured";
     list.push_back(phases);
+    const std::size_t first = list.size();
     add_fluid(list);
     add_solids(list);
     add_coupling(list);
+    for (std::size_t i = first; i < list.size(); ++i) list[i].decides_map = true;
 }
 
 namespace {
@@ -218,6 +220,7 @@ void add_keys_of(std::vector<Parameter>& list, Section section) {
                 plain.called = key.called;
                 list.push_back(key.may_be_off ? or_off(plain, member) : plain);
             }
+            list.back().decides_map = !list.back().default_text().empty();
         });
     });
 }
@@ -266,13 +269,14 @@ void add_material(std::vector<Parameter>& list) {
     const std::size_t first = list.size();
     list.push_back(text("material.preset", FRANA_MEMBER(material.preset), "text",
                         "A material of `frana materials` to start from; keys given in the scene override it.", "none"));
-    list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham", "structured"},
-                          "Model: one phase with friction laws, or fluid and structured solids ([structured])."));
-    list.push_back(number("material.density", FRANA_MEMBER(material.density), "kg/m3", Range{10, 10000},
-                          "Bulk density of the flow."));
-    list.push_back(word_list("material.bed-friction", FRANA_MEMBER(material.bed_friction), {},
-                             law_words("voellmy", LawKind::bed_friction),
-                             "Friction laws whose sum resists at the bed; voellmy is coulomb and turbulence."));
+    list.push_back(declare::decides_map(
+        choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham", "structured"},
+               "Model: one phase with friction laws, or fluid and structured solids ([structured]).")));
+    list.push_back(declare::decides_map(number("material.density", FRANA_MEMBER(material.density), "kg/m3",
+                                               Range{10, 10000}, "Bulk density of the flow.")));
+    list.push_back(declare::decides_map(word_list(
+        "material.bed-friction", FRANA_MEMBER(material.bed_friction), {}, law_words("voellmy", LawKind::bed_friction),
+        "Friction laws whose sum resists at the bed; voellmy is coulomb and turbulence.")));
     add_keys_of<BedLaws>(list, FRANA_MEMBER(material));
     list.push_back(choice("material.in-plane-stress", FRANA_MEMBER(material.in_plane_stress),
                           law_words("auto", LawKind::in_plane_stress, {"none"}),
@@ -285,9 +289,10 @@ void add_material(std::vector<Parameter>& list) {
 
 void add_entrainment(std::vector<Parameter>& list) {
     const std::size_t first = list.size();
-    list.push_back(choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), law_words("off", LawKind::erosion),
-                          "Law of bed erosion: excess shear stress (RAMMS), volume growth with distance (McDougall and "
-                          "Hungr), or mechanical (stress jump over momentum)."));
+    list.push_back(declare::decides_map(
+        choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), law_words("off", LawKind::erosion),
+               "Law of bed erosion: excess shear stress (RAMMS), volume growth with distance (McDougall and "
+               "Hungr), or mechanical (stress jump over momentum).")));
     list.push_back(number("entrainment.erodible-depth", FRANA_MEMBER(entrainment.erodible_depth), "m", Range{0, 1000},
                           "Erodible depth, vertical."));
     add_keys_of<ErosionLaws>(list, FRANA_MEMBER(entrainment));

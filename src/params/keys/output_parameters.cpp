@@ -180,8 +180,15 @@ void add_hazard(std::vector<Parameter>& list) {
     list.push_back(
         data_file("hazard.scheme", FRANA_MEMBER(hazard.scheme), "a name of `frana schemes`, custom, or a file FILE.ini",
                   "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.", "no classes"));
-    list.push_back(number("hazard.minimum-depth", FRANA_MEMBER(hazard.minimum_depth), "m", Range{1e-6, 100},
-                          "Depth above which ground has a class.", "output.trace-threshold"));
+    Parameter process =
+        choice("hazard.process", FRANA_MEMBER(hazard.process), {std::begin(k_processes), std::end(k_processes)},
+               "Process whose matrix gives a region's degrees of hazard, of those that the scheme has.");
+    process.absent = "the scheme's only one";
+    list.push_back(process);
+    list.push_back(declare::decides_map(
+        number("hazard.minimum-depth", FRANA_MEMBER(hazard.minimum_depth), "m", Range{1e-6, 100},
+               "Depth above which ground has a class by depth; classes by pressure have no such limit.",
+               "output.trace-threshold")));
     list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
                                   "Scheme custom: limits of the maximum depth; the class rises by one at each.",
                                   k_most_limits));

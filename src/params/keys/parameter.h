@@ -61,6 +61,8 @@ struct ParameterOf {
     std::function<void(Spec&, const FileMap&)> map_files;  ///< calls the map for each path in the value; empty:
                                                            ///< none
 
+    bool decides_map = false;  ///< its default decides a number on the map: told where a user left it alone
+
     bool is_on_map = false;  ///< its file's features must lie on the working grid, also where frana selects that
 
     /// Whether it can name files that are read.

@@ -140,12 +140,13 @@ void add_terrain(std::vector<Parameter>& list) {
                         "projected in metres, otherwise the local UTM zone; local: plain metres without a CRS."));
     list.push_back(text("terrain.dtm-crs", FRANA_MEMBER(terrain.dtm_crs), "text",
                         "CRS of the DTM, if its file names none or a wrong one.", "the file's own"));
-    list.push_back(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m", Range{0.01, 1000},
-                          "Cell size of the working grid.", "the DTM's own"));
+    list.push_back(declare::decides_map(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m",
+                                               Range{0.01, 1000}, "Cell size of the working grid.", "the DTM's own")));
     list.push_back(bounds_parameter());
-    list.push_back(option("terrain.nodata-policy", FRANA_MEMBER(numerics.nodata), k_nodata_policies,
-                          "Where the flow reaches ground without elevation: end the run, treat it as a wall, or "
-                          "interpolate the bed beforehand."));
+    list.push_back(declare::decides_map(
+        option("terrain.nodata-policy", FRANA_MEMBER(numerics.nodata), k_nodata_policies,
+               "Where the flow reaches ground without elevation: end the run, treat it as a wall, or "
+               "interpolate the bed beforehand.")));
     list.push_back(choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
                           {"auto", "metre", "decimetre", "centimetre", "millimetre", "foot", "us-survey-foot"},
                           "Unit of the DTM's elevations; auto: as stated in the file, otherwise metres."));
@@ -179,12 +180,13 @@ void add_release(std::vector<Parameter>& list) {
                                "FILE|layer=NAME selects a layer.",
                                "required, unless thickness comes from rasters: then where it is positive")));
     list.push_back(thickness_parameter());
-    list.push_back(choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction),
-                          {"vertical", "normal"},
-                          "Direction in which the thickness is measured: vertical, or normal to the slope."));
-    list.push_back(on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
-                          "on: the DTM is the ground before the failure, and the bed lies under the release; off: the "
-                          "release lies on top of the DTM."));
+    list.push_back(declare::decides_map(
+        choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction), {"vertical", "normal"},
+               "Direction in which the thickness is measured: vertical, or normal to the slope.")));
+    list.push_back(declare::decides_map(
+        on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
+               "on: the DTM is the ground before the failure, and the bed lies under the release; off: the "
+               "release lies on top of the DTM.")));
     list.push_back(source(
         "release.volume", FRANA_MEMBER(release.volume), "m3", Range{0, 1e12, true}, {Given::number, Given::attribute},
         "Volume of the release: thicknesses are scaled so that the whole release, or each polygon, has this volume.",
@@ -322,20 +324,22 @@ void add_numerics(std::vector<Parameter>& list) {
     list.push_back(number("numerics.flight-drag", FRANA_MEMBER(numerics.flight_drag), "", Range{0, 10},
                           "Drag coefficient of what flies: the air slows a layer of thickness d down by flight-drag "
                           "rho_air v^2 / (2 density d); 0: none."));
-    list.push_back(declare::option("numerics.boundary", FRANA_MEMBER(numerics.boundary),
-                                   declare::Words<Boundary>{{"open", Boundary::open}, {"wall", Boundary::wall}},
-                                   "Edge of the working grid: open (outflow is counted) or a wall."));
+    list.push_back(declare::decides_map(
+        declare::option("numerics.boundary", FRANA_MEMBER(numerics.boundary),
+                        declare::Words<Boundary>{{"open", Boundary::open}, {"wall", Boundary::wall}},
+                        "Edge of the working grid: open (outflow is counted) or a wall.")));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
                           "Acceleration of gravity."));
-    list.push_back(
+    list.push_back(declare::decides_map(
         number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
                "Depth above which a cell counts as reached in maxima and arrival time. Film thinner than ten "
-               "times it, at most 10 cm, has fewer particles."));
+               "times it, at most 10 cm, has fewer particles.")));
     list.push_back(accuracy_parameter());
 }
 
 void add_rest(std::vector<Parameter>& list) {
-    list.push_back(number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Longest simulated time."));
+    list.push_back(declare::decides_map(
+        number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Longest simulated time.")));
     list.push_back(
         on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still), "End as soon as all material is at rest."));
     list.push_back(number("time.stop-energy-fraction", FRANA_MEMBER(time.stop_energy_fraction), "", Range{0, 0.5},
@@ -347,10 +351,11 @@ void add_rest(std::vector<Parameter>& list) {
                           "off. 0.05 is customary for avalanches."));
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
                           "Speed above which volume counts as moving."));
-    list.push_back(number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
-                          "End once run-out (or by a cell) and area over output.trace-threshold have changed by no "
-                          "more than this fraction over time.stop-window, and no more than four times this fraction of "
-                          "the volume has changed cell; 0: off."));
+    list.push_back(declare::decides_map(
+        number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
+               "End once run-out (or by a cell) and area over output.trace-threshold have changed by no "
+               "more than this fraction over time.stop-window, and no more than four times this fraction of "
+               "the volume has changed cell; 0: off.")));
     list.push_back(
         number("time.stop-window", FRANA_MEMBER(time.stop_window), "", Range{0.05, 1},
                "Window of time.stop-change: fraction of the time since the last release or inflow, at least 10 s."));
@@ -373,8 +378,9 @@ void add_rest(std::vector<Parameter>& list) {
                              "VTK polydata; ascii writes the AvaFrame rasters as ESRI ASCII grids."));
     list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
                           "Wall time between checkpoints for --resume; 0: only at the run's last step."));
-    list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m", Range{1e-6, 100},
-                          "Depth above which ground counts as covered in outlines, covered area and run-out."));
+    list.push_back(declare::decides_map(
+        number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m", Range{1e-6, 100},
+               "Depth above which ground counts as covered in outlines, covered area and run-out.")));
     list.push_back(choice("output.depth", FRANA_MEMBER(output.depth), {"vertical", k_normal_depth},
                           "Direction in which the flow's depth is measured in rasters, maps, classes and thresholds: "
                           "vertical, or normal to the bed. Gauges and cross-sections are always vertical."));

@@ -19,7 +19,7 @@
 namespace frana {
 
 /// The source of a parameter's value, in rising order of precedence.
-enum class Origin { default_value, preset, scene_file, command_line };
+enum class Origin { default_value, preset, friction_table, scene_file, command_line };
 
 /// A field of error added to the elevations: analysis/gaussian_field.h.
 struct TerrainErrorSpec {
@@ -159,6 +159,7 @@ struct OutputSpec {
 struct HazardSpec {
     std::optional<std::string> scheme;     ///< a name, or a file of one's own
     std::optional<HazardScheme> resolved;  ///< what it says; minimum depth as in the file: none
+    std::optional<std::string> process;    ///< by whose matrix a region has degrees of hazard
     std::optional<double> minimum_depth;   ///< of a class [m]
     std::vector<double> depth_limits, velocity_limits, flux_limits, pressure_limits;
 };

@@ -179,7 +179,7 @@ constexpr Condition k_conditions[] = {
      [](const SceneSpec& s) { return s.observed.perimeter_error || s.observed.deposit_error; }},
     {"observed.threshold",
      [](const SceneSpec& s) { return s.observed.perimeter || s.observed.front || s.observed.deposit; }},
-    {"hazard.minimum-depth", [](const SceneSpec& s) { return s.hazard.scheme.has_value(); }},
+    {"hazard.minimum-depth", [](const SceneSpec& s) { return s.hazard.resolved && s.hazard.resolved->has_depths(); }},
     {"output.trace-threshold", [](const SceneSpec&) { return true; }},
 };
 

@@ -40,6 +40,7 @@ class TableReader : DataFile {
         table.spacing = k_usual_spacing;
         if (const auto text = taken("table.curvature-spacing"))
             table.spacing = number("table.curvature-spacing", *text, {0.1, 1000});
+        if (const auto text = taken("table.density")) table.density = number("table.density", *text, {10, 10000});
         if (has_section("forest")) {
             table.forest.emplace();
             table.forest->more_friction = number("forest.more-friction", required("forest.more-friction"), {0, 2});

@@ -231,6 +231,11 @@ void SceneReader::resolve_files(const std::string& share) {
     FrictionTableSpec& table = reading_.scene.friction_table;
     table.resolved =
         resolved_friction_table(table, share, reading_.where("material.friction-table"), reading_.problems);
+    const std::string density = "material.density";
+    if (!table.resolved || !table.resolved->density || reading_.scene.origin_of(density) != Origin::default_value)
+        return;
+    reading_.scene.material.density = *table.resolved->density;
+    reading_.scene.origins[density] = Origin::friction_table;
 }
 
 KeySource override_source(const std::vector<std::string>& overrides, const std::string& label, Problems& problems) {

@@ -32,7 +32,8 @@ class SchemeReader : DataFile {
         if (const auto periods = taken("scheme.return-periods"))
             scheme.periods = rising("scheme.return-periods", *periods);
         read_classes(scheme);
-        read_matrix(scheme);
+        read_matrix(scheme, "");
+        for (const std::string process : k_processes) read_matrix(scheme, process);
         write_thresholds(scheme);
         refuse_rest();
         return scheme;
@@ -111,17 +112,22 @@ class SchemeReader : DataFile {
         }
     }
 
-    void read_matrix(HazardScheme& scheme) {
-        if (!has_section("degree")) return;
-        DegreeMatrix matrix;
-        const std::string key = "degree.return-periods", text = required(key);
+    /// @param process of [degree-PROCESS]; empty: of [degree]
+    void read_matrix(HazardScheme& scheme, const std::string& process) {
+        const std::string section = process.empty() ? "degree" : "degree-" + process;
+        if (!has_section(section)) return;
+        ProcessMatrix& entry = scheme.matrices.emplace_back();
+        entry.process = process;
+        entry.source = taken(section + ".source").value_or(scheme.source);
+        DegreeMatrix& matrix = entry.degrees;
+        const std::string key = section + ".return-periods", text = required(key);
         const std::vector<double> periods = rising(key, text);
         if (periods.size() == k_probabilities)
             std::copy(periods.begin(), periods.end(), matrix.periods.begin());
         else
             refuse("are not three", key, text, "three rising numbers", "Write for example 30, 100, 300");
         for (int intensity = 1; intensity <= k_intensities; ++intensity) {
-            const std::string row = "degree." + intensity_name(intensity), given = required(row);
+            const std::string row = section + "." + intensity_name(intensity), given = required(row);
             const std::vector<std::string> words = words_of(given);
             for (std::size_t p = 0; p < k_probabilities; ++p) {
                 const auto degree = p < words.size() ? degree_from(words[p]) : std::nullopt;
@@ -135,8 +141,7 @@ class SchemeReader : DataFile {
             }
         }
         if (scheme.classes.empty() || scheme.classes.back().value != k_intensities)
-            refuse("needs classes of intensity up to 3", key, "", "", "Remove the section [degree]");
-        scheme.matrix = matrix;
+            refuse("needs classes of intensity up to 3", key, "", "", "Remove the section [" + section + "]");
     }
 };
 

@@ -107,6 +107,8 @@ std::string describe(Origin origin) {
     switch (origin) {
         case Origin::preset:
             return worded("preset");
+        case Origin::friction_table:
+            return worded("friction table");
         case Origin::scene_file:
             return worded("scene file");
         case Origin::command_line:

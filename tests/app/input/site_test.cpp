@@ -211,6 +211,17 @@ TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
     EXPECT_NE(shown.out.find("RAMMS Avalanche"), std::string::npos) << shown.out;
     EXPECT_NE(shown.out.find("class of volume"), std::string::npos) << shown.out;
     EXPECT_NE(shown.out.find("ramms-avalanche.ini"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("300 kg/m3, from: friction table"), std::string::npos) << shown.out;
+    // What decides a number and was left alone is told, by a first reader's screen and by the report.
+    write_scene(k_numbers_only + "report = on\n");
+    const Json alone = parse_json(frana({"check", "scene.ini", "--json"}).out)["left_at_default"];
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "alone", "--quiet", "--set", "time.end=1"}).exit_code, 0);
+    const std::string report = read_text(path("alone/report.html"));
+    for (const std::string one : {"material.density = 2000 kg/m3", "output.trace-threshold = 0.1 m"}) {
+        EXPECT_NE(alone.dump().find(one), std::string::npos) << alone;
+        EXPECT_NE(report.find(one), std::string::npos);
+    }
+    EXPECT_EQ(report.find("time.end = "), std::string::npos) << "given";
 }
 
 TEST_F(Site, ForestAndZonesChangeTheValuesOfAFrictionTable) {

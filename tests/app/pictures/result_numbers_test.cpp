@@ -23,6 +23,12 @@ TEST(RunEnd, TellsAFrontThatMovesFromADepositThatCreeps) {
     EXPECT_FALSE(settled.is_cut_short || settled.creeps);
     // A seventh of the volume that moves behind a front at rest pushed it on 80 s later (S-1000, end = 120 and 200 s).
     EXPECT_TRUE(run_end(at_end, 120, 2, 0.17, true).is_cut_short);
+    // Whatever else stops a run stops a flow that moves as time.end does.
+    for (const StopReason other :
+         {StopReason::momentum, StopReason::energy, StopReason::moving_volume, StopReason::requested})
+        EXPECT_TRUE(run_end(describe(other), 60, 3, 0.7, false).is_cut_short) << describe(other);
+    for (const StopReason rest : {StopReason::still, StopReason::settled, StopReason::all_left})
+        EXPECT_FALSE(run_end(describe(rest), 60, 3, 0.7, false).is_cut_short) << describe(rest);
     EXPECT_NE(creeping_sentence(creeps).text().find("0.3 m/s"), std::string::npos);
 }
 

@@ -423,7 +423,8 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
         "[class-2]\nname = Inner\nname-it = Interna\ncolour = d7191c\ncondition = pressure >= 2 kPa or depth > 1 m\n";
     std::ofstream(path("own.ini")) << own;
     run("[output]\nmaps = hazard\nmap-formats = svg\nanimation = off\nframes = off\ncharts = off\nlanguage = it\n"
-        "[hazard]\nscheme = own.ini\n");
+        "[hazard]\nscheme = own.ini\n",
+        {"material.density=2000"});
     const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
     int inner = 0, outer = 0;
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
@@ -451,7 +452,7 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
     EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 0);
     // What is wrong with it is told before anything is computed.
     std::ofstream(path("own.ini")) << own << "colour = red\n[class-4]\n";
-    const std::string refusal = frana({"check", "scene.ini"}).err;
+    const std::string refusal = frana({"check", "scene.ini", "--set", "material.density=2000"}).err;
     for (const char* said : {"own.ini: class-2.colour", "is given more than once"})
         EXPECT_NE(refusal.find(said), std::string::npos) << said << " in\n" << refusal;
     EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 2);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flow not shown on maps is refused at the start or reported at the end.
+#include <cmath>
 #include <filesystem>
 
+#include "gis/raster/raster_in.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -84,6 +86,23 @@ TEST_F(ThinFlow, DuringTheRunIsAWarning) {
     EXPECT_GT(json_number(read_text(path("result/summary.json")), "greatest_thin_fraction"), 0.1);
     const Outcome usual = frana({"run", "scene.ini", "--out", "usual"});
     EXPECT_EQ(usual.err.find("thinner than"), std::string::npos) << usual.err;
+}
+
+// Pressure zones lost their thin and fast margins.
+TEST_F(ThinFlow, ZonesOfPressureFollowThePressureRasterToTheCell) {
+    write_scene(k_numbers_only + "trace-threshold = 0.5\n[hazard]\nscheme = custom\npressure-limits = 3, 10\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "material.density=2000"}).exit_code, 0);
+    const auto raster = [&](const std::string& name) { return gis::read_result_raster(path("result/" + name)); };
+    const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
+    int shallow = 0;
+    for (std::size_t i = 0; i < classes.values.size(); ++i) {
+        const double kPa = pressure.values[i];
+        ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(kPa));
+        if (std::isnan(kPa)) continue;
+        ASSERT_EQ(classes.values[i], kPa > 10 ? 3 : kPa > 3 ? 2 : 1) << kPa;
+        shallow += kPa > 3 && depth.values[i] <= 0.5 ? 1 : 0;
+    }
+    EXPECT_GT(shallow, 0) << "margins that a least depth would take away";
 }
 
 }  // namespace

@@ -134,6 +134,17 @@ TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
     }
     EXPECT_GT(named, 0);
     for (const auto& row : table("out/posterior.csv")) EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
+    // Who reads the posterior reads its doubts, an ensemble of it too.
+    const std::string doubt = "16 of 16 runs were cut", posterior = read_text(path("out/posterior.csv"));
+    EXPECT_TRUE(posterior.starts_with("# ")) << posterior.substr(0, 100);
+    EXPECT_LT(posterior.find(doubt), posterior.find("\nmember,status"));
+    write("again.ini", "[study]\nscene = slope.ini\nsampling = table:out/posterior.csv\n[set]\ntime.end = 3\n");
+    EXPECT_NE(frana({"check", "again.ini"}).err.find("posterior.csv: "), std::string::npos);
+    ASSERT_EQ(frana({"ensemble", "again.ini", "--out", "again", "--quiet"}).exit_code, 0);
+    const std::string repeated = parse_json(read_text(path("again/summary.json")))["warnings"].dump();
+    EXPECT_NE(repeated.find("posterior.csv: Extent, run-out and probabilities are lower bounds: " + doubt),
+              std::string::npos)
+        << repeated;
     // All runs were cut: anything may have been reached.
     int maps = 0;
     for (const auto& file : std::filesystem::directory_iterator(path("out"))) {

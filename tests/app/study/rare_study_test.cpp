@@ -26,7 +26,7 @@ class RareStudy : public Ensemble {
                 std::to_string(k_west + east) + ", " + std::to_string(k_south + 72.5) + "]}}]}");
     }
     void write_rare(const std::string& head) const { write_study(head, k_keys); }
-    const std::string k_keys = "[set]\ntime.end = 12\n" + k_two_keys;
+    const std::string k_keys = "[set]\ntime.end = 1.2\n" + k_two_keys;  // they run on to 12 s
     const std::string k_importance = "sampling = importance\nrare-place = house\n";
 
     [[nodiscard]] nlohmann::json rare_place() const {
@@ -73,6 +73,14 @@ TEST_F(RareStudy, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
     const Outcome resumed = run({"--resume"});
     ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
     expect_same("out1", "out");
+}
+
+// With every run cut nobody knows: from nothing to one, as the map has it.
+TEST_F(RareStudy, RunsThatWereCutMayHaveComeThere) {
+    write_study("samples = 64\n" + k_importance, "[set]\ntime.end = 0.6\n" + k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(parse_json(read_text(path("out/summary.json")))["run_troubles"]["cut"], 64);
+    EXPECT_EQ(rare_place().at("interval_95").at(1), 1);
 }
 
 TEST_F(RareStudy, WhatDoesNotGoTogetherIsRefused) {

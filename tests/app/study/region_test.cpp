@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
 #include "gis/vector/vector_in.h"
 #include "study/tiny_study.h"
 
@@ -279,7 +280,7 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
 TEST_F(Region, SlopesThatWereCutAreTold) {
     write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
     write_slopes(three());
-    write_region("[set]\ntime.end = 3\n");
+    write_region("[set]\ntime.end = 0.6\n");  // they run on to 6 s
     const Outcome outcome = batch();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));
@@ -336,6 +337,30 @@ TEST_F(Region, OneTextInAColumnFailsThatSlopeAloneByItsNumberInTheFile) {
     EXPECT_NE(rows[3].at("reason").find("feature 3 of slopes"), std::string::npos) << rows[3].at("reason");
 }
 
+// A matrix colours more than another: the scheme asks which, and the map names it.
+TEST_F(Region, TheMatrixOfTheProcessIsAskedFor) {
+    write_slopes(three());
+    const std::string scene = read_text(path("scene.ini")) + "[hazard]\nscheme = swiss-debris-flow\n";
+    write("scene.ini", scene);
+    write_region("return-period = YEARS\n");
+    const Outcome asked = batch();
+    EXPECT_EQ(asked.exit_code, 2);
+    EXPECT_NE(asked.err.find("hazard.process: is not given"), std::string::npos) << asked.err;
+    EXPECT_NE(asked.err.find("all, channel-debris-flow"), std::string::npos) << asked.err;
+    double red[2] = {};
+    for (const int of_channel : {0, 1}) {
+        write("scene.ini", scene + "process = " + (of_channel == 1 ? "channel-debris-flow\n" : "all\n"));
+        ASSERT_EQ(batch({"--overwrite"}).exit_code, 0);
+        for (const double degree : raster("out/hazard_degree.tif").values) red[of_channel] += degree == 4 ? 1 : 0;
+        EXPECT_EQ(
+            gis::read_raster_text(path("out/hazard_degree.tif")).metadata.at("HAZARD_SOURCE"),
+            of_channel == 1 ? "Canton of Ticino, debris flow in a channel" : "Canton of Bern, all processes together");
+    }
+    EXPECT_GT(red[0], red[1]);
+    write("scene.ini", scene + "process = flood\n");
+    EXPECT_NE(batch({"--overwrite"}).err.find("is no process of swiss-debris-flow"), std::string::npos);
+}
+
 TEST_F(Region, MistakesAreRefusedBeforeAnythingRuns) {
     write_slopes(three());
     write("region.ini", "[region]\nscene = scene.ini\nname = NAMES\n[columns]\nrelease.thickness = DEPTH\n");
@@ -355,6 +380,35 @@ TEST_F(Region, MistakesAreRefusedBeforeAnythingRuns) {
     write_slopes(slopes);
     EXPECT_NE(batch().err.find("several return periods"), std::string::npos);
     EXPECT_FALSE(fs::exists(path("out")));
+}
+
+// One event has one return period: a release of 30 years on friction of 300 is refused, and a table without one of its
+// own takes that of the event.
+TEST_F(Region, AFrictionTableIsReadByTheReturnPeriodOfTheEvent) {
+    write_slopes(three());
+    const std::string plain =
+        std::regex_replace(read_text(path("scene.ini")), std::regex("friction-angle = 18\nturbulence = 500"),
+                           "friction-table = ramms-avalanche");
+    const auto write_with = [&](const std::string& period, const std::string& column) {
+        write("scene.ini", std::regex_replace(plain, std::regex("(ramms-avalanche)"), "$1\n" + period) +
+                               "[hazard]\nscheme = custom\ndepth-limits = 0.3, 0.8\n");
+        write("region.ini",
+              "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\nwindow = 90\n"
+              "return-period = YEARS\n" +
+                  column);
+    };
+    for (const auto& [period, column] : {std::pair<std::string, std::string>{"return-period = 300\n", ""},
+                                         {"", "[columns]\nmaterial.return-period = THICK\n"}}) {
+        write_with(period, column);
+        const Outcome refused = batch();
+        EXPECT_EQ(refused.exit_code, 2) << refused.err;
+        EXPECT_NE(refused.err.find("region.return-period: differs from material.return-period"), std::string::npos)
+            << refused.err;
+    }
+    write_with("", "");
+    ASSERT_EQ(batch().exit_code, 0);
+    for (const auto& row : members()) EXPECT_EQ(row.at("material.return-period"), row.at("return_period"));
+    EXPECT_NE(read_text(path("out/region.ini")).find("material.return-period = YEARS"), std::string::npos);
 }
 
 // The degree in each cell is the worst over the scenarios of the matrix with that scenario's intensity.

@@ -117,6 +117,7 @@ TEST_F(OwnFrictionTable, IsRefusedWhereItIsWrong) {
                                         "[class-2]\nname = B\ncurvature = 0.1\n" + row),
                             "class-2.curvature", "0.1", "greater than 0.1"));
     EXPECT_TRUE(has_problem(problems_of(k_head + one + "[forest]\nmore-friction = 0.02\n"), "forest.turbulence"));
+    EXPECT_TRUE(has_problem(problems_of(k_head + "density = 2\n" + one), "table.density", "2", "10 to 10000"));
     EXPECT_TRUE(has_problem(problems_of(k_head + one + "colour = ffffff\n"), "class-1.colour"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "quote = words\n" + one), "table.quote"));
 }
@@ -147,6 +148,10 @@ TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_NE(scene_text(read(k_least).scene, {}).find("\nturbulence = off"), std::string::npos);
     EXPECT_TRUE(
         has_problem(problems(k_table + "return-period = 30\nturbulence = off\n"), "material.turbulence", "off"));
+    EXPECT_EQ(table.scene.material.density, 300);
+    EXPECT_EQ(table.scene.origin_of("material.density"), Origin::friction_table);
+    EXPECT_EQ(read(k_table + "return-period = 30\ndensity = 400\n").scene.material.density, 400);
+    EXPECT_TRUE(problems(k_table + "return-period = 30\n[hazard]\nscheme = swiss-avalanche\n").empty());
     // It replaces what a preset, or an earlier source, gives.
     const SceneReading preset = read(k_table + "preset = snow-avalanche\nreturn-period = 30\n");
     EXPECT_TRUE(preset.problems.empty());

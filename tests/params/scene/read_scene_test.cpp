@@ -176,9 +176,20 @@ TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nformats = netcdf\n"))) << "GeoTIFFs need not be asked for";
 }
 
+// Pressures of snow with the density of debris were seven times too great.
+TEST_F(ReadScene, ClassesOfPressureNeedADensity) {
+    for (const std::string scheme : {"austrian-avalanche", "swiss-avalanche", "custom\npressure-limits = 3, 30"}) {
+        const std::string hazard = "[hazard]\nscheme = " + scheme + "\n";
+        EXPECT_TRUE(has_problem(problems(k_least + hazard), "material.density", "2000 kg/m3, the default")) << scheme;
+        EXPECT_TRUE(problems(k_least + "density = 300\n" + hazard).empty()) << scheme;
+        EXPECT_TRUE(problems(k_least + "preset = snow-avalanche\n" + hazard).empty()) << scheme;
+    }
+    EXPECT_TRUE(problems(k_least + "[hazard]\nscheme = swiss-flood\n").empty());
+}
+
 TEST_F(ReadScene, LimitsRiseFromAboveZero) {
     const SceneReading reading =
-        read(k_least + "[hazard]\nscheme = custom\ndepth-limits = 0.5 2\npressure-limits = 3, 30\n");
+        read(k_least + "density = 2000\n[hazard]\nscheme = custom\ndepth-limits = 0.5 2\npressure-limits = 3, 30\n");
     EXPECT_TRUE(reading.problems.empty());
     EXPECT_EQ(reading.scene.hazard.depth_limits, (std::vector<double>{0.5, 2}));
     EXPECT_EQ(reading.scene.hazard.pressure_limits, (std::vector<double>{3, 30}));
@@ -192,7 +203,7 @@ TEST_F(ReadScene, LimitsRiseFromAboveZero) {
         return limits;
     };
     for (const char* key : {"depth-limits", "velocity-limits", "flux-limits", "pressure-limits"}) {
-        const std::string custom = k_least + "[hazard]\nscheme = custom\n" + key + " = ";
+        const std::string custom = k_least + "density = 2000\n[hazard]\nscheme = custom\n" + key + " = ";
         EXPECT_TRUE(read(custom + limits_of(254)).problems.empty()) << key;
         EXPECT_TRUE(has_problem(problems(custom + limits_of(255)), std::string("hazard.") + key));
     }

@@ -118,13 +118,24 @@ TEST(SharedSchemes, LegendsOfTheFirstSchemesAreThoseOfEarlierVersions) {
 
 TEST(SharedSchemes, OnlyThoseWithAMatrixTellIntensities) {
     for (const std::string& name : k_names) EXPECT_EQ(has_intensities(scheme(name)), name.starts_with("swiss")) << name;
-    // The matrix of the canton of Bern, also the default of a region.
+    // Of those with a matrix for all processes and one of their own, one must be named.
     const DegreeMatrix usual;
     for (const std::string& name : k_names) {
         if (!name.starts_with("swiss")) continue;
-        EXPECT_EQ(scheme(name).matrix->periods, usual.periods) << name;
-        EXPECT_EQ(scheme(name).matrix->degrees, usual.degrees) << name;
+        const HazardScheme one = scheme(name);
+        const bool is_asked = one.matrix_of({}) == nullptr;
+        EXPECT_EQ(is_asked, name != "swiss-avalanche") << name;
+        const ProcessMatrix* const all = one.matrix_of(is_asked ? std::optional<std::string>("all") : std::nullopt);
+        ASSERT_NE(all, nullptr) << name;
+        EXPECT_EQ(all->degrees.periods, usual.periods) << name;
+        EXPECT_EQ(all->degrees.degrees, usual.degrees) << name;
+        if (!is_asked) continue;
+        const ProcessMatrix& own = one.matrices.back();
+        EXPECT_EQ(one.matrix_of(own.process), &own);
+        EXPECT_NE(own.degrees.degrees, usual.degrees) << name;
+        EXPECT_NE(own.source.find("Ticino"), std::string::npos) << name;
     }
+    EXPECT_EQ(scheme("swiss-debris-flow").matrix_of("channel-debris-flow")->degrees.of(2, 300), HazardDegree::yellow);
 }
 
 TEST(SharedSchemes, TheDocumentHasEveryClass) {

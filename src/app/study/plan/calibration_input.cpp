@@ -329,6 +329,7 @@ std::optional<StudyInput> prepared_event(StudyTexts texts, const std::optional<P
     Problems of_event;
     auto event = attempt(of_event, [&] { return std::optional(prepare_study(std::move(texts), place, log)); });
     add_once(of_event, problems);
+    if (event) event->runs_on = false;
     return event;
 }
 

@@ -95,6 +95,37 @@ void require_one_period(const std::vector<Slope>& slopes, const std::string& lab
     }
 }
 
+constexpr const char* k_friction_period = "material.return-period";
+
+/// The return period of an event is also that of its friction: without one of its own a friction table takes it.
+void take_friction_period(RegionSpec& region, const FrictionTableSpec& table) {
+    const bool has_own =
+        table.return_period || std::any_of(region.columns.begin(), region.columns.end(),
+                                           [](const RegionSpec::Column& one) { return one.key == k_friction_period; });
+    if (region.return_period && table.name && !has_own)
+        region.columns.push_back({k_friction_period, *region.return_period});
+}
+
+/// Refuses releases of one return period on the friction of another.
+void require_friction_period(const FrictionTableSpec& table, const PolygonMembers& members, const std::string& label,
+                             Problems& problems) {
+    const auto& keys = members.table.keys;
+    const auto place = std::find(keys.begin(), keys.end(), k_friction_period) - keys.begin();
+    for (std::size_t i = 0; i < members.slopes.size(); ++i) {
+        const auto& values = members.table.values[i];
+        const bool is_column = place < static_cast<std::ptrdiff_t>(values.size());
+        const auto friction =
+            is_column ? number_from_text(values[static_cast<std::size_t>(place)]) : table.return_period;
+        const auto& event = members.slopes[i].return_period;
+        if (!event || !friction || *event == *friction) continue;
+        problems.add({"differs from " + std::string(k_friction_period) + ", of member " + std::to_string(i) + " first",
+                      label + ": region.return-period", shortest_text(*event) + " years",
+                      shortest_text(*friction) + " years",
+                      "Leave out " + std::string(k_friction_period) + ": the event's own is taken"});
+        return;
+    }
+}
+
 /// Adds the columns of a region to the values of its members.
 void add_columns(const StudySpec& study, const gis::PolygonLayer& layer, PolygonMembers& members) {
     const RegionSpec& region = *study.region;
@@ -150,6 +181,7 @@ PolygonMembers polygon_members(const StudySpec& study, const std::string& label,
         require_columns(*study.region, layer, label, problems);
         add_columns(study, layer, members);
         require_one_period(members.slopes, label, problems);
+        require_friction_period(scene.scene.friction_table, members, label, problems);
     });
     return members;
 }
@@ -198,6 +230,7 @@ SampleTable read_samples(StudyReading& reading) {
         const std::string where = reading.where("study.sampling");
         const auto read = [&] {
             const gis::Table file = gis::read_table(reading.study.table, where);
+            reading.doubts = file.remarks;
             return samples_of_table(file.columns, file.rows, where + ": " + reading.study.table, reading.problems);
         };
         return attempt(reading.problems, read);
@@ -362,8 +395,11 @@ StudyTexts read_study_texts(const std::string& path, const Session& session, Run
     std::vector<std::string> central;
     try {
         if (texts.reading.study.per_polygon()) {
-            PolygonMembers members = polygon_members(texts.reading.study, texts.reading.label,
-                                                     read_member(texts.reading, {}), texts.reading.problems);
+            const SceneReading scene = read_member(texts.reading, {});
+            if (texts.reading.study.region)
+                take_friction_period(*texts.reading.study.region, scene.scene.friction_table);
+            PolygonMembers members =
+                polygon_members(texts.reading.study, texts.reading.label, scene, texts.reading.problems);
             texts.table = std::move(members.table);
             texts.slopes = std::move(members.slopes);
             if (texts.reading.study.region) {
@@ -382,6 +418,8 @@ StudyTexts read_study_texts(const std::string& path, const Session& session, Run
         texts.reading.problems.throw_if_any();
     }
     read_scenes(central, log.is_quiet(), texts);
+    for (const std::string& doubt : texts.reading.doubts)
+        log.warn(worded("{1}: {2}", {std::filesystem::path(texts.reading.study.table).filename().string(), doubt}));
     warn_of_changed_inputs(texts.reading.study.file, texts.central, log);
     return texts;
 }

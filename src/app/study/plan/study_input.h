@@ -55,6 +55,7 @@ struct StudyInput {
     std::string identity;
     std::vector<LevelCells> levels;        ///< of a multilevel study, the coarsest first
     Deposit kept_deposit = Deposit::none;  ///< of the members' records
+    bool runs_on = true;                   ///< whether members that time.end cuts run on; not where they are compared
 
     /// Number of members that the study will have, at most; with levels of runs that would cost as much.
     [[nodiscard]] std::size_t members() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study/pool/member_runs.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,7 @@
 #include "app/text/text_file.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "params/keys/scene_parameters.h"
 #include "simulation/simulation.h"
 
 namespace frana::app::study {
@@ -54,6 +56,17 @@ MemberRecord require_own_record(const StudyInput& input, const RecordPlace& plac
 
 namespace {
 
+/// Whether a member is run again for longer because time.end cut it: not if that is one of its values, if a table gives
+/// them (it repeats runs, as a calibration's posterior does), or if more would be released or flow in later.
+bool runs_on(const StudyInput& input, const MemberTask& task, const Scene& scene, const RunResult& result) {
+    const auto is_end = [](const std::string& value) { return value.starts_with("time.end="); };
+    const auto waits = [](const ReleasedArea& area) { return !area.failed; };
+    return input.runs_on && input.reading.study.sampling != Sampling::table &&
+           result.stop_reason == StopReason::end_time && motion_at_end(result).front && scene.inflows.empty() &&
+           std::none_of(task.overrides.begin(), task.overrides.end(), is_end) &&
+           std::none_of(result.released.begin(), result.released.end(), waits);
+}
+
 /// Runs a member on one thread, as `frana run` computes it; several may run at once. A member that cannot be prepared
 /// or ends early has failed, and its record says why. Returns none if `stops` said so before its end. Throws
 /// Error(environment).
@@ -63,11 +76,17 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
     try {
         if (!input.slopes.empty() && !input.slopes[task.member].problem.empty())
             throw Error(ErrorKind::input, Problem{input.slopes[task.member].problem, "", "", "", ""});
-        const Prepared prepared = prepared_member(input, task, log);
+        Prepared prepared = prepared_member(input, task, log);
         const Scene& scene = prepared.scene;
         RunOptions options;
         options.stop_requested = stops;
-        const RunResult result = run(scene, options);
+        RunResult result = run(scene, options);
+        if (runs_on(input, task, scene, result)) {  // from the start, as `frana run` with that time.end
+            constexpr double k_longer = 10;
+            prepared.scene.time.end = prepared.spec.time.end =
+                std::min(k_longer * scene.time.end, find_parameter(scene_parameters(), "time.end")->range->highest);
+            result = run(scene, options);
+        }
         if (result.stop_reason == StopReason::requested) return std::nullopt;
         RecordExtras extras = record_extras(input.base.spec);
         extras.pressure = extras.pressure || input.reading.study.per_polygon() || input.base.extra.exposure;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -93,15 +94,20 @@ std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, con
 std::vector<std::string> end_values(const MemberEnd& end) {
     const bool ran = !end.stop_reason.empty();
     const auto cell = [&](double value) { return ran && !std::isnan(value) ? shortest_text(value) : std::string(); };
-    return {end.stop_reason,         cell(end.moving_fraction),
-            cell(end.left_fraction), ran ? std::to_string(static_cast<int>(end.is_held)) : "",
-            cell(end.energy_error),  std::to_string(end.warnings.size())};
+    return {end.stop_reason,
+            cell(end.end),
+            cell(end.moving_fraction),
+            cell(end.left_fraction),
+            ran ? std::to_string(static_cast<int>(end.is_held)) : "",
+            cell(end.energy_error),
+            std::to_string(end.warnings.size())};
 }
 
 void add_end(const MemberEnd& end, std::map<std::string, double>& numbers, std::map<std::string, std::string>& texts) {
     texts["stop_reason"] = end.stop_reason;
     numbers["warnings"] = static_cast<double>(end.warnings.size());
     if (end.stop_reason.empty()) return;
+    numbers["end_s"] = end.end;
     numbers["moving_fraction"] = end.moving_fraction;
     numbers["left_domain_fraction"] = end.left_fraction;
     numbers["held_by_no_data"] = end.is_held ? 1 : 0;
@@ -300,15 +306,25 @@ Emulation emulation_of(const StudyInput& input, const StudyResult& result) {
 
 std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResult& result) {
     if (!input.reading.study.rare_place) return std::nullopt;
-    RarePlace rare{rare_event(input), {}, 0};
+    RarePlace rare{rare_event(input), {}, 0, 0};
     const auto cell = cell_at(result.grid, rare.event.place);
     // The maps of a large terrain may end before a place that nothing reaches.
-    for_each_feature(result.finished, Quantity::depth, result.grid,
-                     {cell ? std::vector{*cell} : std::vector<std::size_t>{}},
+    const std::vector<std::vector<std::size_t>> cells{cell ? std::vector{*cell} : std::vector<std::size_t>{}};
+    for_each_feature(result.finished, Quantity::depth, result.grid, cells,
                      [&](std::size_t, std::span<const float> depths) {
                          rare.probability = MeanEstimate(result.finished).probability(depths, rare.event.threshold);
                          for (const float depth : depths)
                              rare.hits += static_cast<double>(depth) > rare.event.threshold ? 1 : 0;
+                     });
+    rare.high = rare.probability.high();
+    if (!result.open.any()) return rare;
+    for_each_feature(result.open.runs, Quantity::depth, result.grid, cells,
+                     [&](std::size_t, std::span<const float> depths) {
+                         std::vector<float> most(depths.begin(), depths.end());
+                         for (std::size_t run = 0; run < most.size(); ++run)
+                             if (result.open.is_open[run]) most[run] = std::numeric_limits<float>::infinity();
+                         const Estimate bound = MeanEstimate(result.open.runs).probability(most, rare.event.threshold);
+                         rare.high = std::max(rare.high, bound.high());
                      });
     return rare;
 }
@@ -331,6 +347,10 @@ double largest_error(const StudyInput& input, const StudyResult& result) {
     return largest;
 }
 
+bool is_field_of_error(const StudyInput& input, std::size_t key) {
+    return input.table.keys[key] == "terrain.error";
+}
+
 std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result) {
     const bool is_morris = input.reading.study.sampling == Sampling::morris,
                is_saltelli = result.groups >= k_least_groups && !is_morris;
@@ -339,6 +359,7 @@ std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const Stud
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         std::vector<double> output;
         for (const std::size_t place : result.design_at) output.push_back(result.members[place].figures[f].value);
+        if (std::adjacent_find(output.begin(), output.end(), std::not_equal_to<>()) == output.end()) continue;
         const Chaos chaos = openturns().chaos(result.points, {output}, {}).front();
         FigureSensitivity one{result.figures()[f], {}, chaos.q2};
         one.keys = is_saltelli                      ? sobol_indices(result.points, output, result.groups)
@@ -352,6 +373,10 @@ std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const Stud
                 key.method = std::isnan(chaos.q2)          ? "not measurable"
                              : result.points.are_dependent ? "refused: keys are correlated"
                                                            : "refused: Q2 < " + shortest_text(k_least_q2);
+                continue;
+            }
+            if (is_field_of_error(input, k)) {  // no polynomial has it: it is in what they leave
+                key.method = k_not_explained;
                 continue;
             }
             key.first_order = Interval{chaos.first_order[k], k_none, k_none};

@@ -107,6 +107,7 @@ Emulation emulation_of(const StudyInput& input, const StudyResult& result);
 struct RarePlace {
     RareEvent event;
     Estimate probability;
+    double high = 0;       ///< of its interval of 95 %, where runs whose full reach is not known count as hits
     std::size_t hits = 0;  ///< members in which it happened
 };
 /// None of other studies.
@@ -115,7 +116,11 @@ std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResul
 /// Returns the standard error by which study.until decides, of the first members.
 double largest_error(const StudyInput& input, const StudyResult& result);
 
-/// Returns the sensitivities of all figures.
+/// What stands for a field of error in place of a method.
+inline constexpr const char* k_not_explained = "not explained";
+/// Returns the sensitivities of all figures that vary.
 std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result);
+/// Whether a key is a field of error (terrain.error), of which no polynomial of the keys knows.
+bool is_field_of_error(const StudyInput& input, std::size_t key);
 
 }  // namespace frana::app::study

@@ -128,6 +128,13 @@ std::string uncounted(const CalibrationInput& input, const CalibrationRuns& runs
     return names;
 }
 
+/// All runs, each with the table that has its row.
+std::vector<RunOfStudy> runs_of(const CalibrationRuns& runs) {
+    std::vector<RunOfStudy> all = runs.runs();
+    for (RunOfStudy& run : all) run.table = k_posterior_table;
+    return all;
+}
+
 /// Fills in what was assumed, how the search ended, and what is doubtful.
 void judge(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
            CalibrationResult& result) {
@@ -192,7 +199,13 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     result.posteriors = key_posteriors(result.after, sample.weights);
     result.indistinct = indistinct_pairs(result.after, sample.weights);
     result.sentences = sentences(result.posteriors, result.indistinct);
+    if (troubles_of(runs_of(runs), false).open > 0)
+        result.doubts.push_back(
+            worded("The scores of runs that were cut, held or left the ground are those of unfinished flows, and so "
+                   "is the posterior: raise time.end, or use a larger DTM"));
     judge(input, runs, model, result);
+    for (Sentence& doubt : edge_doubts(result.posteriors)) result.doubts.push_back(std::move(doubt));
+    if (const auto few = few_members(result.effective)) result.doubts.push_back(*few);
     for (std::size_t e = 0; e < input.events(); ++e) {
         EventResult& event = result.events.emplace_back();
         event.fitted = explained(runs, model, sample, result.posteriors, e, std::nullopt);
@@ -317,10 +330,18 @@ Json json_of(const CalibrationResult& result, const Explained& one) {
     return json;
 }
 
+/// Lines before the header: who reads the table reads its doubts, and `frana ensemble` repeats them.
+std::string doubt_lines(const CalibrationRuns& runs, const CalibrationResult& result) {
+    const Troubles troubles = troubles_of(runs_of(runs), false);
+    std::string text = troubles.any() ? "# " + one_line(headline(troubles).text()) + "\n" : "";
+    for (const Sentence& doubt : result.doubts) text += "# " + one_line(doubt.text()) + "\n";
+    return text;
+}
+
 /// Returns posterior.csv: a row for each member with its weight, score, values and misfits. A column
 /// of a shared key has the key's name, so that `frana ensemble` takes the file with sampling = table:FILE.
 std::string posterior_csv(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
-    return csv_of(columns_of(input, runs, result.weights));
+    return doubt_lines(runs, result) + csv_of(columns_of(input, runs, result.weights));
 }
 
 /// The same for one event that has keys of its own: all its keys by their names.
@@ -335,7 +356,7 @@ std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationRe
                std::isnan(misfits[i][event]) ? "" : shortest_text(1 - misfits[i][event])};
         row.insert(row.end(), table.values[i].begin(), table.values[i].end());
     }
-    return csv_of(columns);
+    return doubt_lines(runs, result) + csv_of(columns);
 }
 
 /// Returns calibration.json: best values, intervals, scores by event, fitted and predicted. No wall time is in it.
@@ -445,13 +466,6 @@ void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog
         for (const Sentence& sentence : *told) log.info(sentence.text());
 }
 
-/// All runs, each with the table that has its row.
-std::vector<RunOfStudy> runs_of(const CalibrationRuns& runs) {
-    std::vector<RunOfStudy> all = runs.runs();
-    for (RunOfStudy& run : all) run.table = k_posterior_table;
-    return all;
-}
-
 bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
     const std::size_t failed = runs.failed(), all = runs.size() * events;
     if (failed == 0) return false;
@@ -475,14 +489,9 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
     if (troubles.any()) log.warn_first({headline(troubles)});
-    if (troubles.open > 0)
-        log.warn(
-            worded("The scores of runs that were cut, held or left the ground are those of unfinished flows, and so "
-                   "is the posterior: raise time.end, or use a larger DTM"));
     for (const Sentence& doubt : result.doubts) log.warn(doubt);
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
     for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);
-    if (const auto warning = few_members(result.effective)) log.warn(*warning);
     write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));

@@ -55,13 +55,12 @@ std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& 
 std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
     const auto scheme = hazard_scheme_of(input.base.spec);
     const DegreeMatrix& matrix = input.reading.study.region->degrees;
-    const auto is_same = [&](const DegreeMatrix& other) {
-        return matrix.degrees == other.degrees && matrix.periods == other.periods;
-    };
-    const bool is_of_scheme = scheme->matrix && scheme->name != "custom" && is_same(*scheme->matrix);
-    const std::string source = is_of_scheme ? scheme->source
-                               : is_same(DegreeMatrix{})
-                                   ? "BWW, BRP, BUWAL 1997"
+    const auto of_scheme =
+        std::find_if(scheme->matrices.begin(), scheme->matrices.end(), [&](const ProcessMatrix& one) {
+            return matrix.degrees == one.degrees.degrees && matrix.periods == one.degrees.periods;
+        });
+    const std::string source = of_scheme != scheme->matrices.end()
+                                   ? of_scheme->source
                                    : "[degree], " + fs::path(input.reading.study.file).filename().string();
     ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   *scheme,
                  source,          k_degree_zones_file, intensity_limits(*scheme)};
@@ -127,7 +126,7 @@ void write_scenario(const StudyInput& input, const std::vector<UnionMember>& mem
     const auto scheme = hazard_scheme_of(input.base.spec);
     if (!scheme) return;
     ClassMap map{of_scenario + "intensity_" + name, scheme->heading, scheme->classes, *scheme, scheme->source, "",
-                 {scheme->minimum_label()}};
+                 scheme->minimum_labels()};
     publish_classes(greatest_of(members, Quantity::intensity, grid), map, provenance(input.base),
                     words_of(input.base.spec), directory);
 }
@@ -304,8 +303,8 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
     if (const auto& rare = facts.rare_place) {
         log.info(rare->event.gauge + " is deeper than " + shortest_text(rare->event.threshold) +
                  " m with a probability of " + number_text(rare->probability.value, 3) +
-                 " (95 %: " + number_text(rare->probability.low(), 2) + " to " +
-                 number_text(rare->probability.high(), 2) + "); " + std::to_string(rare->hits) + " members came there");
+                 " (95 %: " + number_text(rare->probability.low(), 2) + " to " + number_text(rare->high, 2) + "); " +
+                 std::to_string(rare->hits) + " members came there");
         if (rare->hits < k_least_hits)
             log.warn(
                 worded("Only {1} of {2} members came to {3}: its probability and the interval may be far too low. "
@@ -380,6 +379,9 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     const std::vector<RunOfStudy> runs = result.runs();
     facts.troubles = troubles_of(runs, is_region);
     facts.troubles.on_levels = !input.levels.empty();
+    input.base.tags = {{"VARIED", joined(input.table.keys, ", ")},
+                       {"RUNS", std::to_string(result.finished_at.size()) + " of " + std::to_string(runs.size())}};
+    if (facts.troubles.make_lower_bounds()) input.base.tags[k_lower_bound_item] = headline(facts.troubles).text();
     outcome.has_troubles = facts.troubles.any();
     if (facts.troubles.any()) log.warn_first({headline(facts.troubles)});
     outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);

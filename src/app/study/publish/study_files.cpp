@@ -268,6 +268,12 @@ class Builder {
                 static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
             const std::size_t member = member_of(worst);
             row.numbers.emplace_back("sources", row.is_on_map() ? static_cast<double>(count) : k_no_data);
+            if (result_.open.any()) {  // those whose full reach is not known may have come, too
+                std::size_t most = 0;
+                for (std::size_t run = 0; run < values.size(); ++run)
+                    most += values[run] > 0 || result_.open.is_open[run] ? 1 : 0;
+                row.numbers.emplace_back("sources_upper", row.is_on_map() ? static_cast<double>(most) : k_no_data);
+            }
             row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(member) : k_no_data);
             if (!input_.slopes.empty())
                 row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
@@ -403,7 +409,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     bool needs_fractions = result.equal_weights() && result.design_at.size() > 1 && !result.points.are_dependent;
     const auto write_fractions = [&](const OutlineMaps& outlines) {
         for (std::size_t k = 0; k < outlines.fractions.size(); ++k)
-            writer.write("sensitivity_" + input.table.keys[k], outlines.fractions[k]);
+            if (!is_field_of_error(input, k)) writer.write("sensitivity_" + input.table.keys[k], outlines.fractions[k]);
     };
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
         QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
@@ -458,6 +464,7 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
     const auto path = [&](const std::string& file) { return directory.path(folder) + "/" + file; };
     SceneSpec scene = input.member(member).scene;
     if (!input.slopes.empty() && !record.figures.empty()) scene.terrain.bounds = record.grid().bounds();
+    if (record.end.end > 0) scene.time.end = record.end.end;
     write_text_file(path(k_scene_file), echoed_scene(scene, directory.target() + "/" + folder));
     const std::pair<const char*, Quantity> k_maps[] = {
         {"max_depth", Quantity::depth}, {"max_velocity", Quantity::velocity}, {"arrival_time", Quantity::arrival}};

@@ -207,14 +207,18 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
                     "Half of the runs were drawn near what makes it come there, and count less; elsewhere a "
                     "probability less than {6} % is less than one run, and cannot be told from 0.",
                     {rare->event.gauge, number(rare->event.threshold), number.percent(rare->probability.value),
-                     number.percent(rare->probability.low()), number.percent(rare->probability.high()), one_run});
+                     number.percent(rare->probability.low()), number.percent(rare->high), one_run});
     else if (result.finished.levels.empty())
         text +=
             " " + words("A probability less than {1} % is less than one run, and cannot be told from 0.", {one_run});
     text += polynomials_sentence(facts, words);
     text += " " + words("In the rasters of probability band 2 is half of the interval of 95 %.");
     if (result.open.any())
-        text += " " + words("Band 3 is the probability if all runs whose full reach is not known came everywhere.");
+        text += " " + words(facts.rare_place
+                                ? worded("Band 3, and the upper limit above, are the probability if all runs whose "
+                                         "full reach is not known came everywhere.")
+                                : worded("Band 3 is the probability if all runs whose full reach is not known came "
+                                         "everywhere."));
     const auto run_out = place_of_figure(result, k_run_out_key);
     const Interval median = run_out ? result.quantile_of(*run_out, 0.5) : Interval{};
     if (run_out && std::isfinite(median.low) && std::isfinite(median.high) && !facts.reached_m2.empty())

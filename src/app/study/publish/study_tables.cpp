@@ -28,7 +28,8 @@ namespace {
 void write_frames(const StudyInput& input, const StudyResult& result, std::size_t member,
                   const ResultDirectory& directory) {
     RunLog silent(true);
-    const Prepared prepared = prepare(input.member(member), silent);
+    Prepared prepared = prepare(input.member(member), silent);
+    prepared.scene.time.end = result.members[member].end.end;
     if (!prepared.scene.grid.same_cells(result.grid))
         throw Error(ErrorKind::input,
                     Problem{"has other cells than the maps", "member " + std::to_string(member), "", "",
@@ -198,6 +199,12 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
                     (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "," + value_cell(one.effect) + "," +
                     cells(one.effect) + "," + (one.effect ? shortest_text(one.effect_scatter) : "") + "\n";
         }
+        // A field of error is in what the polynomials of the keys do not explain.
+        const bool has_field = std::any_of(figure.keys.begin(), figure.keys.end(),
+                                           [](const KeySensitivity& one) { return one.method == k_not_explained; });
+        if (has_field)
+            text += csv_cell(figure.figure.key) + "," + k_not_explained + "," + shortest_text(1 - figure.q2) +
+                    ",,,,,,,,,polynomial chaos," + shortest_text(figure.q2) + ",,,,\n";
     }
     return text;
 }
@@ -294,7 +301,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                               {"depth_threshold_m", rare->event.threshold},
                               {"probability", rare->probability.value},
                               {"standard_error", rare->probability.error},
-                              {"interval_95", {rare->probability.low(), rare->probability.high()}},
+                              {"interval_95", {rare->probability.low(), rare->high}},
                               {"members_that_came", rare->hits}};
     if (const auto& median = facts.median)
         json["median_member"] = {{"member", median->member},

@@ -42,8 +42,9 @@ void add_interval(const KeySample& key, const std::vector<double>& weights, KeyP
     to.low = weighted_quantile(key.numbers, weights, k_low);
     to.median = weighted_quantile(key.numbers, weights, 0.5);
     to.high = weighted_quantile(key.numbers, weights, k_high);
-    to.width = (weighted_quantile(key.places, weights, k_high) - weighted_quantile(key.places, weights, k_low)) /
-               (k_high - k_low);
+    to.place_low = weighted_quantile(key.places, weights, k_low);
+    to.place_high = weighted_quantile(key.places, weights, k_high);
+    to.width = (to.place_high - to.place_low) / (k_high - k_low);
     StudySpec alone;
     alone.vary.push_back({key.key, key.prior});
     Problems none;
@@ -396,6 +397,20 @@ std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std
                        : worded("The surveys cannot tell {1} from {2}: greater values of one explain them as well "
                                 "with smaller values of the other (correlation {3})."),
                    {name_of(keys[pair.first]), name_of(keys[pair.second]), short_number(pair.correlation)}));
+    return all;
+}
+
+std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys) {
+    constexpr double k_edge = 0.02;
+    std::vector<Sentence> all;
+    for (const KeyPosterior& key : keys) {
+        const bool is_low = key.place_low<k_edge, is_high = key.place_high> 1 - k_edge;
+        if (key.nominal || is_low == is_high) continue;
+        all.push_back(worded(is_low
+                                 ? worded("{1} lies at the lower limit of its distribution, {2}: widen it in [vary].")
+                                 : worded("{1} lies at the upper limit of its distribution, {2}: widen it in [vary]."),
+                             {name_of(key), short_number(is_low ? key.low : key.high)}));
+    }
     return all;
 }
 

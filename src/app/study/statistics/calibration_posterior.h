@@ -129,6 +129,7 @@ struct KeyPosterior {
     double prior_low = 0, prior_high = 0;  ///< the same of the distribution
     /// Width of the interval in places of the distribution, over 0.9, that of the distribution itself.
     double width = 1;
+    double place_low = 0, place_high = 1;                ///< the interval as places in the distribution
     std::vector<std::pair<std::string, double>> values;  ///< of a choice: probabilities
 };
 
@@ -155,6 +156,8 @@ std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys,
 
 /// Returns plain sentences on what the surveys tell and do not tell.
 std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs);
+/// Returns why a posterior may be cut off: an end of its interval within 2 % of the limit of the distribution.
+std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys);
 /// Returns a warning if the effective number of members is too small for maps and forecasts.
 std::optional<Sentence> few_members(double effective);
 
