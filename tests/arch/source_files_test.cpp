@@ -40,13 +40,13 @@ struct Room {
 
 // How long each part of the product is. Lower a number when a part has shrunk; raising one is a decision to be seen.
 constexpr Room k_rooms[] = {
-    {"src/core", 3350},         {"src/params", 5230},       {"src/physics", 1490},
+    {"src/core", 3350},         {"src/params", 5330},       {"src/physics", 1490},
     {"src/particles", 1650},    {"src/mpm", 5000},          {"src/models", 4480},
-    {"src/simulation", 6550},   {"src/analysis", 3200},     {"src/facade", 1400},
+    {"src/simulation", 6550},   {"src/analysis", 3590},     {"src/facade", 1400},
     {"src/python", 510},        {"src/bench", 5850},        {"src/app/process", 320},
-    {"src/app/text", 680},      {"src/app/input", 3760},    {"src/app/store", 3900},
+    {"src/app/text", 680},      {"src/app/input", 4050},    {"src/app/store", 3900},
     {"src/app/pictures", 3170}, {"src/app/compare", 1000},  {"src/app/publish", 4340},
-    {"src/app/study", 11980},   {"src/app/commands", 5360}, {"gis", 7150},
+    {"src/app/study", 11980},   {"src/app/commands", 5390}, {"gis", 7160},
     {"render", 7250},
 };
 
