@@ -42,8 +42,8 @@ class GroundDoubts : public TinyScene {
     void SetUp() override {
         write_polygon("mass", {{100, 390}, {220, 390}, {220, 510}, {100, 510}});
         write("bed.ini",
-              "[terrain]\ndtm = bed.asc\n[release]\nperimeter = mass.geojson\nthickness = 3\n[material]\n"
-              "friction-angle = 15\nturbulence = 500\n[time]\nend = 90\n" +
+              "[terrain]\ndtm = bed.asc\n[release]\nperimeter = mass.geojson\nthickness = 2\n[material]\n"
+              "friction-angle = 20\nturbulence = 500\n[time]\nend = 90\n" +
                   k_numbers_only);
     }
     /// The lines of warnings about the DTM.
@@ -130,13 +130,13 @@ TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
         {[&](double x, double y) { return std::round(gentle(x, y)); }, {"level between steps of 1 m", "with decimals"}},
         {[](double x, double y) { return 10 * std::round(waves(x, y) / 10); }, {"level between steps of 10 m"}},
         {[](double x, double y) { return waves(x, y) + (x > 400 ? 4 : 0); },
-         {"a straight step of 4", "E 527400", "Fit the tiles"}},
+         {"a straight step of 4", "E 527395", "Fit the tiles"}},
         {[](double x, double y) { return waves(x, y) + (x + y > 1e4 || y > 450 ? 48 : 0); },
-         {"a straight step of 48 m", "N 5094450"}},
+         {"a straight step of 48 m", "N 5094455"}},
         {[](double x, double y) { return x > 300 && x < 340 && y > 430 && y < 470 ? -1 : waves(x, y); },
          {"16 cells of -1 m are pits", "E 527305", "terrain.nodata-value"}},
         {[](double x, double y) { return x > 300 && x < 340 && y > 430 && y < 470 ? 0 : waves(x, y); },
-         {"16 cells of 0 m are pits"}},
+         {"16 cells are 0 and stand like walls", "16 cells of 0 m are pits"}},
         {[](double x, double y) { return x > 100 && x < 140 && y > 530 && y < 570 ? 255 : waves(x, y); },
          {"16 cells of 255 m are pits"}},
         {[&](double x, double y) { return waves(x, y) + (chance(generator) < 0.4 ? 5 + 15 * chance(generator) : 0); },
@@ -146,7 +146,8 @@ TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
         write_grid("bed", 10, one.ground);
         const std::string told = doubts();
         expect_words(told, one.words);
-        EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+        const bool is_zero = one.words.size() == 2 && one.words.front().find("are 0") != std::string::npos;
+        EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), is_zero ? 2 : 1) << told;
     }
 }
 
@@ -166,7 +167,7 @@ TEST_F(GroundDoubts, GoodGroundIsNotDoubted) {
         // A channel between steep banks, a cliff askew, a terrace that was built.
         [](double x, double y) { return waves(x, y) + (std::abs(y - 450) > 120 ? 30 : 0.002 * (y - 450) * (y - 450)); },
         [](double x, double y) { return waves(x, y) + (x + 0.4 * y > 560 ? -40 : 0); },
-        [](double x, double y) { return x > 340 && x < 380 ? waves(340, y) : waves(x, y); },
+        [](double x, double y) { return x > 340 && x < 380 && std::abs(y - 450) < 60 ? waves(340, y) : waves(x, y); },
     };
     for (std::size_t i = 0; i < grounds.size(); ++i) {
         write_grid("bed", 10, grounds[i]);
