@@ -151,7 +151,7 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
     constexpr double k_thick = 30, k_of_width = 0.25;  // the thickest landslides have an eighth of their width
     const double width = std::sqrt(area(outlines));
-    if (greatest > std::max(k_thick, k_of_width * width))
+    if (greatest > std::max(k_thick, k_of_width * width) && problems.empty())
         log.warn(worded("the release is up to {1} m thick and {2} m wide: if the thickness is in cm, convert it",
                         {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
     if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
