@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/access/table_in.h"
 
+#include <cpl_csv.h>
+#include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 
@@ -10,6 +12,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <memory>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -83,7 +86,37 @@ Table table_of_one_column(const std::string& path) {
     return table;
 }
 
+struct CloseFile {
+    void operator()(VSILFILE* file) const noexcept { VSIFCloseL(file); }
+};
+
 }  // namespace
+
+void refuse_surplus_fields(const std::string& path, const std::string& place) {
+    const std::unique_ptr<VSILFILE, CloseFile> file(VSIFOpenL(path.c_str(), "rb"));
+    const char* const header = file ? CPLReadLineL(file.get()) : nullptr;
+    if (!header) return;
+    const char separator = CSVDetectSeperator(header);
+    if (VSIFSeekL(file.get(), 0, SEEK_SET) != 0) return;
+    const auto fields = [&] { return CPLStringList(CSVReadParseLine2L(file.get(), separator), TRUE); };
+    const int columns = fields().size();
+    for (std::size_t line = 2; line < k_most_rows; ++line) {
+        const CPLStringList row = fields();
+        if (row.List() == nullptr) return;
+        int count = row.size();
+        while (count > columns && row[count - 1][0] == '\0') --count;  // separators at the end of the line
+        if (count <= columns) continue;
+        std::string text;
+        for (int i = 0; i < count; ++i) text += (i > 0 ? std::string(1, separator) : "") + row[i];
+        throw Error(ErrorKind::input,
+                    Problem{"line " + std::to_string(line) + " has " + std::to_string(count) + " fields under " +
+                                std::to_string(columns) + (columns == 1 ? " column" : " columns"),
+                            place, text, std::to_string(columns),
+                            separator == ',' ? "Write decimals after a point, not a comma, or put semicolons between "
+                                               "the fields"
+                                             : "Correct the line"});
+    }
+}
 
 Table read_table(const std::string& path, const std::string& where) {
     const GdalSession session;
@@ -99,15 +132,16 @@ Table read_table(const std::string& path, const std::string& where) {
                                               "Check the path: a scene's is relative to the scene file, an "
                                               "option's to the current folder"});
     }
+    (void)refuse_special_file(path.c_str());
     // "CSV:" makes the driver accept names without .csv.
     const char* const drivers[] = {"CSV", nullptr};
     const char* const options[] = {"HEADERS=YES", "AUTODETECT_TYPE=NO", "KEEP_GEOM_COLUMNS=YES", nullptr};
-    (void)refuse_special_file(path.c_str());
     std::ifstream file(path, std::ios::binary);
     std::string rest;
     const std::vector<std::string> remarks = remarks_before(file, rest);
     const MemoryFile without_remarks(std::move(rest));
     const std::string& read = remarks.empty() ? path : without_remarks.path();
+    refuse_surplus_fields(read, place);
     const GDALDatasetUniquePtr dataset(
         GDALDataset::Open(("CSV:" + read).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, options));
     OGRLayer* layer = dataset && dataset->GetLayerCount() == 1 ? dataset->GetLayer(0) : nullptr;

@@ -17,8 +17,13 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// Reads a CSV file with a header, before which lines may begin with #; comma, semicolon or tab between the columns.
-/// `where` names the key. Throws Error(input): missing file, not a table, no row.
+/// Refuses a CSV file of which a row has more fields than the header, which OGR would drop: with commas between them
+/// and within numbers, the rest of a number would be the value of the next column. `place` names key and file. Throws
+/// Error(input).
+void refuse_surplus_fields(const std::string& path, const std::string& place);
+
+/// Reads a CSV file with a header, before which lines may begin with #; comma, semicolon or tab between the columns. `where` names the key. Throws
+/// Error(input): missing file, not a table, no row, refuse_surplus_fields.
 Table read_table(const std::string& path, const std::string& where);
 
 }  // namespace frana::gis

@@ -14,6 +14,7 @@
 
 #include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
+#include "gis/access/table_in.h"
 #include "gis/crs/crs.h"
 #include "gis/vector/vector_out.h"
 
@@ -207,6 +208,8 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours) {
         GDALDataset::Open(source.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
     if (dataset && is_ours && session.failed())
         throw vector_error(source, "the file is damaged: " + session.last_message(), "", "");
+    if (dataset && !is_ours && std::string(dataset->GetDriverName()) == "CSV")
+        refuse_surplus_fields(source.file, source.where);
     if (dataset) return dataset;
     VSIStatBufL status;
     if (VSIStatL(source.file.c_str(), &status) != 0) {

@@ -16,6 +16,7 @@
 #include "app/commands/forecast.h"
 #include "app/commands/study_check.h"
 #include "app/input/check_inputs.h"
+#include "app/input/doubt_ground.h"
 #include "app/input/memory_bound.h"
 #include "app/input/on_demand.h"
 #include "app/input/prepare.h"
@@ -99,7 +100,7 @@ Json check_document(const CheckedScene& checked) {
                     {"nodata_cells", prepared.ground.nodata_cells},
                     {"filled_cells", prepared.ground.filled_cells}};
     json["release"] = {{"volume_m3", expected.volume},
-                       {"area_m2", prepared.release.area_m2},
+                       {"area_m2", released_area(prepared.scene)},
                        {"inflow_m3", expected.inflow},
                        {"dtm_contains_release", prepared.scene.terrain_contains_release},
                        {"ground", ground_json(prepared.release.ground)}};
@@ -261,7 +262,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
     print_fact("released",
-               words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
+               words(grouped(expected.volume), "m3 from") + " " + grouped(released_area(prepared.scene)) + " m2");
     if (prepared.friction) print_fact("friction", friction_text(prepared.friction->choice()).text());
     if (model_reads(prepared.spec, k_density))
         print_fact("density", shortest_text(prepared.spec.material.density) +
@@ -344,8 +345,14 @@ int cmd_check(const Arguments& arguments) {
         std::fflush(stdout);
     }
     compare_volumes(prepared.release.file_volume, expected.volume, log);
+    doubt_ground(reading, prepared, log);
+    if (!prepared.scene.release.empty()) warn_of_scale(make_release(prepared.scene).areas, prepared.spec.release, log);
     warn_of_release(prepared.scene, log);
     if (trial && trial->path) log.warn_all(path_ground_warnings(*trial->path));
+    constexpr double k_left = 0.01;  // coarse cells lose a little more at edges
+    if (trial && trial->left > k_left)
+        log.warn(worded("{1} % of the volume leaves the DTM in the trial: use a larger DTM or terrain.bounds",
+                        {numeral(number_text(100 * trial->left, 2))}));
     if (const auto& exposed = prepared.extra.exposure)
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
     if (json)

@@ -8,6 +8,7 @@
 #include "app/commands/forecast.h"
 #include "app/commands/scene_variants.h"
 #include "app/input/check_inputs.h"
+#include "app/input/doubt_ground.h"
 #include "app/input/share_directory.h"
 #include "app/process/machine_memory.h"
 #include "app/process/terminal.h"
@@ -304,6 +305,9 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
     Prepared prepared = prepare(reading, place_problem, log);
+    doubt_ground(reading, prepared, log);
+    if (const auto& exposed = prepared.extra.exposure)
+        warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
     prepared.result_folder = target;
     if (is_complete) {
         catch_stop_signals();

@@ -16,6 +16,7 @@
 #include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
+#include "simulation/run_summary.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -42,6 +43,7 @@ struct Trial {
     double seconds = 0;  ///< wall time of the engine
     bool cut_short = false;
     std::optional<GroundStatistics> path;
+    double left = 0;  ///< fraction of the volume that left the ground
 };
 
 Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, int threads) {
@@ -68,6 +70,7 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     result.raster("max_depth").values.for_each_stored([&](std::size_t, double depth) {
         trial.reached_cells += std::isnan(depth) ? 0 : squared;
     });
+    trial.left = left_fraction(result);
     trial.seconds = result.engine_seconds;
     trial.seconds_per_particle_step = result.engine_seconds / steps;
     return trial;
@@ -102,6 +105,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     estimate.trial_end = base.reached;
     estimate.cut_short = base.cut_short;
     estimate.path = fine.path;
+    estimate.left = fine.left;
     // With few particles each is expensive (as in the trial), and so are the first steps (of the scene itself).
     const double start_cost =
         start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);

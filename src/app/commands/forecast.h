@@ -26,6 +26,7 @@ struct TimeEstimate {
     double trial_end = 0;                  ///< simulated time of the trial [s]
     bool cut_short = false;                ///< the trial was stopped before its end, the rest is extrapolated
     std::optional<GroundStatistics> path;  ///< the ground that the trial's flow covered
+    double left = 0;                       ///< fraction of the trial's volume that left the ground
 };
 
 /// Runs the scene on cells four and eight times as large (two and four for a small release), for at most a second and a

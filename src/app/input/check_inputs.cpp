@@ -131,7 +131,7 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
 /// Refuses a thickness greater than that of any landslide: a raster of elevations, nodata that no file declares, a
 /// volume in other units.
 void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
-                    const Raster& cover, Problems& problems) {
+                    const Raster& cover, RunLog& log, Problems& problems) {
     double least = k_most_thickness, greatest = 0, mean = 0;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
         release_area->thickness_raster->values.for_each_stored([&](std::size_t cell, double thickness) {
@@ -149,7 +149,33 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
     if (least < k_least_thickness) greatest = least;
     if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
+    constexpr double k_thick = 30, k_of_width = 0.25;  // the thickest landslides have an eighth of their width
+    const double width = std::sqrt(area(outlines));
+    if (greatest > std::max(k_thick, k_of_width * width) && problems.empty())
+        log.warn(worded("the release is up to {1} m thick and {2} m wide: if the thickness is in cm, convert it",
+                        {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
     if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
+}
+
+/// Refuses elevations of the ground given as thicknesses.
+void refuse_elevations(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
+                       const Raster& cover, Problems& problems) {
+    constexpr double k_alike = 0.05, k_least_mean = 30;
+    if (reading.scene.release.thickness->kind == nullptr || !reading.scene.release.thickness->as_in_file()) return;
+    double apart = 0, all = 0, cells = 0;
+    for (const ReleaseArea* area : different_rasters(reading, release)) {
+        cover.values.for_each_stored([&](std::size_t cell, double covered) {
+            const double t = area->thickness_raster->values[cell], z = ground.terrain.values[cell];
+            if (covered == 0 || !(t > 0) || std::isnan(z)) return;
+            apart += std::abs(t - z);
+            all += t;
+            cells += 1;
+        });
+    }
+    if (!(all > k_least_mean * cells) || apart > k_alike * all) return;
+    problems.add({"contains elevations, no thicknesses", reading.where("release.thickness"),
+                  number_text(all / cells, 4) + " m on average, as the DTM", "",
+                  "Give the thickness, or the surfaces before and after: difference:PRE,POST"});
 }
 
 /// The least that a map shows is the release; the flow, of which nothing is known yet, needs more.
@@ -226,10 +252,32 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     check_ground(reading, ground, cover, problems);
     for (const ReleaseArea* area : different_rasters(reading, release))
         check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
-    check_greatest(reading, release, outlines, cover, problems);
+    check_greatest(reading, release, outlines, cover, log, problems);
+    refuse_elevations(reading, ground, release, cover, problems);
     check_map_scale(reading, outlines, problems);
     check_difference(reading, ground, release, cover, log, problems);
     check_overlap(release, ground.terrain.grid, log);
+}
+
+double released_area(const Scene& scene) {
+    double all = 0;
+    for (const ReleaseArea& one : scene.release) {
+        if (!one.thickness_raster) all += area(one.outline);
+        if (!one.thickness_raster) continue;
+        gis::visit_cells(one.outline, scene.grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
+            all += std::as_const(*one.thickness_raster).at(row, column) > 0 ? scene.grid.cell_area() : 0;
+        });
+    }
+    return all;
+}
+
+void warn_of_scale(const std::vector<ReleasedArea>& areas, const ReleaseSpec& spec, RunLog& log) {
+    constexpr double k_most = 1.25;
+    if (spec.volume || !spec.thickness || !spec.thickness->by_raster()) return;
+    for (const ReleasedArea& area : areas)
+        if (area.scaled > k_most || area.scaled < 1 / k_most)
+            log.warn(worded("the thickness was scaled by {1} to its file's volume: look for values that mean no data",
+                            {numeral(number_text(area.scaled, 3))}));
 }
 
 void warn_of_release(const Scene& scene, RunLog& log) {

@@ -22,10 +22,6 @@ constexpr double k_caution = 0.8;          // of the friction: the front runs ah
 constexpr double k_least_friction = 0.01;  // with less, the energy line bounds nothing
 constexpr int k_side_samples = 400;        // along each side of what is looked at
 
-Bounds united(const Bounds& a, const Bounds& b) {
-    return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east), std::max(a.north, b.north)};
-}
-
 Bounds widened(const Bounds& b, double by) {
     return {b.west - by, b.south - by, b.east + by, b.north + by};
 }
@@ -171,6 +167,10 @@ std::vector<Bounds> boxes_to_contain(const SceneReading& reading, const std::str
 }
 
 }  // namespace
+
+Bounds united(const Bounds& a, const Bounds& b) {
+    return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east), std::max(a.north, b.north)};
+}
 
 std::optional<Bounds> flow_window(const SceneReading& reading, const gis::RasterInfo& dtm,
                                   const std::string& working_crs, double most_area) {

@@ -21,4 +21,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
                                   const std::string& working_crs,
                                   double most_area = std::numeric_limits<double>::infinity());
 
+/// The smallest rectangle around two.
+Bounds united(const Bounds& a, const Bounds& b);
+
 }  // namespace frana::app

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "gis/crs/crs.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/plausible.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -72,9 +73,11 @@ bool within_limits(const SceneReading& reading, const std::string& key, double v
     const std::vector<Parameter>& parameters = scene_parameters();
     const Parameter* const parameter = find_parameter(parameters, key);
     if (parameter == nullptr || !parameter->fits || parameter->fits(value)) return true;
+    const PlausibleRange* const plausible = plausible_range(key);
+    const bool meant = plausible != nullptr && plausible->is_refused && value > 0 && value < plausible->least;
     problems.add({what + " is out of range", reading.where(key),
                   shortest_text(value) + (parameter->unit.empty() ? "" : " " + parameter->unit), parameter->limits,
-                  "Correct it in the file"});
+                  meant ? plausible->meant(value).text() : "Correct it in the file"});
     return false;
 }
 

@@ -25,6 +25,7 @@
 #include "params/keys/output_parameters.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
+#include "params/keys/plausible.h"
 #include "simulation/arrivals.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene.h"
@@ -91,6 +92,7 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
         most = std::max(most, metres);
         ++raised;
     });
+    if (const auto warning = implausible("terrain.obstacle-height", most)) log.warn(*warning);
     log.note("obstacles raise " + grouped(raised) + " cells of the bed by up to " + number_text(most, 4) + " m");
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "app/input/layer_values.h"
@@ -22,13 +23,48 @@
 namespace frana::app {
 namespace {
 
+/// A column and what its unit is in seconds, m3/s, m3 or m/s.
+struct Column {
+    std::size_t index = 0;
+    double unit = 1;
+};
+
+/// The units of a column that are known, as letters and digits alone: "m3/s", "m3s" and "m3_s" are the same.
+const std::map<std::string, std::map<std::string, double>> k_units{
+    {"time", {{"s", 1}, {"sec", 1}, {"min", 60}, {"h", 3600}}},
+    {"discharge", {{"m3s", 1}, {"cumecs", 1}, {"ls", 1e-3}}},
+    {"volume", {{"m3", 1}}},
+    {"velocity", {{"ms", 1}, {"kmh", 1 / 3.6}}},
+};
+
+std::string letters_of(const std::string& unit) {
+    std::string letters;
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+        const auto c = static_cast<unsigned char>(unit[i]);
+        if (std::isalnum(c)) letters += static_cast<char>(c);
+        if (unit.compare(i, 2, "\u00b3") == 0) letters += '3';
+    }
+    return letters;
+}
+
 /// Returns the index of a column: its name alone, or followed by a unit.
-std::optional<std::size_t> column_of(const gis::Table& table, const std::string& name) {
+std::optional<Column> column_of(const gis::Table& table, const std::string& name, const std::string& place,
+                                Problems& problems) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::string head = trimmed(table.columns[i]);
         std::transform(head.begin(), head.end(), head.begin(), [](unsigned char c) { return std::tolower(c); });
-        const std::size_t end = head.find_first_of("_ ([");
-        if (head.substr(0, end) == name) return i;
+        const std::size_t end = std::min(head.find_first_of("_ (["), head.size());
+        if (head.substr(0, end) != name) continue;
+        const std::string unit = letters_of(head.substr(end));
+        const auto& known = k_units.at(name);
+        const auto found = known.find(unit);
+        if (!unit.empty() && found == known.end()) {
+            std::string units;
+            for (const auto& [one, factor] : known) units += (units.empty() ? "" : ", ") + name + "_" + one;
+            problems.add({"the hydrograph's column has an unknown unit", place, table.columns[i], units,
+                          "Convert the values, and name their unit or none"});
+        }
+        return Column{i, unit.empty() || found == known.end() ? 1 : found->second};
     }
     return std::nullopt;
 }
@@ -38,15 +74,15 @@ struct Row {
 };
 
 struct Columns {
-    std::size_t time = 0, amount = 0;
-    std::optional<std::size_t> speed;
+    Column time, amount;
+    std::optional<Column> speed;
     bool cumulative = false;
 };
 
 Columns columns_of(const gis::Table& table, const std::string& place) {
     Problems problems;
-    const auto time = column_of(table, "time"), discharge = column_of(table, "discharge"),
-               volume = column_of(table, "volume");
+    const auto find = [&](const char* name) { return column_of(table, name, place, problems); };
+    const auto time = find("time"), discharge = find("discharge"), volume = find("volume"), speed = find("velocity");
     const std::string names = joined(table.columns, ", ");
     if (!time) problems.add({"the hydrograph has no column time", place, names, "", "Name the columns in line 1"});
     if (!discharge && !volume)
@@ -55,7 +91,7 @@ Columns columns_of(const gis::Table& table, const std::string& place) {
     if (discharge && volume)
         problems.add({"the hydrograph has a discharge and a volume", place, names, "", "Keep one of the two"});
     problems.throw_if_any();
-    return {*time, discharge ? *discharge : *volume, column_of(table, "velocity"), volume.has_value()};
+    return {*time, discharge ? *discharge : *volume, speed, volume.has_value()};
 }
 
 std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const std::string& place) {
@@ -63,16 +99,17 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
     std::vector<Row> rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const std::string line = "line " + std::to_string(i + 2);
-        const auto number = [&](std::size_t column) {
-            const std::string text = trimmed(table.rows[i][column]);
+        const auto number = [&](const Column& column) {
+            const std::string& name = table.columns[column.index];
+            const std::string text = trimmed(table.rows[i][column.index]);
             const auto value = number_from_text(text);
             if (!value)
-                problems.add({line + ", column " + table.columns[column] + " is not a number", place, text, "",
-                              "Write decimals after a point"});
+                problems.add(
+                    {line + ", column " + name + " is not a number", place, text, "", "Write decimals after a point"});
             else if (*value < 0 || *value > k_most_of_hydrograph)
-                problems.add({line + ", column " + table.columns[column] + " is out of range", place, text,
+                problems.add({line + ", column " + name + " is out of range", place, text,
                               "0 to " + shortest_text(k_most_of_hydrograph), "Correct the file"});
-            return value.value_or(0);
+            return column.unit * value.value_or(0);
         };
         Row row{number(columns.time), number(columns.amount), columns.speed ? number(*columns.speed) : 0};
         if (!rows.empty() && !(row.time > rows.back().time))
@@ -160,6 +197,15 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
                                                     reading.scene.numerics.gravity, length);
             };
             if (!attempt(problems, read)) continue;
+            const auto flows = [](const HydrographPoint& point) { return point.discharge > 0; };
+            const auto first = std::find_if(inflow.hydrograph.begin(), inflow.hydrograph.end(), flows);
+            // Between two rows the discharge is linear.
+            const double begins = (first == inflow.hydrograph.begin() ? first : first - 1)->time;
+            if (begins >= reading.scene.time.end)
+                problems.add({"the hydrograph begins after the end of the run",
+                              reading.where("inflow.hydrograph") + ": " + hydrograph, shortest_text(begins) + " s",
+                              "before " + shortest_text(reading.scene.time.end) + " s",
+                              "Raise time.end, or correct the column time"});
             if (ground == nullptr) continue;
             const Bounds box = bounds(MultiPolygon{{feature.line, {}}});
             if (!is_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;

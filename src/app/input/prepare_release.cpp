@@ -18,6 +18,7 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/footprint.h"
 #include "gis/vector/vector_in.h"
+#include "params/keys/plausible.h"
 #include "simulation/scene.h"
 #include "simulation/scene_values.h"
 
@@ -403,7 +404,12 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
     } else if (release.perimeter) {
         release.areas = areas_by_feature(reading, *release.perimeter, problems);
     }
-    for (const ReleaseArea& area : release.areas) release.area_m2 += frana::area(area.outline);
+    double fastest = 0;
+    for (const ReleaseArea& area : release.areas) {
+        release.area_m2 += frana::area(area.outline);
+        fastest = std::max(fastest, area.speed);
+    }
+    if (const auto warning = implausible("release.velocity", fastest)) log.warn(*warning);
     if (ground != nullptr) {
         check_release(reading, *ground, release, log, problems);
         release.before.reset();

@@ -130,20 +130,17 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, const Gri
     const double needle = std::max(k_needle, k_needle_cells * terrain.grid.cell_size);
     const TerrainSanity found = terrain_sanity(terrain, needle);
     if (found.highest.value < found.lowest.value) return;  // no sample of a large DTM lies where it has data
-    const Spot& extreme = found.highest.value > -found.lowest.value ? found.highest : found.lowest;
-    if (std::abs(extreme.value) > k_impossible_elevation) {
+    const Spot& extreme = found.highest.value > k_impossible_elevation ? found.highest : found.lowest;
+    if (extreme.value > k_impossible_elevation || extreme.value < k_lowest_ground) {
         throw Error(
             ErrorKind::input,
             Problem{"contains an impossible elevation", reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm,
                     number_text(extreme.value, 6) + " m at " + place(grid, extreme).text(),
-                    grouped(-k_impossible_elevation) + " to " + grouped(k_impossible_elevation) + " m", k_remedy});
+                    grouped(k_lowest_ground) + " to " + grouped(k_impossible_elevation) + " m", k_remedy});
     }
     if (found.highest.value > k_highest_ground)
         log.warn(worded("DTM: the highest elevation is {1} m at {2}, higher than any mountain. {3}",
                         {numeral(number_text(found.highest.value, 6)), place(grid, found.highest), k_remedy}));
-    if (found.lowest.value < k_lowest_ground)
-        log.warn(worded("DTM: the lowest elevation is {1} m at {2}, lower than any dry ground. {3}",
-                        {numeral(number_text(found.lowest.value, 6)), place(grid, found.lowest), k_remedy}));
     if (found.median_slope_deg > k_steepest_median)
         log.warn(worded(
             "DTM: half of the ground is steeper than {1} degrees: elevations and eastings may be in different units. "

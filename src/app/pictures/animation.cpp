@@ -229,7 +229,11 @@ AnimationSource animation_source(const ResultReader& result, const MapSource& so
         open_above(animation.layer);
     } else if (quantity == "depth" || quantity == "velocity") {
         const bool is_depth = quantity == "depth";
+        std::string& legend = animation.layer.legend_title;  // "Maximum depth, vertical"
+        const std::string direction =
+            !legend.starts_with(animation.layer.title) ? "" : legend.substr(animation.layer.title.size());
         animation.layer.title = source.style.words(is_depth ? worded("Flow depth") : worded("Flow velocity"));
+        legend = animation.layer.title + direction;
     }
     animation.layer.source =
         "frames/" + (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute

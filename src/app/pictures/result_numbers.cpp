@@ -184,7 +184,7 @@ std::string warning_line(const std::vector<Sentence>& warnings, const Words& wor
     if (const std::string begin = elided(first, longest); begin != first)  // at a space
         first = begin.substr(0, begin.rfind(' ')) + " \u2026";
     if (warnings.size() == 1) return words("Warning:") + " " + first;
-    return words("{1} warnings (see {2}), the first: {3}", {std::to_string(warnings.size()), k_summary_file, first});
+    return words("{1} warnings, the first: {2}", {std::to_string(warnings.size()), first});
 }
 
 RunEnd run_end(const RunResult& result) {

@@ -51,7 +51,7 @@ std::optional<Troubles> troubles_in(const Json& summary);
 Json json_of(const std::vector<Sentence>& warnings);
 /// Those that stand on maps.
 std::vector<Sentence> warnings_in(const Json& summary);
-/// "3 warnings (see summary.json), the first: the flow still moves ...", for the caption of a page; empty without any.
+/// "3 warnings, the first: the flow still moves ...", for the caption of a page; empty without any.
 /// @param longest letters of the first: the sentences of most runs are whole; with few "Warning: summary.json" alone
 std::string warning_line(const std::vector<Sentence>& warnings, const Words& words, std::size_t longest = 480);
 

@@ -267,6 +267,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 
 void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& log) {
     compare_volumes(prepared.release.file_volume, released_volume(result), log);
+    warn_of_scale(result.released, prepared.spec.release, log);
     for (std::size_t i = 0; i < result.released.size(); ++i)
         if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
     if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");

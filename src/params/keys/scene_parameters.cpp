@@ -10,6 +10,7 @@
 #include "params/keys/material_parameters.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/parameter.h"
+#include "params/keys/plausible.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/zone_keys.h"
 
@@ -441,6 +442,7 @@ const std::vector<Parameter>& scene_parameters() {
         add_numerics(list);
         add_rest(list);
         add_input_parameters(list);
+        refuse_implausible(list);
         return list;
     }();
     return k_list;

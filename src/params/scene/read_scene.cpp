@@ -12,6 +12,7 @@
 #include "params/keys/laws.h"
 #include "params/keys/materials.h"
 #include "params/keys/parameter.h"
+#include "params/keys/plausible.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
 #include "params/scene/read_friction_table.h"
@@ -67,6 +68,12 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     reader.drop_unread_of_preset();
     reader.resolve_files(share);
     check_scene(reading.scene, reader.given(), path, reading.problems);
+    for (const std::string& name : reader.given()) {
+        const Parameter* const key = find_parameter(scene_parameters(), name);
+        if (key == nullptr || key->type != "number") continue;
+        const auto value = number_from_text(key->write(reading.scene).value_or(""));
+        if (const auto warning = value ? implausible(name, *value) : std::nullopt) reading.warnings.push_back(*warning);
+    }
     return reading;
 }
 

@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"terrain.friction-zones", "reaches beyond the DTM", "527400"}},
         SiteProblem{"zone_value_out_of_range",
                     "[zones]\nfriction-angle = raster:dtm.asc\n",
-                    {"zones.friction-angle", "least value", "out of range", "0 to 60"}},
+                    {"zones.friction-angle", "least value", "out of range", "0, or 1 to 60"}},
         SiteProblem{"erodible_layer_below_zero",
                     "[entrainment]\nerosion = growth\ngrowth-rate = 0.01\n[zones]\nerodible-depth = raster:hole.asc\n",
                     {"zones.erodible-depth", "least value", "-0.5", "out of range"}},

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "analysis/hazard.h"
+#include "app/input/doubt_ground.h"
 #include "app/input/flow_window.h"
 #include "app/input/layer_values.h"
 #include "app/publish/publish_hazard.h"
@@ -88,6 +89,7 @@ void prepare_central(StudyInput& input, const SceneReading& of_all, const std::o
         SceneReading slope = input.central;
         input.base = prepare_slope(region, slope, place, log);
         input.central = std::move(slope);
+        doubt_ground(input.central, input.base, log);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::input || place || !input.central.problems.empty()) throw;
         for (const std::size_t member : sound_slopes(input, of_all)) {
@@ -96,7 +98,7 @@ void prepare_central(StudyInput& input, const SceneReading& of_all, const std::o
                 input.base = prepare_slope(region, slope, std::nullopt, log);
                 input.central = std::move(slope);
             };
-            if (attempt(take)) return;
+            if (attempt(take)) return doubt_ground(input.central, input.base, log);
         }
         throw;
     }

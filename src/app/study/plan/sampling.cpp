@@ -37,10 +37,11 @@ std::optional<ValueProblem> support_refusal(const Parameter& key, const Distribu
     SceneSpec scene;
     for (const double bound : {support.low, support.high}) {
         if (!std::isfinite(bound) || (distribution.law == Law::log_normal && bound == 0)) continue;
-        if (!key.read(scene, shortest_text(bound))) continue;
+        const auto refusal = key.read(scene, shortest_text(bound));
+        if (!refusal) continue;
         return ValueProblem{"reaches from " + bound_text(support.low) + " to " + bound_text(support.high) +
                                 ", beyond the key's range (" + key.limits + ")",
-                            "Choose a distribution inside the range"};
+                            refusal->remedy.empty() ? "Choose a distribution inside the range" : refusal->remedy};
     }
     return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "app/input/doubt_ground.h"
 #include "app/input/layer_values.h"
 #include "app/input/share_directory.h"
 #include "app/process/terminal.h"
@@ -457,6 +458,7 @@ StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, 
         return input;
     }
     input.base = prepare(input.central, place, log);
+    doubt_ground(input.central, input.base, log);
     input.base.scene.time.frame_interval = 0;
     put_levels_on_cells(input, problems);
     check_rare_event(input, problems);

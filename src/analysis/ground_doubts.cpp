@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/ground_doubts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "analysis/ground_statistics.h"
+
+namespace frana {
+namespace {
+
+// Longer ones are plains and lakes.
+constexpr std::int64_t k_longest_run = 64;
+
+/// One direction over a raster, so that rows and columns share their code.
+class Lines {
+  public:
+    Lines(const Raster& raster, bool along_rows)
+        : raster_(raster),
+          step_(along_rows ? 1 : raster.grid.columns),
+          across_(along_rows ? raster.grid.columns : 1),
+          count_(along_rows ? raster.grid.rows : raster.grid.columns),
+          length_(along_rows ? raster.grid.columns : raster.grid.rows) {}
+
+    [[nodiscard]] std::int64_t count() const noexcept { return count_; }
+    [[nodiscard]] std::int64_t length() const noexcept { return length_; }
+    [[nodiscard]] std::size_t cell(std::int64_t line, std::int64_t place) const noexcept {
+        return static_cast<std::size_t>(line * across_ + place * step_);
+    }
+    [[nodiscard]] double operator()(std::int64_t line, std::int64_t place) const {
+        return raster_.values[cell(line, place)];
+    }
+
+  private:
+    const Raster& raster_;
+    std::int64_t step_, across_, count_, length_;
+};
+
+Point centre_of(const GridSpec& grid, std::size_t cell) {
+    const auto at = static_cast<std::int64_t>(cell);
+    return grid.cell_centre(at / grid.columns, at % grid.columns);
+}
+
+/// Runs of equal cells on slopes: what lies before one is lower and what follows higher, or the reverse.
+struct Runs {
+    std::map<std::int64_t, std::int64_t> lengths;  ///< number by length
+    std::vector<char> edge;     ///< of each cell to the next: 1 a step, 0 none within a run, -1 neither
+    std::vector<char> terrace;  ///< 1: in a run of two or more cells between two steps
+    std::vector<double> steps;  ///< at the ends of these [m]
+
+    Runs(const Raster& ground, const Raster& path, bool along_rows) : edge(cells(ground), -1), terrace(cells(ground)) {
+        const Lines z(ground, along_rows), on(path, along_rows);
+        for (std::int64_t line = 0; line < z.count(); ++line) {
+            for (std::int64_t first = 0, next = 0; first < z.length(); first = next) {
+                const double value = z(line, first);
+                next = first + 1;
+                while (next < z.length() && z(line, next) == value) ++next;
+                if (first == 0 || next == z.length() || next - first > k_longest_run) continue;
+                if (!(on(line, (first + next) / 2) > 0)) continue;
+                const double before = value - z(line, first - 1), after = z(line, next) - value;
+                if (!(before * after > 0)) continue;
+                ++lengths[next - first];
+                edge[z.cell(line, first - 1)] = edge[z.cell(line, next - 1)] = 1;
+                for (std::int64_t i = first; i + 1 < next; ++i) edge[z.cell(line, i)] = 0;
+                const double lower = std::min(std::abs(before), std::abs(after));
+                if (next - first < 2 || lower < k_terrace_step) continue;
+                steps.push_back(lower);
+                for (std::int64_t i = first; i < next; ++i) terrace[z.cell(line, i)] = 1;
+            }
+        }
+    }
+    static std::size_t cells(const Raster& ground) { return static_cast<std::size_t>(ground.grid.cell_count()); }
+
+    /// Mean length, without those that two equal blocks side by side make.
+    [[nodiscard]] double mean() const {
+        std::int64_t all = 0, below = 0, cells = 0, count = 0;
+        for (const auto& [length, number] : lengths) all += number;
+        double longest = 0;
+        for (const auto& [length, number] : lengths) {
+            if (2 * below < all) longest = std::max(2.0, 1.5 * static_cast<double>(length));
+            below += number;
+        }
+        for (const auto& [length, number] : lengths) {
+            if (static_cast<double>(length) > longest) continue;
+            cells += length * number;
+            count += number;
+        }
+        return count > 0 ? static_cast<double>(cells) / static_cast<double>(count) : 1;
+    }
+    /// Agreement of the steps of each line with those of the line beside it (Cohen's kappa): 1 for copied cells.
+    [[nodiscard]] double agreement(const Raster& ground, bool along_rows) const {
+        const Lines z(ground, along_rows);
+        double both = 0, neither = 0, first = 0, second = 0, all = 0;
+        for (std::int64_t line = 0; line + 1 < z.count(); ++line) {
+            for (std::int64_t i = 0; i < z.length(); ++i) {
+                const int a = edge[z.cell(line, i)], b = edge[z.cell(line + 1, i)];
+                if (a < 0 || b < 0) continue;
+                all += 1;
+                first += a;
+                second += b;
+                both += a * b;
+                neither += (1 - a) * (1 - b);
+            }
+        }
+        if (!(all > 0)) return 0;
+        const double chance = (first * second + (all - first) * (all - second)) / (all * all);
+        return chance < 1 ? ((both + neither) / all - chance) / (1 - chance) : 0;
+    }
+};
+
+double fraction(std::int64_t part, std::int64_t all) {
+    return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0;
+}
+
+/// The cells looked at.
+class Path {
+  public:
+    explicit Path(const Raster& path) {
+        path.values.for_each_stored([&](std::size_t cell, double on) {
+            if (on > 0) cells_.push_back(cell);
+        });
+    }
+    [[nodiscard]] const std::vector<std::size_t>& cells() const noexcept { return cells_; }
+    [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(cells_.size()); }
+
+  private:
+    std::vector<std::size_t> cells_;
+};
+
+/// Level in both directions: the cell has an equal one beside it and an equal one above or below.
+bool is_level(const Raster& ground, std::size_t cell) {
+    const auto at = static_cast<std::int64_t>(cell);
+    const std::int64_t row = at / ground.grid.columns, column = at % ground.grid.columns;
+    const double z = ground.values[cell];
+    const auto same = [&](std::int64_t r, std::int64_t c) {
+        return r >= 0 && c >= 0 && r < ground.grid.rows && c < ground.grid.columns && ground.at(r, c) == z;
+    };
+    return (same(row, column - 1) || same(row, column + 1)) && (same(row - 1, column) || same(row + 1, column));
+}
+
+/// Whether a step is one that elevations are rounded to, in metres or feet.
+bool is_round(double step) {
+    constexpr double k_foot = 0.3048;
+    for (const double unit : {1.0, k_foot})
+        for (const double round : {0.25, 0.5, 1.0, 2.0, 2.5, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0})
+            if (std::abs(step - round * unit) < 1e-3 * step) return true;
+    return false;
+}
+
+/// Finds blocks, by steps that run straight through many rows and columns, or else level ground between steps: it was
+/// rounded if these are of a round number of metres or feet, and copied if not.
+void find_level_ground(const Raster& ground, const Path& path, const Runs& east, const Runs& south,
+                       GroundDoubts& doubts) {
+    constexpr double k_least_block = 1.2, k_least_agreement = 0.7, k_least_share = 0.1;
+    GroundDoubts::Blocks blocks{east.mean(), south.mean(), 0};
+    const bool straight = blocks.columns >= k_least_block && blocks.rows >= k_least_block &&
+                          east.agreement(ground, true) >= k_least_agreement &&
+                          south.agreement(ground, false) >= k_least_agreement;
+    std::int64_t level = 0, between_steps = 0;
+    GroundDoubts::Terraces terraces;
+    for (const std::size_t cell : path.cells()) {
+        if (!is_level(ground, cell)) continue;
+        ++level;
+        if (!east.terrace[cell] && !south.terrace[cell]) continue;
+        if (between_steps++ == 0) terraces.place = centre_of(ground.grid, cell);
+    }
+    blocks.share = fraction(level, path.size());
+    terraces.share = fraction(between_steps, path.size());
+    std::vector<double> steps = east.steps;
+    steps.insert(steps.end(), south.steps.begin(), south.steps.end());
+    if (!straight && terraces.share < k_least_share) return;
+    terraces.step = percentile(std::move(steps), 0.5);
+    if (!straight && is_round(terraces.step)) {
+        doubts.terraces = terraces;
+        return;
+    }
+    // A slope that falls along one of the two has no steps along the other.
+    if (east.lengths.empty()) blocks.columns = blocks.rows;
+    if (south.lengths.empty()) blocks.rows = blocks.columns;
+    doubts.blocks = blocks;
+}
+
+/// By how much a step exceeds the steps before and after it; 0 if it lies between them, as where a slope bends.
+double excess(double before, double here, double after) {
+    const double least = std::min(before, after), most = std::max(before, after);
+    return here > most ? here - most : here < least ? here - least : 0;
+}
+
+/// Finds seams across the lines of one direction. Many of them side by side are no tiles: the model was brought to
+/// larger cells, some of which were left out.
+void find_seam(const Raster& ground, const Raster& path, double cell_size, bool along_rows, GroundDoubts& doubts) {
+    // Beside a cliff or the bank of a channel the ground bends as well.
+    constexpr std::int64_t k_least_cells = 24, k_least_apart = 16;
+    constexpr double k_over_bend = 4, k_change = 0.35;
+    const double least = 1 + 0.1 * cell_size;
+    const Lines z(ground, along_rows), on(path, along_rows);
+    const auto rise = [&](std::int64_t line, std::int64_t from) { return z(line, from + 1) - z(line, from); };
+    const std::int64_t wanted = std::min(k_least_cells, z.count() * 3 / 4);
+    std::optional<GroundDoubts::Seam> highest;
+    std::int64_t last_seam = -k_least_apart;
+    for (std::int64_t i = 2; i + 3 < z.length(); ++i) {
+        double height = 0, change = 0, bend = 0, last = 0;
+        std::int64_t first = 0, touched = 0;
+        bool found = false;
+        const auto finish = [&](std::int64_t end) {
+            const auto length = static_cast<double>(end - first);
+            if (end - first >= wanted && touched > 0 && height > k_over_bend * bend && change < k_change * height) {
+                found = true;
+                if (!highest || height > highest->height * highest->length)
+                    highest = {height / length, length, centre_of(ground.grid, z.cell((first + end) / 2, i))};
+            }
+            height = change = bend = last = 0;
+            touched = 0;
+        };
+        for (std::int64_t line = 0; line < z.count(); ++line) {
+            const double here = excess(rise(line, i - 1), rise(line, i), rise(line, i + 1));
+            if (!(std::abs(here) >= least) || here * last < 0) finish(line);
+            if (!(std::abs(here) >= least)) continue;
+            if (last == 0) first = line;
+            height += std::abs(here);
+            change += last == 0 ? 0 : std::abs(here - last);
+            const double bends = std::max(std::abs(rise(line, i - 1) - rise(line, i - 2)),
+                                          std::abs(rise(line, i + 1) - rise(line, i + 2)));
+            bend += std::isnan(bends) ? 0 : bends;
+            touched += on(line, i) > 0 || on(line, i + 1) > 0 ? 1 : 0;
+            last = here;
+        }
+        finish(z.count());
+        if (!found) continue;
+        if (i - last_seam < k_least_apart) return;
+        last_seam = i;
+    }
+    if (highest && (!doubts.seam || highest->height > doubts.seam->height)) doubts.seam = highest;
+}
+
+/// A patch of equal cells and the ground around it.
+struct Patch {
+    std::vector<std::size_t> cells;
+    std::int64_t around = 0, higher = 0;  ///< neighbours of another value; of these: higher than the limit
+};
+
+Patch patch_at(const Raster& ground, std::size_t start, double deep, std::vector<char>& seen) {
+    constexpr std::size_t k_most_cells = 20'000;
+    Patch patch{{start}};
+    const double value = ground.values[start];
+    seen[start] = 1;
+    for (std::size_t i = 0; i < patch.cells.size() && patch.cells.size() < k_most_cells; ++i) {
+        const auto at = static_cast<std::int64_t>(patch.cells[i]);
+        const std::int64_t row = at / ground.grid.columns, column = at % ground.grid.columns;
+        for (const auto& [r, c] :
+             {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
+            if (r < 0 || c < 0 || r >= ground.grid.rows || c >= ground.grid.columns) continue;
+            const std::size_t cell = ground.index(r, c);
+            const double z = ground.values[cell];
+            if (z == value) {
+                if (!seen[cell]) patch.cells.push_back(cell);
+                seen[cell] = 1;
+            } else if (!std::isnan(z)) {
+                ++patch.around;
+                patch.higher += z > value + deep ? 1 : 0;
+            }
+        }
+    }
+    return patch;
+}
+
+void find_pits(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
+    constexpr double k_deep = 10, k_deep_cells = 1.5, k_most_of_rim = 0.8;
+    const double deep = std::max(k_deep, k_deep_cells * cell_size);
+    std::vector<char> seen(Runs::cells(ground));
+    std::map<double, GroundDoubts::Pits> by_value;
+    for (const std::size_t cell : path.cells()) {
+        const auto column = static_cast<std::int64_t>(cell) % ground.grid.columns;
+        if (seen[cell] || column == 0) continue;
+        if (!(ground.values[cell - 1] > ground.values[cell] + deep)) continue;
+        const Patch patch = patch_at(ground, cell, deep, seen);
+        if (patch.cells.size() < 2) continue;  // a needle
+        if (static_cast<double>(patch.higher) < k_most_of_rim * static_cast<double>(patch.around)) continue;
+        GroundDoubts::Pits& pits = by_value[ground.values[cell]];
+        if (pits.cells == 0) pits = {ground.values[cell], 0, 0, centre_of(ground.grid, cell)};
+        pits.cells += static_cast<std::int64_t>(patch.cells.size());
+    }
+    for (auto& [value, pits] : by_value) {
+        if (doubts.pits && doubts.pits->cells >= pits.cells) continue;
+        pits.share = std::min(1.0, fraction(pits.cells, path.size()));
+        doubts.pits = pits;
+    }
+}
+
+void find_rough(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
+    constexpr std::int64_t k_side = 2, k_samples = 200'000;
+    constexpr double k_least_height = 1.5, k_height_cells = 0.25, k_least_share = 0.15;
+    const double limit = std::max(k_least_height, k_height_cells * cell_size);
+    const auto stride = static_cast<std::size_t>(1 + path.size() / k_samples);
+    std::vector<double> heights;
+    std::int64_t looked_at = 0;
+    double highest = 0;
+    GroundDoubts::Rough rough;
+    for (std::size_t i = 0; i < path.cells().size(); i += stride) {
+        const auto at = static_cast<std::int64_t>(path.cells()[i]);
+        const std::int64_t row = at / ground.grid.columns, column = at % ground.grid.columns;
+        if (row < k_side || column < k_side || row + k_side >= ground.grid.rows ||
+            column + k_side >= ground.grid.columns)
+            continue;
+        std::vector<double> around;
+        for (std::int64_t r = row - k_side; r <= row + k_side; ++r)
+            for (std::int64_t c = column - k_side; c <= column + k_side; ++c)
+                if (const double z = ground.at(r, c); !std::isnan(z)) around.push_back(z);
+        if (around.size() < 25) continue;
+        ++looked_at;
+        const double height = std::abs(ground.values[path.cells()[i]] - percentile(std::move(around), 0.5));
+        if (height <= limit) continue;
+        heights.push_back(height);
+        if (height > highest) {
+            highest = height;
+            rough.place = ground.grid.cell_centre(row, column);
+        }
+    }
+    rough.share = fraction(static_cast<std::int64_t>(heights.size()), looked_at);
+    if (rough.share < k_least_share) return;
+    rough.height = percentile(std::move(heights), 0.5);
+    doubts.rough = rough;
+}
+
+}  // namespace
+
+GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell_size) {
+    GroundDoubts doubts;
+    const Path on(path);
+    const Runs east(ground, path, true), south(ground, path, false);
+    find_level_ground(ground, on, east, south, doubts);
+    find_pits(ground, on, cell_size, doubts);
+    if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
+    find_seam(ground, path, cell_size, true, doubts);
+    find_seam(ground, path, cell_size, false, doubts);
+    find_rough(ground, on, cell_size, doubts);
+    return doubts;
+}
+
+Raster reachable_ground(const Raster& ground, const Raster& start, double friction) {
+    const GridSpec& grid = ground.grid;
+    Raster reached(grid);
+    std::vector<std::size_t> front;
+    double top = -HUGE_VAL;
+    std::int64_t north = grid.rows, south = 0, west = grid.columns, east = 0;
+    start.values.for_each_stored([&](std::size_t cell, double metres) {
+        if (!(metres > 0) || std::isnan(ground.values[cell])) return;
+        top = std::max(top, ground.values[cell] + metres);
+        const auto at = static_cast<std::int64_t>(cell);
+        north = std::min(north, at / grid.columns);
+        south = std::max(south, at / grid.columns);
+        west = std::min(west, at % grid.columns);
+        east = std::max(east, at % grid.columns);
+        reached.values[cell] = 1;
+        front.push_back(cell);
+    });
+    while (!front.empty()) {
+        const auto at = static_cast<std::int64_t>(front.back());
+        front.pop_back();
+        const std::int64_t row = at / grid.columns, column = at % grid.columns;
+        for (std::int64_t r = std::max<std::int64_t>(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r) {
+            for (std::int64_t c = std::max<std::int64_t>(column - 1, 0); c <= std::min(column + 1, grid.columns - 1);
+                 ++c) {
+                const std::size_t cell = ground.index(r, c);
+                const auto away = [](std::int64_t least, std::int64_t i, std::int64_t most) {
+                    return static_cast<double>(std::max({least - i, std::int64_t{0}, i - most}));
+                };
+                const double distance = grid.cell_size * std::hypot(away(north, r, south), away(west, c, east));
+                if (reached.values[cell] > 0 || !(ground.values[cell] <= top - friction * distance)) continue;
+                reached.values[cell] = 1;
+                front.push_back(cell);
+            }
+        }
+    }
+    return reached;
+}
+
+}  // namespace frana

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/plausible.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/words/number_text.h"
+#include "core/words/words.h"
+#include "params/grammar/value_text.h"
+
+namespace frana {
+namespace {
+
+constexpr double k_any = std::numeric_limits<double>::infinity();
+// Marks the readings as an angle of this tangent.
+constexpr double k_arc_tangent = 0;
+const char* const k_angle =
+    worded("{2} as a coefficient is {1} degrees: use friction-coefficient, or write that angle");
+
+const std::vector<PlausibleRange> k_ranges{
+    {"material.friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
+    {"zones.friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
+    {"structured.bed-friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
+    {"material.density", 50, 3500, worded("if it is in kN/m3, write {1}"), 1000 / 9.81},
+    {"material.turbulence", 20, k_any, worded("Voellmy's xi is mostly 100 to 4 000 m/s2")},
+    {"release.velocity", 0, 50, worded("if it is in km/h, write {1}"), 1 / 3.6},
+    {"terrain.obstacle-height", 0, 50, worded("it is a height above the ground, no elevation")},
+};
+
+}  // namespace
+
+Sentence PlausibleRange::meant(double value) const {
+    const double other = factor == k_arc_tangent ? std::atan(value) * 180 / std::numbers::pi : factor * value;
+    return worded(reading, {numeral(number_text(other, 3)), numeral(number_text(value, 4))});
+}
+
+const PlausibleRange* plausible_range(const std::string& key) {
+    for (const PlausibleRange& range : k_ranges)
+        if (key == range.key) return &range;
+    return nullptr;
+}
+
+std::optional<Sentence> implausible(const std::string& key, double value) {
+    const PlausibleRange* const range = plausible_range(key);
+    if (range == nullptr || range->has(value)) return std::nullopt;
+    return worded("{1} = {2} is unusual: {3}", {key, numeral(shortest_text(value)), range->meant(value)});
+}
+
+void refuse_implausible(std::vector<Parameter>& parameters) {
+    for (Parameter& one : parameters) {
+        const PlausibleRange* const range = plausible_range(one.name());
+        if (range == nullptr || !range->is_refused) continue;
+        if (const std::size_t at = one.limits.find("0 to "); at != std::string::npos)
+            one.limits.replace(at, 1, "0, or " + shortest_text(range->least));
+        one.read = [read = one.read, range](SceneSpec& scene, const std::string& text) -> std::optional<ValueProblem> {
+            const auto value = number_from_text(text);
+            if (value && *value > 0 && !range->has(*value))
+                return ValueProblem{"is not plausible", range->meant(*value).text()};
+            return read(scene, text);
+        };
+        if (one.fits) one.fits = [fits = one.fits, range](double value) { return fits(value) && range->has(value); };
+    }
+}
+
+}  // namespace frana

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/words/sentence.h"
+#include "params/keys/parameter.h"
+
+namespace frana {
+
+/// Values of a key that are possible and, outside this range, most probably a mistake.
+struct PlausibleRange {
+    const char* key;
+    double least, most;
+    const char* reading;  ///< what was probably meant; {1}: the value times `factor`
+    double factor = 1;
+    bool is_refused = false;  ///< outside the range, but for 0; else a warning
+
+    [[nodiscard]] bool has(double value) const noexcept {
+        return (value >= least && value <= most) || (is_refused && value == 0);
+    }
+    /// "0.32 as a coefficient is 17.7 degrees: use material.friction-coefficient"
+    [[nodiscard]] Sentence meant(double value) const;
+};
+
+/// The range of a key; null: none.
+const PlausibleRange* plausible_range(const std::string& key);
+
+/// The warning about a value outside its plausible range; none for others.
+std::optional<Sentence> implausible(const std::string& key, double value);
+
+/// Makes the keys of this table refuse what it refuses, wherever a value of them is read.
+void refuse_implausible(std::vector<Parameter>& parameters);
+
+}  // namespace frana

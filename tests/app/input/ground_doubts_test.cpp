@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Terrain models that are read without error and do not look like ground: each is told of, and no good one is.
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "support/files.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using Elevation = std::function<double(double x, double y)>;
+
+// A slope of 30 degrees, 600 m long, that runs out to a plain; with `k_waves` it is uneven as real ones are.
+const double k_slope = std::tan(30 * std::numbers::pi / 180);
+double bed(double x, double) {
+    return k_slope * std::max(600 - x, 0.0) + 50;
+}
+double waves(double x, double y) {
+    return bed(x, y) + 4 * std::sin(x / 90 + 1) * std::cos(y / 70) + 0.02 * y;
+}
+
+class GroundDoubts : public TinyScene {
+  protected:
+    static constexpr double k_wide = 2100, k_high = 900;
+    /// Writes NAME.asc of cells of `cell` metres, and its CRS.
+    void write_grid(const std::string& name, double cell, const Elevation& elevation) const {
+        std::filesystem::copy(path("dtm.prj"), path(name + ".prj"), std::filesystem::copy_options::overwrite_existing);
+        std::ofstream file(path(name + ".asc"));
+        file.precision(9);
+        const auto columns = std::lround(k_wide / cell), rows = std::lround(k_high / cell);
+        file << "ncols " << columns << "\nnrows " << rows << "\nxllcorner " << k_west << "\nyllcorner " << k_south
+             << "\ncellsize " << cell << "\n";
+        for (long row = 0; row < rows; ++row)
+            for (long column = 0; column < columns; ++column)
+                file << elevation((double(column) + 0.5) * cell, (double(rows - row) - 0.5) * cell)
+                     << (column + 1 < columns ? ' ' : '\n');
+    }
+    void SetUp() override {
+        write_polygon("mass", {{100, 390}, {220, 390}, {220, 510}, {100, 510}});
+        write("bed.ini",
+              "[terrain]\ndtm = bed.asc\n[release]\nperimeter = mass.geojson\nthickness = 2\n[material]\n"
+              "friction-angle = 20\nturbulence = 500\n[time]\nend = 90\n" +
+                  k_numbers_only);
+    }
+    /// The lines of warnings about the DTM.
+    [[nodiscard]] std::string doubts(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"check", "bed.ini"};
+        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::string found, line;
+        for (const char c : outcome.err) {
+            line += c;
+            if (c != '\n') continue;
+            if (line.find("warning: DTM") != std::string::npos) found += line;
+            line.clear();
+        }
+        return found;
+    }
+    [[nodiscard]] double number(const std::string& result, const std::string& key) const {
+        return json_number(read_text(path(result + "/summary.json")), key);
+    }
+    static void expect_words(const std::string& text, const std::vector<std::string>& words) {
+        for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+    }
+};
+
+/// A model of cells of `coarse` metres, each copied into the finer ones.
+Elevation copied(double coarse, const Elevation& ground) {
+    return [=](double x, double y) {
+        const auto centre = [&](double v) { return (std::floor(v / coarse) + 0.5) * coarse; };
+        return ground(centre(x), centre(y));
+    };
+}
+
+// The slope's own answer, on 10 m: that of 30 m brought to 10 m by frana; copied cells lose most of the run-out.
+TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRight) {
+    write_grid("bed", 10, bed);
+    EXPECT_EQ(doubts(), "");
+    write_grid("coarse", 30, bed);
+    const auto run = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"run", "bed.ini", "--out", name, "--quiet"};
+        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    };
+    run("right", {});
+    const std::vector<std::string> finer{"terrain.dtm=coarse.asc", "terrain.cell-size=10"};
+    EXPECT_EQ(doubts(finer), "");
+    run("bilinear", finer);
+    // The bend at the foot of the slope is rounded over 30 m: 3 % of the run-out.
+    EXPECT_NEAR(number("bilinear", "runout.horizontal_m") / number("right", "runout.horizontal_m"), 1, 0.03);
+    EXPECT_NEAR(number("bilinear", "covered_area_m2") / number("right", "covered_area_m2"), 1, 0.05);
+    write_grid("bed", 10, copied(30, bed));
+    const std::string told = doubts();
+    expect_words(told, {"blocks of 3 x 3 equal cells", "% of the path", "bilinear or cubic"});
+    run("copied", {});
+    EXPECT_LT(number("copied", "runout.horizontal_m"), 0.5 * number("right", "runout.horizontal_m"));
+    expect_words(read_text(path("copied/report.html")), {"blocks of 3 x 3 equal cells"});
+    expect_words(read_text(path("copied/log.txt")), {"WARNING: DTM: ", "blocks of 3 x 3 equal cells"});
+    // Cells as large as the blocks are the original again.
+    EXPECT_EQ(doubts({"terrain.cell-size=30"}), "");
+    expect_words(doubts({"terrain.dtm=coarse.asc", "terrain.cell-size=10", "terrain.resampling=nearest"}),
+                 {"blocks of 3 x 3 equal cells", "terrain.resampling = bilinear"});
+}
+
+TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
+    for (const auto& [coarse, words] : {std::pair{20.0, "blocks of 2 x 2"},
+                                        {15.0, "blocks of 1.5 x 1.5"},
+                                        {33.0, "blocks of 3.3 x 3.3"},
+                                        {90.0, "blocks of 9 x 9"}}) {
+        write_grid("bed", 10, copied(coarse, waves));
+        expect_words(doubts(), {words});
+    }
+}
+
+TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
+    const auto gentle = [](double x, double y) { return 0.15 * waves(x, y); };
+    struct Case {
+        Elevation ground;
+        std::vector<std::string> words;
+    };
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> chance(0, 1);
+    const std::vector<Case> cases{
+        {[&](double x, double y) { return std::round(gentle(x, y)); }, {"level between steps of 1 m", "with decimals"}},
+        {[](double x, double y) { return 10 * std::round(waves(x, y) / 10); }, {"level between steps of 10 m"}},
+        {[](double x, double y) { return waves(x, y) + (x > 400 ? 4 : 0); },
+         {"a straight step of 4", "E 527395", "Fit the tiles"}},
+        {[](double x, double y) { return waves(x, y) + (x + y > 1e4 || y > 450 ? 48 : 0); },
+         {"a straight step of 48 m", "N 5094455"}},
+        {[](double x, double y) { return x > 300 && x < 340 && y > 430 && y < 470 ? -1 : waves(x, y); },
+         {"16 cells of -1 m are pits", "E 527305", "terrain.nodata-value"}},
+        {[](double x, double y) { return x > 300 && x < 340 && y > 430 && y < 470 ? 0 : waves(x, y); },
+         {"16 cells are 0 and stand like walls", "16 cells of 0 m are pits"}},
+        {[](double x, double y) { return x > 100 && x < 140 && y > 530 && y < 570 ? 255 : waves(x, y); },
+         {"16 cells of 255 m are pits"}},
+        {[&](double x, double y) { return waves(x, y) + (chance(generator) < 0.4 ? 5 + 15 * chance(generator) : 0); },
+         {"% of the path stands out by about", "bare ground"}},
+    };
+    for (const Case& one : cases) {
+        write_grid("bed", 10, one.ground);
+        const std::string told = doubts();
+        expect_words(told, one.words);
+        const bool is_zero = one.words.size() == 2 && one.words.front().find("are 0") != std::string::npos;
+        EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), is_zero ? 2 : 1) << told;
+    }
+}
+
+// A warning that comes without a fault is none.
+TEST_F(GroundDoubts, GoodGroundIsNotDoubted) {
+    const auto lakes = [](double x, double y) {
+        return std::hypot(x - 900, y - 450) < 150 ? 50 : std::max(waves(x, y), 50.0);
+    };
+    const std::vector<Elevation> grounds{
+        bed,
+        waves,
+        lakes,
+        [](double x, double) { return 400 - 0.4 * x + (x > 750 ? 0.4 * (x - 750) : 0); },
+        [](double x, double y) { return 1000 - 0.3 * x - 0.1 * y; },
+        [](double x, double y) { return std::round(100 * waves(x, y)) / 100; },
+        [](double x, double y) { return std::round(10 * waves(x, y)) / 10; },
+        // A channel between steep banks, a cliff askew, a terrace that was built.
+        [](double x, double y) { return waves(x, y) + (std::abs(y - 450) > 120 ? 30 : 0.002 * (y - 450) * (y - 450)); },
+        [](double x, double y) { return waves(x, y) + (x + 0.4 * y > 560 ? -40 : 0); },
+        [](double x, double y) { return x > 340 && x < 380 && std::abs(y - 450) < 60 ? waves(340, y) : waves(x, y); },
+    };
+    for (std::size_t i = 0; i < grounds.size(); ++i) {
+        write_grid("bed", 10, grounds[i]);
+        EXPECT_EQ(doubts(), "") << i;
+    }
+    write_grid("bed", 30, waves);
+    for (const std::string method : {"automatic", "bilinear", "cubic"})
+        for (const std::string size : {"10", "12.5", "45", "100"})
+            EXPECT_EQ(doubts({"terrain.cell-size=" + size, "terrain.resampling=" + method}), "") << method << size;
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// Valid values that are mistakes of daily practice: told with what was probably meant, or refused.
+#include <gtest/gtest.h>
+
+#include "support/files.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+class Mistakes : public TinyScene {
+  protected:
+    void SetUp() override {
+        write_scene(k_numbers_only);
+        write(
+            "line.geojson",
+            R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+            R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
+            "[[527030,5094060],[527030,5094090]]}}]}");
+    }
+    [[nodiscard]] Outcome check(const std::vector<std::string>& keys) const {
+        std::vector<std::string> arguments{"check", "scene.ini"};
+        for (const std::string& key : keys) arguments.insert(arguments.end(), {"--set", key});
+        return frana(arguments);
+    }
+    [[nodiscard]] Outcome inflow(const std::string& csv) const {
+        write("flood.csv", csv);
+        return check({"inflow.line=line.geojson", "inflow.hydrograph=flood.csv"});
+    }
+    void expect_refused(const Outcome& outcome, const std::vector<std::string>& words) const {
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err << outcome.out;
+        expect_words(outcome.err, words);
+    }
+    static void expect_words(const std::string& text, const std::vector<std::string>& words) {
+        for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+    }
+};
+
+TEST_F(Mistakes, ACoefficientAsFrictionAngleIsRefusedWithItsAngle) {
+    const std::vector<std::string> meant{"0.32 as a coefficient is 17.7 degrees", "friction-coefficient"};
+    expect_refused(check({"material.friction-angle=0.32"}), meant);
+    for (const std::string good : {"0", "1", "17.7"})
+        EXPECT_EQ(check({"material.friction-angle=" + good}).exit_code, 0) << good;
+    // In columns of zones, and in rasters.
+    write("zones.csv",
+          "WKT,phi\n\"POLYGON((527100 5094010,527200 5094010,527200 5094140,527100 5094140,527100 5094010))\",0.32\n");
+    write("zones.vrt",
+          "<OGRVRTDataSource><OGRVRTLayer name=\"zones\"><SrcDataSource>" + path("zones.csv") +
+              "</SrcDataSource><LayerSRS>EPSG:32632</LayerSRS><Field name=\"phi\" src=\"phi\" type=\"Real\"/>"
+              "</OGRVRTLayer></OGRVRTDataSource>");
+    expect_refused(check({"terrain.friction-zones=zones.vrt", "zones.friction-angle=attribute:phi"}), meant);
+    write_dtm([](int, int) { return 0.32; }, true, "phi.asc");
+    expect_refused(check({"zones.friction-angle=raster:phi.asc"}), meant);
+    write_dtm([](int, int column) { return column < 30 ? 0 : 20; }, true, "phi.asc");
+    EXPECT_EQ(check({"zones.friction-angle=raster:phi.asc"}).exit_code, 0);
+    // And in the ranges of a study.
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 8\nsampling = sobol\n[vary]\nmaterial.friction-angle = uniform(0.2, "
+          "0.4)\n");
+    expect_refused(frana({"check", "study.ini"}), {"material.friction-angle", "as a coefficient is"});
+}
+
+TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
+    struct Case {
+        std::vector<std::string> keys;
+        std::vector<std::string> words;
+    };
+    write_polygon("dam", {{150, 30}, {160, 30}, {160, 120}, {150, 120}});
+    for (const Case& one : std::vector<Case>{
+             {{"release.velocity=90"}, {"release.velocity = 90 is unusual", "km/h, write 25"}},
+             {{"material.density=20"}, {"material.density = 20 is unusual", "write 2039"}},
+             {{"material.turbulence=5"}, {"material.turbulence = 5 is unusual"}},
+             {{"terrain.obstacles=dam.geojson", "terrain.obstacle-height=220"},
+              {"terrain.obstacle-height = 220 is unusual", "above the ground"}},
+             {{"release.thickness=250"}, {"250 m thick", "in cm"}},
+         }) {
+        const Outcome outcome = check(one.keys);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        expect_words(outcome.err, one.words);
+    }
+    EXPECT_EQ(check({}).err, "");
+    EXPECT_EQ(check({"release.velocity=10", "release.direction=90", "material.density=300"}).err, "");
+}
+
+TEST_F(Mistakes, ElevationsAsThicknessAreRefused) {
+    expect_refused(check({"release.thickness=raster:dtm.asc"}), {"release.thickness", "elevations", "difference:"});
+}
+
+// A byte raster's rim of 255 that it does not declare as no data.
+TEST_F(Mistakes, AReleaseScaledFarFromItsThicknessIsTold) {
+    const auto rim = [](int row, int column) {
+        return row > 10 && row < 19 && column > 3 && column < 14 ? 2.0 : 255.0;
+    };
+    write_dtm(rim, true, "thickness.asc");
+    const std::string raster = "release.thickness=raster:thickness.asc", cells = "terrain.cell-size=4";
+    expect_words(check({raster, cells}).err, {"the thickness was scaled by 0.", "no data"});
+    EXPECT_EQ(check({raster, cells, "release.volume=3000"}).err.find("scaled by"), std::string::npos)
+        << "the volume was asked for";
+    write_dtm([](int, int) { return 2.0; }, true, "thickness.asc");
+    EXPECT_EQ(check({raster, cells}).err.find("scaled by"), std::string::npos);
+}
+
+TEST_F(Mistakes, FieldsBeyondTheHeaderAreRefused) {
+    for (const std::string text : {"time,discharge\n0,1\n12,5,500\n", "time;discharge\n0;1\n12;5;500\n"})
+        expect_refused(inflow(text), {"flood.csv", "line 3 has 3 fields under 2 columns"});
+    expect_refused(inflow("time,discharge\n0,1\n12,5,500\n"), {"12,5,500", "decimals after a point, not a comma"});
+    EXPECT_EQ(inflow("time,discharge,\n0,1,\n3,5,\n").exit_code, 0) << "separators at the end of lines";
+    write("samples.csv", "material.friction-angle,material.turbulence\n12,5,500\n");
+    write("study.ini", "[study]\nscene = scene.ini\nsampling = table:samples.csv\n");
+    expect_refused(frana({"check", "study.ini"}), {"samples.csv", "line 2 has 3 fields under 2 columns"});
+    write("zones.csv",
+          "WKT,phi\n\"POLYGON((527100 5094010,527200 5094010,527200 5094140,527100 5094140,527100 5094010))\",12,5\n");
+    expect_refused(check({"terrain.friction-zones=zones.csv", "zones.friction-angle=attribute:phi"}),
+                   {"line 2 has 3 fields under 2 columns", "not a comma"});
+}
+
+TEST_F(Mistakes, UnitsOfAHydrographAreConvertedOrRefused) {
+    const std::string plain = "time,discharge,velocity\n0,2,1\n3.6,2,1\n";
+    const auto volume = [&](const std::string& csv) {
+        const Outcome outcome = inflow(csv);
+        EXPECT_EQ(outcome.exit_code, 0) << csv << outcome.err;
+        const std::size_t at = outcome.out.find("flows in");
+        return at == std::string::npos ? outcome.out : outcome.out.substr(at, outcome.out.find('\n', at) - at);
+    };
+    const std::string expected = volume(plain);
+    for (const std::string same :
+         {"time_s,discharge_m3s,velocity_ms\n0,2,1\n3.6,2,1\n",
+          "time [min],discharge [l/s],velocity\n0,2000,1\n0.06,2000,1\n",
+          "time_h;discharge (m3/s);velocity_km/h\n0;2;3.6\n0.001;2;3.6\n",
+          "time,volume_m3,velocity\n0,0,1\n3.6,7.2,1\n", "Time_S,Discharge_m³/s,Velocity_m/s\n0,2,1\n3.6,2,1\n"})
+        EXPECT_EQ(volume(same), expected) << same;
+    for (const std::string csv : {"time,volume_1000m3\n0,0\n3,7\n", "time_d,discharge\n0,1\n3,7\n",
+                                  "time,discharge_m3/h\n0,1\n3,7\n", "time,discharge,velocity_kn\n0,1,1\n3,7,1\n"})
+        expect_refused(inflow(csv), {"unknown unit", "flood.csv", "Convert"});
+}
+
+TEST_F(Mistakes, AHydrographAfterTheEndIsRefused) {
+    expect_refused(inflow("time,discharge\n5,1\n9,2\n"),
+                   {"begins after the end of the run", "5 s", "before 4 s", "time.end"});
+    EXPECT_EQ(inflow("time,discharge\n3,1\n9,2\n").exit_code, 0);
+    expect_refused(inflow("time,discharge\n0,0\n7,0\n9,2\n"), {"7 s"});
+}
+
+TEST_F(Mistakes, CheckTellsThatTheTrialLeavesTheDtm) {
+    EXPECT_EQ(check({"time.end=60"}).err.find("leaves the DTM"), std::string::npos);
+    const Outcome cut =
+        check({"time.end=60", "terrain.bounds=527000 5094000 527120 5094150", "material.friction-angle=3"});
+    expect_words(cut.err, {"% of the volume leaves the DTM in the trial", "terrain.bounds"});
+}
+
+TEST_F(Mistakes, ARunTellsOfExposedThingsOffItsGround) {
+    write_polygon("house", {{9000, 30}, {9020, 30}, {9020, 50}, {9000, 50}});
+    const Outcome run = frana({"run", "scene.ini", "--out", "result", "--set", "output.exposure=house.geojson"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    expect_words(run.err, {"1 of 1 exposed features are off the map"});
+}
+
+// The raster fills a quarter of the outline.
+TEST_F(Mistakes, TheReleasedAreaIsThatOfTheThickness) {
+    write_dtm([](int row, int column) { return row < 15 && column < 9 ? 2 : 0; }, true, "thickness.asc");
+    const Outcome outcome = check({"release.thickness=raster:thickness.asc"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_words(outcome.out, {"1 000 m3 from 500 m2"});
+}
+
+}  // namespace
+}  // namespace frana::test
