@@ -291,6 +291,8 @@ class NodeGrid {
 struct NodeRange {
     std::int64_t i0, i1, j0, j1;
 
+    NodeRange(std::int64_t west, std::int64_t east, std::int64_t south, std::int64_t north) noexcept
+        : i0(west), i1(east), j0(south), j1(north) {}
     NodeRange(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes) noexcept
         : i0(within(tile % tiles.tiles_x() * k_tile - tiles.before_x(), nodes.stride())),
           i1(within((tile % tiles.tiles_x() + 1) * k_tile - tiles.before_x(), nodes.stride())),

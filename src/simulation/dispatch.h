@@ -42,6 +42,10 @@ voellmy_bingham::BedFriction make_friction(const Material& material, const Mater
                                            const Entrainment& entrainment, NodeGrid& nodes, double gravity);
 voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, const Material& material);
 
+/// Allocates the erodible beds of a scene that exchanges material, filled where the ground is read. They stay in place.
+void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zones, NodeGrid& nodes,
+                       ZeroArray<ErodibleBed>& beds);
+
 /// Returns a raster's value at a node of the terrain, rows from the south; NaN becomes `uniform`, ghosts have the value
 /// of the nearest cell.
 double node_value(const Raster& raster, double uniform, std::int64_t i, std::int64_t j);

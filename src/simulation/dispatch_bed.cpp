@@ -246,6 +246,20 @@ BedExchange make_exchange(const Entrainment& entrainment, const Material& materi
     return laws;
 }
 
+// `beds` stays where it is, though a saved state may replace its content.
+void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zones, NodeGrid& nodes,
+                       ZeroArray<ErodibleBed>& beds) {
+    beds = ZeroArray<ErodibleBed>(nodes.bed.size());
+    if (!entrainment.erodes()) return;
+    const Raster* const depths = zones.erodible_depth ? &*zones.erodible_depth : nullptr;
+    nodes.fill_with_ground(
+        [&nodes, &beds, depths, uniform = entrainment.erodible_depth.value_or(0)](const NodeGrid::Block& block) {
+            for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
+                for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
+                    beds[nodes.index(i, j)].erodible = depths == nullptr ? uniform : node_value(*depths, uniform, i, j);
+        });
+}
+
 double node_value(const Raster& raster, double uniform, std::int64_t i, std::int64_t j) {
     const GridSpec& grid = raster.grid;
     const double here = raster.at(grid.rows - 1 - std::clamp<std::int64_t>(j, 0, grid.rows - 1),

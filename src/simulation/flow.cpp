@@ -96,20 +96,6 @@ voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles
     return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
 }
 
-// `beds` stays where it is, though a saved state may replace its content.
-void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zones, NodeGrid& nodes,
-                       ZeroArray<ErodibleBed>& beds) {
-    beds = ZeroArray<ErodibleBed>(nodes.bed.size());
-    if (!entrainment.erodes()) return;
-    const Raster* const depths = zones.erodible_depth ? &*zones.erodible_depth : nullptr;
-    nodes.fill_with_ground(
-        [&nodes, &beds, depths, uniform = entrainment.erodible_depth.value_or(0)](const NodeGrid::Block& block) {
-            for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
-                for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
-                    beds[nodes.index(i, j)].erodible = depths == nullptr ? uniform : node_value(*depths, uniform, i, j);
-        });
-}
-
 }  // namespace
 
 Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& material, const Numerics& numerics,
@@ -373,13 +359,6 @@ std::vector<NamedRaster> Flow::low_flights() const {
             {"arrival_time", to_raster(low.arrival_plus_1, 1)}};
 }
 
-Raster Flow::max_pressure(const Raster& max_velocity) const {
-    Raster pressure = max_velocity;
-    pressure.values.change_each_stored(
-        [density = density()](std::size_t, double& value) { value = density * value * value / 1000; });
-    return pressure;
-}
-
 void Flow::states(std::span<const std::size_t> nodes, NodeState* states) const {
     const double cell_area = grid_.cell_area();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -400,15 +379,7 @@ void Flow::states(std::span<const std::size_t> nodes, NodeState* states) const {
 }
 
 void Flow::add_to(RunResult& result) const {
-    result.exchanges = state_.erodible_beds.size() != 0;
-    if (result.exchanges) {
-        const ExchangeReport& exchanged = state_.exchanged;
-        result.add("eroded_depth", eroded_depth());
-        result.add("deposited_depth", deposited_depth());
-        result.volume_eroded = exchanged.eroded;
-        result.volume_deposited = exchanged.deposited;
-        result.momentum_deposited = density() * std::hypot(exchanged.momentum_x, exchanged.momentum_y);
-    }
+    if (state_.erodible_beds.size() != 0) add_exchange(state_.erodible_beds, state_.exchanged, result);
     const JumpStatistics& jumps = state_.flights.statistics();
     if (jumps.volume > 0) {
         result.jumps = {jumps.volume,

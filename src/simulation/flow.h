@@ -114,7 +114,6 @@ class Flow final : public Model {
     /// Of the particles; it does not change what follows: velocities remain those of the last motion.
     [[nodiscard]] Snapshot snapshot() override;
     [[nodiscard]] PointTable particle_table() const override;
-    [[nodiscard]] Raster max_pressure(const Raster& max_velocity) const override;
     void add_to(RunResult& result) const override;
     /// Depth and momentum (h u, h v) at every node, zero where dry, for comparison with exact solutions.
     struct NodalFields {

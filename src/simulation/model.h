@@ -12,6 +12,7 @@
 #include "core/archive.h"
 #include "core/point_table.h"
 #include "core/raster.h"
+#include "mpm/bed_exchange.h"
 #include "mpm/node_grid.h"
 #include "mpm/update_nodes.h"
 #include "particles/particle_set.h"
@@ -139,7 +140,8 @@ class Model {
     /// in kPa, positive in tension, without the geostatic part. Velocities must be synchronised.
     [[nodiscard]] virtual PointTable particle_table() const = 0;
     /// Returns the maximum dynamic pressure in the cells that have a maximum speed [kPa].
-    [[nodiscard]] virtual Raster max_pressure(const Raster& max_velocity) const = 0;
+    /// Density times speed along the bed squared, unless the model has its own.
+    [[nodiscard]] virtual Raster max_pressure(const Raster& max_velocity) const;
     /// At the end of a run: adds what this model alone computes.
     virtual void add_to(RunResult& result) const = 0;
 
@@ -178,6 +180,8 @@ class Model {
             for (std::size_t k = 0; k < nodes.size(); ++k) visit(nodes[k], states_of_tile[k]);
         }
     }
+    /// Adds depths and volumes that were exchanged with the bed.
+    void add_exchange(const ZeroArray<ErodibleBed>& beds, const ExchangeReport& exchanged, RunResult& result) const;
     /// Returns value(node) of every covered node as a north-up raster; NaN: none.
     template <class Value>
     [[nodiscard]] Raster raster_of(const Value& value) const {

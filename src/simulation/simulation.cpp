@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/words/words.h"
+#include "simulation/finite_volume_flow.h"
 #include "simulation/flow.h"
 #include "simulation/scene.h"
 #include "simulation/stepped_run.h"
@@ -50,10 +51,35 @@ std::unique_ptr<Model> make_model(const Scene& scene, const Ground& ground, cons
     if (scene.structured)
         return std::make_unique<StructuredFlow>(ground, scene.walls, *scene.structured, scene.numerics, released,
                                                 threads);
+    if (scene.numerics.scheme == Scheme::finite_volume)
+        return std::make_unique<FiniteVolumeFlow>(ground, scene.walls, released, scene.material, scene.numerics, threads,
+                                                  scene.zones, scene.entrainment);
     auto flow = std::make_unique<Flow>(ground, released, scene.material, scene.numerics, threads, std::nullopt,
                                        scene.zones, scene.entrainment);
     if (scene.walls) flow->add_walls(*scene.walls);
     return flow;
+}
+
+Raster Model::max_pressure(const Raster& max_velocity) const {
+    Raster pressure = max_velocity;
+    pressure.values.change_each_stored(
+        [density = density()](std::size_t, double& value) { value = density * value * value / 1000; });
+    return pressure;
+}
+
+void Model::add_exchange(const ZeroArray<ErodibleBed>& beds, const ExchangeReport& exchanged, RunResult& result) const {
+    const auto depths = [&](double ErodibleBed::*depth) {
+        return raster_of([&](std::size_t node) {
+            const double value = beds[node].*depth;
+            return value > 0 ? value : k_no_data;
+        });
+    };
+    result.exchanges = true;
+    result.add("eroded_depth", depths(&ErodibleBed::eroded));
+    result.add("deposited_depth", depths(&ErodibleBed::deposited));
+    result.volume_eroded = exchanged.eroded;
+    result.volume_deposited = exchanged.deposited;
+    result.momentum_deposited = density() * std::hypot(exchanged.momentum_x, exchanged.momentum_y);
 }
 
 double relative_volume_error(const RunResult& result) {

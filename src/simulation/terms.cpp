@@ -43,7 +43,13 @@ void add_exchange(const Entrainment& entrainment, Terms& terms) {
     if (entrainment.deposition) terms.push_back(find_law(LawKind::deposition, ShearStressDeposition::word).sentence);
 }
 
+void add_finite_volumes(Terms& terms) {
+    terms.push_back(std::string(worded("finite volumes")) + ", " + worded("MUSCL with hydrostatic reconstruction") +
+                    ", HLL");
+}
+
 void add_numerics(const Numerics& numerics, Terms& terms) {
+    if (numerics.scheme == Scheme::finite_volume) return add_finite_volumes(terms);
     const char* transfer = std::find_if(std::begin(k_transfers), std::end(k_transfers), [&](const TransferRow& row) {
                                return row.transfer == transfer_of(numerics);
                            })->term;
@@ -95,8 +101,7 @@ Terms structured_terms(const Scene& scene) {
         terms.push_back(find_law(LawKind::in_plane_stress, BinghamStress::word).sentence);
         if (m.velocity_shape > 0) terms.emplace_back(worded("viscous shear at the bed"));
     }
-    terms.push_back(std::string(worded("finite volumes")) + ", " + worded("MUSCL with hydrostatic reconstruction") +
-                    ", HLL");
+    add_finite_volumes(terms);
     return terms;
 }
 

@@ -328,6 +328,27 @@ void check_numerics(const Numerics& numerics, const std::string& file, Problems&
     }
 }
 
+// What has no meaning without particles, or that the scheme does not have.
+void check_finite_volume(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                         Problems& problems) {
+    const Numerics& numerics = scene.numerics;
+    if (numerics.scheme != Scheme::finite_volume) return;
+    const auto refuse = [&](const std::string& key, const std::string& value, const char* why) {
+        problems.add({why, file + ": " + key, value, "", "Remove it, or set numerics.scheme = default"});
+    };
+    constexpr const char* k_of_particles = "is for particles, which numerics.scheme = finite-volume does not have";
+    for (const char* key : {"numerics.transfer", "numerics.particles-per-cell", "numerics.well-balanced",
+                            "numerics.flight-angle", "numerics.flight-clearance", "numerics.flight-drag"})
+        if (given.contains(key)) refuse(key, "", k_of_particles);
+    if (numerics.flight.value_or(false)) refuse("numerics.flight", "on", k_of_particles);
+    if (!numerics.curvature.value_or(true) && slope_correction(numerics) != SlopeCorrection::none)
+        refuse("numerics.curvature", "off", "is not possible with numerics.scheme = finite-volume");
+    if (scene.material.pore_pressure(scene.material.density).active())
+        refuse("material.pore-pressure-ratio", "", "pore pressure needs particles that carry it");
+    for (const std::string& format : scene.output.formats)
+        if (format.starts_with("particles-")) refuse("output.formats", format, k_of_particles);
+}
+
 void check_frames(const SceneSpec& scene, const std::string& file, Problems& problems) {
     constexpr double k_most_frames = 10000;
     const double interval = frame_interval(scene);
@@ -433,6 +454,7 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     if (scene.material.model == "voellmy-bingham") {
         check_laws(scene, given, file, problems);
         check_numerics(scene.numerics, file, problems);
+        check_finite_volume(scene, given, file, problems);
     }
     check_pores(scene, file, problems);
     check_frames(scene, file, problems);

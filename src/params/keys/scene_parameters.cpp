@@ -290,7 +290,7 @@ Parameter accuracy_parameter() {
 
 void add_numerics(std::vector<Parameter>& list) {
     list.push_back(option("numerics.scheme", FRANA_MEMBER(numerics.scheme), k_schemes,
-                          "Numerical scheme: frana's own, or the method as published."));
+                          "Numerical scheme: material points, the method as published, or finite volumes without particles."));
     declare::Words<Transfer> transfers;
     for (const TransferRow& row : k_transfers) transfers.emplace_back(row.word, row.transfer);
     list.push_back(option("numerics.transfer", FRANA_MEMBER(numerics.transfer), transfers,
@@ -304,7 +304,7 @@ void add_numerics(std::vector<Parameter>& list) {
                           "Keep still water at rest by a reference level per node (default scheme).",
                           "on for scheme default, off for paper"));
     list.push_back(option("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction), k_slope_corrections,
-                          "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
+                          "Form of the equations on steep ground; auto: none for scheme paper, else normal."));
     list.push_back(
         on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
                "Motion along a curved bed: the speed along the bed is kept where the slope changes, with more friction "

@@ -44,7 +44,7 @@ bool curvature(const Numerics& numerics) {
 }
 
 bool can_fly(const Numerics& numerics) {
-    return curvature(numerics) && numerics.scheme != Scheme::paper && transfer_of(numerics) == Transfer::apic;
+    return curvature(numerics) && numerics.scheme == Scheme::standard && transfer_of(numerics) == Transfer::apic;
 }
 
 bool flight(const Numerics& numerics) {
@@ -52,6 +52,9 @@ bool flight(const Numerics& numerics) {
 }
 
 double courant_number(const Numerics& numerics, const Material& material) {
+    constexpr double k_of_sweeps = 0.9;  // along x and y in turn
+    if (numerics.scheme == Scheme::finite_volume && material.model != "structured")
+        return numerics.cfl.value_or(k_of_sweeps);
     return numerics.cfl.value_or(default_courant(numerics.scheme != Scheme::paper && material.model != "structured"));
 }
 

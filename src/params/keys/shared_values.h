@@ -68,8 +68,9 @@ struct StructuredValues {
 enum class Boundary { open, wall };
 
 /// Set of numerical methods for the particles; share/doc/numerics.md compares them.
-enum class Scheme { standard, paper };  // `standard` is "default" in scene files; that is a keyword of C++
-inline constexpr std::pair<const char*, Scheme> k_schemes[] = {{"default", Scheme::standard}, {"paper", Scheme::paper}};
+enum class Scheme { standard, paper, finite_volume };  // `standard` is "default" in scene files; a keyword of C++
+inline constexpr std::pair<const char*, Scheme> k_schemes[] = {
+    {"default", Scheme::standard}, {"paper", Scheme::paper}, {"finite-volume", Scheme::finite_volume}};
 
 /// Transfer of nodal velocities to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
 enum class Transfer { automatic, pic, flip, apic };

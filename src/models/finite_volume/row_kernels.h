@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+// The formulas of the scheme over rows of cells. Included by one source for each set of instructions.
+#pragma once
+
+#include <cmath>
+
+#include "core/quad.h"
+#include "models/finite_volume/cells.h"
+#include "mpm/curvature.h"
+
+namespace frana::finite_volume {
+namespace {
+
+template <class Number>
+FRANA_INLINE Number limited(Number a, Number b) {
+    using std::abs;
+    using std::max;
+    using std::min;
+    // Monotonised central (van Leer 1977): 0 at an extremum.
+    const Number least = min(min(2 * abs(a), 2 * abs(b)), 0.5 * abs(a + b));
+    return select(a * b > 0, select(a > 0, least, -least), Number(0.0));
+}
+
+/// Differences of the surface towards the neighbours before and after a cell; a dry bank above the surface mirrors it.
+template <class Number>
+struct SurfaceSteps {
+    Number before, after;
+};
+template <class Number>
+FRANA_INLINE SurfaceSteps<Number> surface_steps(Number surface, Number depth_before, Number bed_before,
+                                                Number depth_after, Number bed_after, double dry) {
+    using L = Lanes<Number>;
+    const auto bank_before = L::none(depth_before > dry) & (bed_before >= surface),
+               bank_after = L::none(depth_after > dry) & (bed_after >= surface);
+    const Number zero(0.0), down = surface - (depth_before + bed_before), up = depth_after + bed_after - surface;
+    return {select(bank_before, select(bank_after, zero, up), down),
+            select(bank_after, select(bank_before, zero, down), up)};
+}
+
+/// Returns g' = g / (1 + grad(h + Z) . grad Z), the weight of a flow whose vertical acceleration is that of its bed
+/// (Denlinger and Iverson 2004, J. Geophys. Res. 109, F01014); where the surface is steeper than the bed g / n, and at
+/// most 2 g.
+template <class Number>
+FRANA_INLINE Number weight_of(Number surface_x, Number surface_y, Number slope_x, Number slope_y, Number root,
+                              const StepValues& v) {
+    using std::max;
+    const Number n = root * root, bearing = 1 + surface_x * slope_x + surface_y * slope_y;
+    const Number of_bed = v.gravity / n;
+    if (v.weight_of_bed) return of_bed;
+    return select(bearing > n, of_bed, v.gravity / max(bearing, Number(0.5)));
+}
+
+/// What static friction can stop: on these cells, as held in the sum of 3 x 3 cells [m2/s2], and the speed that it stops
+/// in a step [m/s].
+template <class Number>
+struct Stops {
+    Number bound, speed;
+};
+template <class Number>
+FRANA_INLINE Stops<Number> stops(const UniformFriction& friction, std::size_t, std::size_t, Number depth, Number n,
+                                 Number supported, const NodeUpdate& k) {
+    const Number coefficient(friction.law.friction_coefficient);
+    return {coefficient * depth * supported / n, k.dt * coefficient * k.gravity};
+}
+template <class Number, class Excess>
+FRANA_INLINE Stops<Number> stops(const SummedFriction<Excess>& friction, std::size_t cell, std::size_t count,
+                                 Number depth, Number n, Number, const NodeUpdate& k) {
+    using std::sqrt;
+    Number yield(0.0);
+    for (std::size_t i = 0; i < count; ++i)
+        Lanes<Number>::set(yield, static_cast<int>(i), friction.states[cell + i].yield);
+    return {depth * yield / sqrt(n), k.dt * yield};
+}
+
+/// Before the sweeps: g', half a step of friction for the predictor, pull and bound of friction, energy. Reads the
+/// state and the ground of the cells and their four neighbours.
+template <class Number, class Friction>
+FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, const StepValues& v,
+                                const Friction& friction) {
+    using L = Lanes<Number>;
+    using std::max;
+    using std::sqrt;
+    const auto at = [&](const double* from, std::int64_t offset = 0) FRANA_INLINE_LAMBDA {
+        return L::load(from + static_cast<std::int64_t>(k) + offset, n);
+    };
+    const Number zero(0.0), h = at(c.depth), z = at(c.bed), slope_x = at(c.slope_x), slope_y = at(c.slope_y),
+                 root = at(c.root);
+    const auto wet = h > v.dry;
+    const Number some = select(wet, h, Number(1.0));
+    const Number wx = select(wet, at(c.qx) / some, zero), wy = select(wet, at(c.qy) / some, zero);
+    const MapVector<Number> u = in_map<Number>(wx, wy, slope_x, slope_y, root);
+    const BedCurvatureOf<Number> curvature{at(c.curvature_xx), at(c.curvature_xy), at(c.curvature_yy), zero, zero};
+    const Number supported = v.gravity + max(Number(-v.gravity), curvature.load(u.x, u.y));
+    const SurfaceSteps<Number> x = surface_steps<Number>(h + z, at(c.depth, -1), at(c.bed, -1), at(c.depth, 1),
+                                                         at(c.bed, 1), v.dry),
+                               y = surface_steps<Number>(h + z, at(c.depth, -c.stride), at(c.bed, -c.stride),
+                                                         at(c.depth, c.stride), at(c.bed, c.stride), v.dry);
+    const double inverse_dx = 1 / v.cell_size;
+    const Number weight = weight_of<Number>(0.5 * inverse_dx * (x.before + x.after), 0.5 * inverse_dx * (y.before + y.after),
+                                    slope_x, slope_y, root, v);
+    const Number sx = limited<Number>(x.before, x.after) * inverse_dx, sy = limited<Number>(y.before, y.after) * inverse_dx;
+    const Number fall_x = v.gravity_x - weight * sx, fall_y = v.gravity_y - weight * sy;
+    const Number along = (fall_x * slope_x + fall_y * slope_y) / (root + 1);
+    const double half = 0.5 * v.dt;
+    const Number ax = wx + half * (fall_x + along * slope_x), ay = wy + half * (fall_y + along * slope_y);
+    const Number start = sqrt(wx * wx + wy * wy), driven = sqrt(ax * ax + ay * ay);
+    const NodeUpdate half_step{.dt = half, .gravity = v.gravity}, step{.dt = v.dt, .gravity = v.gravity};
+    const Number slowed = friction.template speed_after<Number>(k, n, start, driven, L::none(wet), half_step, root,
+                                                                supported, some);
+    const Number lost = select(wet & (driven > 0), slowed / select(driven > 0, driven, Number(1.0)) - 1, zero);
+    const Stops<Number> stop = stops<Number>(friction, k, n, h, root * root, supported, step);
+    const auto put = [&](Number value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + k, n); };
+    put(weight, c.weight);
+    put(ax * lost, c.slowed_x);
+    put(ay * lost, c.slowed_y);
+    // Per time, so that the judgement of what rests is the same, to the last digit, in steps of any length.
+    put(h * (u.x / v.dt + fall_x), c.pull_x);
+    put(h * (u.y / v.dt + fall_y), c.pull_y);
+    put(select(wet, stop.bound, zero), c.bound);
+    constexpr double k_slow = 4;
+    const Number slow = k_slow * stop.speed;
+    put(select(wet & L::none(u.x * u.x + u.y * u.y > slow * slow), Number(1.0), zero), c.held);
+    put(select(wet, start, Number(-1.0)), c.start);
+    put(select(wet, 0.5 * start * start + v.gravity * (z + 2 * h), Number(-1e30)), c.head);
+}
+
+/// Which slow cells friction keeps at rest: those whose 3 x 3 cells it can stop together (mpm/update_nodes.h,
+/// find_held_nodes). Reads pull and bound; reads and writes held.
+FRANA_INLINE void hold_cells(const Cells& c, std::size_t k, std::size_t n) {
+    const auto sum = [&](const double* from) FRANA_INLINE_LAMBDA {
+        const double* const here = from + k;
+        const auto row = [&](const double* p) FRANA_INLINE_LAMBDA {
+            return Quad::load(p - 1) + Quad::load(p) + Quad::load(p + 1);
+        };
+        return row(here - c.stride) + row(here) + row(here + c.stride);
+    };
+    const Quad x = sum(c.pull_x), y = sum(c.pull_y), bound = sum(c.bound);
+    const Quad held = Lanes<Quad>::load(c.held + k, n);
+    Lanes<Quad>::store(select((bound > 0) & (bound * bound >= x * x + y * y), held, Quad(0.0)), c.held + k, n);
+}
+
+/// The values of a row for a sweep.
+FRANA_INLINE void read_cells(const Cells& c, std::size_t k, std::size_t q, std::size_t n, const double* depth,
+                             const double* qx, const double* qy, bool along_y, double dry, const CellRow& row) {
+    using L = Lanes<Quad>;
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + k, n); };
+    const Quad zero(0.0), h = L::load(depth + q, n), slope_x = at(c.slope_x), slope_y = at(c.slope_y), root = at(c.root);
+    const auto wet = h > dry;
+    const Quad held = at(c.held), some = select(wet, h, Quad(1.0));
+    const auto moves = wet & L::none(held > 0.5);
+    const Quad wx = select(moves, L::load(qx + q, n) / some + at(c.slowed_x), zero),
+               wy = select(moves, L::load(qy + q, n) / some + at(c.slowed_y), zero);
+    const MapVector<Quad> u = in_map<Quad>(wx, wy, slope_x, slope_y, root);
+    const Quad slope = along_y ? slope_y : slope_x, weight = at(c.weight);
+    const auto put = [&](Quad value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + q, n); };
+    put(h, row.depth);
+    put(along_y ? u.y : u.x, row.speed);
+    put(along_y ? wy : wx, row.normal);
+    put(along_y ? wx : wy, row.tangential);
+    put(weight, row.weight);
+    put(weight * (1 + slope * slope / (root + 1)), row.drive);
+    put(at(c.bed), row.bed);
+    put(select(wet, held, Quad(1.0)), row.closed);
+}
+
+struct Side {
+    Quad depth, speed, normal, tangential, bed;
+};
+/// A cell's state at its face half a step later (MUSCL-Hancock; van Leer 1979, J. Comput. Phys. 32, 101).
+///
+/// The bed has a slope of its own, which does not change with the flow, and the depth that of the surface less the
+/// bed's: with slopes of depth and surface limited each for itself the bed at the face would move with every ripple,
+/// and lakes over rough ground would begin to swing.
+/// @param a, b, c the cell before, the cell, the cell after  @param side +1/2: the face after it
+FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t q, std::size_t n, double side,
+                          double half, double dry) {
+    using L = Lanes<Quad>;
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
+    const auto none = [](Quad::Mask m) FRANA_INLINE_LAMBDA { return L::none(m); };
+    const Quad zero(0.0), h = at(b.depth), u = at(b.speed), wn = at(b.normal), wt = at(b.tangential), z = at(b.bed);
+    const Quad ha = at(a.depth), hc = at(c.depth), za = at(a.bed), zc = at(c.bed), surface = h + z;
+    const auto bank_a = none(ha > dry) & (za >= surface), bank_c = none(hc > dry) & (zc >= surface);
+    const Quad down = select(bank_a, zero, surface - (ha + za)), up = select(bank_c, zero, hc + zc - surface);
+    const Quad ua = at(a.speed), uc = at(c.speed), rise = limited<Quad>(down, up), du = limited<Quad>(u - ua, uc - u);
+    const Quad dn = limited<Quad>(wn - at(a.normal), at(c.normal) - wn);
+    const Quad dt = limited<Quad>(wt - at(a.tangential), at(c.tangential) - wt);
+    // Half a step: with the slopes inside the cell; where the surface is flatter than the bed with what passes the faces,
+    // or each step over a rough bed would give the waves of a lake some energy.
+    const Quad shared_a = max(zero, min(surface, ha + za) - max(z, za)), shared_c = max(zero, min(surface, hc + zc) - max(z, zc));
+    const auto level = abs(z - za) + abs(zc - z) > 2 * (abs(down) + abs(up));
+    const Quad dh = select(level, min(max(rise - limited<Quad>(z - za, zc - z), -h), h), limited<Quad>(h - ha, hc - h));
+    const Quad gain = half * select(level, 0.5 * (shared_c * (u + uc) - shared_a * (u + ua)), u * dh + h * du);
+    const Quad pull = half * select(level, 0.5 * (shared_c * up + shared_a * down) / max(h, Quad(dry)), rise);
+    return {max(zero, h + side * dh - gain), u + side * du - half * u * du - at(b.weight) * pull,
+            wn + side * dn - half * u * dn - at(b.drive) * pull, wt + side * dt - half * (u * dt), z + side * (rise - dh)};
+}
+
+/// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
+/// one carried with the mass; hydrostatic reconstruction (Audusse et al. 2004, SIAM J. Sci. Comput. 25, 2050).
+FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t q,
+                               std::size_t n, const StepValues& v, const FaceRow& to) {
+    using L = Lanes<Quad>;
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
+    const double half = 0.5 * v.dt / v.cell_size;
+    const Side below = side_of(a, b, c, q, n, 0.5, half, v.dry), above = side_of(b, c, d, q, n, -0.5, half, v.dry);
+    const Quad zero(0.0), one(1.0);
+    const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
+               surface_c = hc + zc;
+    // Thin flow that goes down a step higher than it is deep, or is fast enough to climb it, has one bed at the face: the
+    // higher one would dam it.
+    const auto rises = dz > 0;
+    const Quad upper = select(rises, hc, hb), towards = select(rises, at(b.speed), -at(c.speed));
+    const auto pours = (upper > v.dry) & ((surface_c - surface_b) * dz > 0.5 * dz * dz);
+    const auto climbs = L::none(upper > v.dry) & (towards > 0) & (0.5 * towards * towards > v.gravity * abs(dz));
+    const auto one_bed = (abs(dz) > max(hb, hc)) & (pours | climbs);
+    const Quad middle = 0.5 * (zb + zc), low = min(zb, zc), high = max(zb, zc);
+    const Quad bed_below = select(one_bed, middle, min(high, max(low, below.bed))),
+               bed_above = select(one_bed, middle, min(high, max(low, above.bed))), top = max(bed_below, bed_above);
+    const Quad depth_below = max(zero, below.depth - (top - bed_below)), depth_above = max(zero, above.depth - (top - bed_above));
+    const auto wet_below = depth_below > v.dry, wet_above = depth_above > v.dry;
+    const Quad wave_below = sqrt(v.wave_factor * at(b.weight) * depth_below),
+               wave_above = sqrt(v.wave_factor * at(c.weight) * depth_above);
+    const Quad ub = select(wet_below, below.speed, above.speed), uc = select(wet_above, above.speed, below.speed);
+    const Quad slow = min(zero, min(ub - select(wet_below, wave_below, 2 * wave_above), uc - select(wet_above, wave_above, zero)));
+    const Quad fast = max(zero, max(ub + select(wet_below, wave_below, zero), uc + select(wet_above, wave_above, 2 * wave_below)));
+    // Nothing passes between cells at rest, and films do not move.
+    const auto open = (L::none(at(b.closed) * at(c.closed) > 0.5)) & (wet_below | wet_above);
+    const Quad inverse = select(open, one, zero) / max(fast - slow, Quad(1e-6));
+    const Quad mb = depth_below * below.speed, mc = depth_above * above.speed, both = slow * fast;
+    const Quad mass = (fast * mb - slow * mc + both * (depth_above - depth_below)) * inverse;
+    const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
+    const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
+    put(mass, to.mass);
+    put((fast * mb * below.normal - slow * mc * above.normal + both * (depth_above * above.normal - depth_below * below.normal)) *
+            inverse,
+        to.normal);
+    put(mass * select(mass > 0, below.tangential, above.tangential), to.tangential);
+    // As each side sees it: above the pressure of its own depth, over the part of the bed that the other does not share.
+    put(0.5 * below.depth * below.depth - slow * push, to.pressure_below);
+    put(0.5 * above.depth * above.depth - fast * push, to.pressure_above);
+    put(bed_below - zb, to.step_below);
+    put(bed_above - zc, to.step_above);
+}
+
+FRANA_INLINE void update_cells(const Cells& c, std::size_t k, std::size_t q, std::size_t n, bool along_y, double rate,
+                               const FaceRow& before, const FaceRow& after) {
+    using L = Lanes<Quad>;
+    const auto change = [&](const double* to, const double* from) FRANA_INLINE_LAMBDA {
+        return L::load(to + q, n) - L::load(from + q, n);
+    };
+    const Quad slope_x = L::load(c.slope_x + k, n), slope_y = L::load(c.slope_y + k, n), root = L::load(c.root + k, n);
+    const Quad h = L::load(c.depth + k, n);
+    const Quad next = max(Quad(0.0), h - rate * change(after.mass, before.mass));
+    const Quad normal = -rate * change(after.normal, before.normal),
+               tangential = -rate * change(after.tangential, before.tangential);
+    const Quad force = -rate * L::load(c.weight + k, n) *
+                       (change(after.pressure_below, before.pressure_above) +
+                        0.5 * (h + next) * change(after.step_below, before.step_above));
+    const Quad climb = force * (along_y ? slope_y : slope_x) / (root + 1);
+    const Quad dx = (along_y ? tangential : normal + force) + climb * slope_x,
+               dy = (along_y ? normal + force : tangential) + climb * slope_y;
+    // A held cell whose depth changes is not at rest: those beside it may be set free.
+    const Quad start = L::load(c.start + k, n);
+    const auto changed = ((next > h) | (h > next)) & (start >= 0);
+    L::store(select(changed, max(start, Quad(1e-300)), start), c.start + k, n);
+    L::store(next, c.depth + k, n);
+    L::store(L::load(c.qx + k, n) + dx, c.qx + k, n);
+    L::store(L::load(c.qy + k, n) + dy, c.qy + k, n);
+}
+
+/// After the sweeps: the turn of the bed (mpm/curvature.h), friction, the bound of the energy line, maxima and sums.
+/// Reads head of 3 x 3 cells, start, held.
+template <class Number, class Friction>
+FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, const StepValues& v,
+                               const Friction& friction, StripTotals& totals) {
+    using L = Lanes<Number>;
+    using std::abs;
+    using std::max;
+    using std::min;
+    using std::sqrt;
+    const auto at = [&](const double* from, std::int64_t offset = 0) FRANA_INLINE_LAMBDA {
+        return L::load(from + static_cast<std::int64_t>(k) + offset, n);
+    };
+    const auto highest = [&](std::int64_t offset) FRANA_INLINE_LAMBDA {
+        return max(max(at(c.head, offset - 1), at(c.head, offset)), at(c.head, offset + 1));
+    };
+    const auto first = L::first(n);
+    const Number zero(0.0), one(1.0), h = at(c.depth), slope_x = at(c.slope_x), slope_y = at(c.slope_y), root = at(c.root);
+    const auto wet = h > v.dry;
+    const Number some = select(wet, h, one);
+    Number wx = select(wet, at(c.qx) / some, zero), wy = select(wet, at(c.qy) / some, zero);
+    const MapVector<Number> u = in_map<Number>(wx, wy, slope_x, slope_y, root);
+    const BedCurvatureOf<Number> curvature{at(c.curvature_xx), at(c.curvature_xy), at(c.curvature_yy), zero, zero};
+    const Number rise_x = curvature.xx * u.x + curvature.xy * u.y, rise_y = curvature.xy * u.x + curvature.yy * u.y;
+    const Number half = 0.5 * v.dt * (slope_x * rise_y - slope_y * rise_x) / (root * (root + 1));
+    const Number divisor = 1 + half * half, cosine = (1 - half * half) / divisor, sine = 2 * half / divisor;
+    const Number along = (v.gravity_x * slope_x + v.gravity_y * slope_y) / (root + 1);
+    const Number tx = cosine * wx - sine * wy + v.dt * (v.gravity_x + along * slope_x),
+                 ty = sine * wx + cosine * wy + v.dt * (v.gravity_y + along * slope_y);
+    const Number curved = u.x * rise_x + u.y * rise_y, supported = v.gravity + max(Number(-v.gravity), curved);
+    const Number driven = sqrt(tx * tx + ty * ty), before = at(c.start);
+    const auto held = L::none(wet) | (at(c.held) > 0.5);
+    const NodeUpdate step{.dt = v.dt, .gravity = v.gravity};
+    const Number slowed = friction.template speed_after<Number>(k, n, select(before < 0, driven, before), driven, held, step,
+                                                                root, supported, some);
+    // No cell is faster than the energy of those around it before the step allows.
+    const Number energy = max(max(highest(-c.stride), highest(0)), highest(c.stride)) - v.gravity * at(c.bed);
+    const Number speed = min(slowed, sqrt(max(zero, 2 * energy)) + v.dt * (abs(Number(v.gravity_x)) + abs(Number(v.gravity_y))));
+    const Number left = select(driven > 0, speed / select(driven > 0, driven, one), zero);
+    wx = tx * left;
+    wy = ty * left;
+    L::store(h * wx, c.qx + k, n);
+    L::store(h * wy, c.qy + k, n);
+    const MapVector<Number> moved = in_map<Number>(wx, wy, slope_x, slope_y, root);
+    const auto deep = first & L::none(v.minimum_depth > h);
+    const auto keep = [&](Number value, double* to) FRANA_INLINE_LAMBDA {
+        const Number old = L::load(to + k, n);
+        L::store(select(deep, max(old, value), old), to + k, n);
+    };
+    keep(h, c.max_depth);
+    keep(speed, c.max_speed);
+    const Number arrival = at(c.arrival_plus_1);
+    L::store(select(deep & L::none(arrival > 0), Number(v.time + 1), arrival), c.arrival_plus_1 + k, n);
+    const auto to_greatest = [&](Number value, double* lanes) FRANA_INLINE_LAMBDA {
+        const Number old = L::load(lanes, 4);
+        L::store(max(old, select(first, value, zero)), lanes, 4);
+    };
+    const auto to_sum = [&](Number value, double* lanes) FRANA_INLINE_LAMBDA {
+        L::store(L::load(lanes, 4) + select(first, value, zero), lanes, 4);
+    };
+    to_greatest(select(deep, speed, zero), totals.max_speed);
+    to_greatest(select(wet, max(abs(moved.x), abs(moved.y)) + sqrt(v.wave_factor * at(c.weight) * h), zero), totals.wave);
+    to_sum(0.5 * h * speed * speed, totals.kinetic);
+    to_sum(h * speed, totals.momentum);
+    to_sum(select(speed > v.moving_speed, h, zero), totals.moving);
+    to_sum(select(wet & L::none(curved > -v.gravity), one, zero), totals.unsupported);
+    to_sum(select((h >= 0) & (1e9 > h + driven), zero, one), totals.not_finite);
+}
+
+template <class Friction>
+void prepare_row(const Cells& c, std::size_t first, std::size_t count, const StepValues& v, const Friction& friction) {
+    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { prepare_cells<Quad>(c, first + q, n, v, friction); });
+}
+void hold_row(const Cells& c, std::size_t first, std::size_t count, const StepValues&) {
+    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { hold_cells(c, first + q, n); });
+}
+void read_row(const Cells& c, std::size_t first, std::size_t count, const double* depth, const double* qx,
+              const double* qy, bool along_y, double dry, const CellRow& row) {
+    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA {
+        read_cells(c, first + q, q, n, depth, qx, qy, along_y, dry, row);
+    });
+}
+void faces_of_row(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t count,
+                  const StepValues& v, const FaceRow& to) {
+    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { flow_through(a, b, c, d, q, n, v, to); });
+}
+void update_row(const Cells& c, std::size_t first, std::size_t count, bool along_y, const StepValues& v,
+                const FaceRow& before, const FaceRow& after) {
+    const double rate = v.dt / v.cell_size;
+    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA {
+        update_cells(c, first + q, q, n, along_y, rate, before, after);
+    });
+}
+template <class Friction>
+void finish_row(const Cells& c, std::size_t first, std::size_t count, const StepValues& v, const Friction& friction,
+                StripTotals& totals) {
+    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA {
+        finish_cells<Quad>(c, first + q, n, v, friction, totals);
+    });
+}
+
+constexpr RowKernels k_row_kernels{prepare_row<UniformFriction>, prepare_row<SummedFriction<NoExcess>>,
+                                   hold_row,                     read_row,
+                                   faces_of_row,                 update_row,
+                                   finish_row<UniformFriction>,  finish_row<SummedFriction<NoExcess>>};
+
+}  // namespace
+}  // namespace frana::finite_volume
