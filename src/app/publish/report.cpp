@@ -303,6 +303,7 @@ void add_keys(Document& page, const ReportInput& input) {
     page.heading("parameters", words("Keys used"))
         .small(words("Bold: given in the scene, on the command line or by the material preset. Keys that the scene "
                      "does not use are left out."))
+        .small(words("Left at their defaults: {1}.", {joined(left_at_default(input.prepared), ", ")}))
         .add(parameters_table(input.prepared, true, words))
         .folded(words("All keys"), parameters_table(input.prepared, false, words));
 }

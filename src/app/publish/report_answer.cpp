@@ -220,8 +220,6 @@ Document material_sentences(const ReportInput& input) {
     told.paragraph(words("Friction and material."), text);
     if (const std::string source = preset_source(spec, words); !source.empty())
         told.small(words("Source of the preset {1}:", {*spec.material.preset}) + " " + source);
-    if (const std::string left = joined(left_at_default(input.prepared), ", "); !left.empty())
-        told.small(words("Left at their defaults: {1}.", {left}));
     return told;
 }
 
