@@ -106,10 +106,11 @@ StepStatistics FiniteVolumeFlow::step(double dt_limit) {
     for (const std::int64_t tile : state_.wet) {
         const finite_volume::TileRecord& r = state_.records[static_cast<std::size_t>(tile)];
         f.volume += r.depth * state_.cell_area();
-        f.thin += r.thin * state_.cell_area();
+        f.thin_fraction += r.thin * state_.cell_area();
         f.covered += r.covered;
         f.max_depth = std::max(f.max_depth, r.deepest);
     }
+    f.thin_fraction = f.volume > 0 ? f.thin_fraction / f.volume : 0;
     f.front_distance = farthest_front();
     return f;
 }

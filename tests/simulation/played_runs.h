@@ -91,6 +91,26 @@ inline Scene settling() {
     return scene;
 }
 
+inline Scene by_finite_volumes(Scene scene) {
+    scene.numerics.scheme = Scheme::finite_volume;
+    scene.material.pore_pressure_ratio = scene.material.compressibility = std::nullopt;
+    scene.material.hydraulic_diffusivity = std::nullopt;
+    scene.material.pore_fluid_density = 0;
+    return scene;
+}
+inline Scene finite_volumes() {
+    Scene scene = hillside();
+    scene.material.viscosity = 300;
+    scene.material.yield_stress = 50;
+    return by_finite_volumes(scene);
+}
+inline Scene eventful_volumes() {
+    return by_finite_volumes(eventful());
+}
+inline Scene resting_volumes() {
+    return by_finite_volumes(resting());
+}
+
 // Over a cliff: saved while a part is in the air.
 inline Scene flying() {
     Scene scene = hillside();

@@ -13,7 +13,7 @@
 
 namespace frana::bench {
 
-inline constexpr Scheme k_schemes[] = {Scheme::standard, Scheme::paper};
+inline constexpr Scheme k_schemes[] = {Scheme::standard, Scheme::paper, Scheme::finite_volume};
 
 /// One row of accuracy.csv.
 struct AccuracyRow {

@@ -48,10 +48,11 @@ CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::functi
 
 CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
                                   const std::function<bool(Point)>& inside) {
-    CaseStatistics statistics = compare_fields(run.flow().nodal_fields(), exact, inside);
+    CaseStatistics statistics = compare_fields(run.fields(), exact, inside);
     statistics.particles = run.peak_particles();
-    statistics.steps = run.flow().steps();
+    statistics.steps = run.model().steps();
     statistics.wall_seconds = run.seconds();
+    statistics.cpu_seconds = run.cpu_seconds();
     if (run.non_finite() > 0) statistics.error = "values became non-finite";
     return statistics;
 }

@@ -28,6 +28,7 @@ struct CaseStatistics {
     std::int64_t particles = 0;  ///< greatest number at any time
     std::int64_t steps = 0;
     double wall_seconds = 0;      ///< of the engine, one thread
+    double cpu_seconds = 0;       ///< the same of the processor
     double l1_depth = 0;          ///< sum |h - h_exact| / sum h_exact over the grid
     double l2_depth = 0;          ///< sqrt(sum (h - h_exact)^2 / sum h_exact^2)
     double linf_depth = 0;        ///< max |h - h_exact| [m]
@@ -46,6 +47,7 @@ struct AccuracyCase {
     bool rounding = false;           ///< the error is rounding: no order is expected
     std::function<CaseStatistics(double cell_size, Scheme scheme)> run;
     bool one_scheme = false;  ///< of the structured model, which has no schemes: runs once, as `default`
+    bool flies = false;       ///< needs particles: not by finite volumes
 };
 
 /// Compares depth and momentum at the nodes with an exact solution at their positions (local metres), where `inside` is

@@ -59,10 +59,10 @@ CaseStatistics run_channel(double cell_size, Scheme scheme, double right, double
     if (marks && marks->cell_size == cell_size) mean.mark = marks->mean_depth_error;
     statistics.own.push_back(mean);
     if (right == 0) {
-        const Raster depth = run.flow().nodal_fields().depth;
+        const Raster depth = run.fields().depth;
         statistics.own.push_back({"front at 0.01 m, error [cells]", (reach(depth) - exact_reach()) / cell_size, 2.0});
         statistics.own.push_back({"foremost particle beyond 2 sqrt(g h) t [m]",
-                                  foremost(run.flow().particles()) - exact.front(k_channel_time),
+                                  foremost(run.particles()) - exact.front(k_channel_time),
                                   {}});
     }
     return statistics;
@@ -222,7 +222,7 @@ CaseStatistics run_radial(double cell_size, Scheme scheme, double outside, doubl
         const double q = r > 0 ? state.depth * state.velocity / r : 0;
         return ExactState{state.depth, q * x, q * y};
     });
-    const Raster depth = run.flow().nodal_fields().depth;
+    const Raster depth = run.fields().depth;
     const double diagonal = std::sqrt(0.5);
     const double axes = 0.25 * (reach(depth, 1, 0, front_depth) + reach(depth, -1, 0, front_depth) +
                                 reach(depth, 0, 1, front_depth) + reach(depth, 0, -1, front_depth));

@@ -43,7 +43,7 @@ CaseStatistics run_lake(const Raster& bed, double level, const Material& materia
     const SchemeBed elevation(bed, scheme, Boundary::wall);
     setup.seeds = fill_lattice(bed.grid, 2, jitter, [&](Point p) { return Seed{level - elevation(p)}; });
     TimedFlow run(setup);
-    const Raster start = run.flow().nodal_fields().depth;
+    const Raster start = run.fields().depth;
     run.advance_to(time);
     const GridSpec& grid = bed.grid;
     CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
@@ -51,11 +51,11 @@ CaseStatistics run_lake(const Raster& bed, double level, const Material& materia
         const auto row = grid.rows - 1 - static_cast<std::int64_t>(p.y / grid.cell_size);
         return ExactState{start.at(row, column), 0, 0};
     });
-    const Flow::NodalFields end = run.flow().nodal_fields();
+    const Flow::NodalFields end = run.fields();
     double momentum = 0, speed = 0;
     for (const Raster* field : {&end.momentum_x, &end.momentum_y})
         for (const double q : field->values) momentum = std::max(momentum, std::abs(q));
-    const ParticleSet& particles = run.flow().particles();
+    const ParticleSet& particles = run.particles();
     for (std::size_t p = 0; p < particles.size(); ++p)
         speed = std::max(speed, std::hypot(particles[Field::u][p], particles[Field::v][p]));
     if (run.non_finite() > 0) momentum = speed = k_no_data;
@@ -80,6 +80,7 @@ CaseStatistics run_table_1(double cell_size, Scheme scheme, const std::function<
         momentum = std::max(momentum, own(other, 1));
         statistics.steps += other.steps;
         statistics.wall_seconds += other.wall_seconds;
+        statistics.cpu_seconds += other.cpu_seconds;
         statistics.l1_depth = std::max(statistics.l1_depth, other.l1_depth);
         statistics.l2_depth = std::max(statistics.l2_depth, other.l2_depth);
         statistics.linf_depth = std::max(statistics.linf_depth, other.linf_depth);
@@ -247,7 +248,7 @@ CaseStatistics run_thacker(double cell_size, Scheme scheme, const Disc& disc) {
         const double depth = disc.depth(p);
         return ExactState{depth, 0, depth * disc.v};
     });
-    const ParticleSet& particles = run.flow().particles();
+    const ParticleSet& particles = run.particles();
     statistics.own = {{"shoreline error [cells]", shoreline_error(particles, disc) / cell_size, 1},
                       {"energy lost", (start - energy(particles, bed)) / (start - rest), 0.05}};
     return statistics;

@@ -10,12 +10,12 @@ namespace {
 constexpr double k_slab_middle = 120, k_window = 20;
 constexpr std::int64_t k_rows = 8;
 
-double middle_speed(const Flow& flow, double middle) {
-    const ParticleSet& particles = flow.particles();
+double middle_speed(TimedFlow& run, double middle) {
+    const ParticleSet& particles = run.particles();
     double sum = 0, n = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (std::abs(particles[Field::x][p] - middle) > k_window) continue;
-        sum += flow.map_velocity(p).x;
+        sum += run.velocity(p).x;
         ++n;
     }
     return sum / n;
@@ -52,10 +52,10 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab, const st
     SlabOutcome outcome;
     run.advance_to(slab.time, [&](const voellmy_bingham::StepReport& report) {
         // The velocity after a step is that of the particles' motion in it.
-        outcome.distance += middle_speed(run.flow(), k_slab_middle + travel(run.flow().time())) * report.dt;
+        outcome.distance += middle_speed(run, k_slab_middle + travel(run.model().time())) * report.dt;
     });
     const double middle = k_slab_middle + slab.travel;
-    outcome.mean_speed = middle_speed(run.flow(), middle);
+    outcome.mean_speed = middle_speed(run, middle);
     outcome.statistics = compare_with_exact(
         run,
         [&](Point) {
@@ -174,13 +174,13 @@ ExactState exact_at(const Incline& incline, double x) {
 }
 
 // Mean speed along the slope of the particles that the collapse has not reached.
-double block_speed(const Flow& flow, double scale) {
+double block_speed(TimedFlow& run, double scale) {
     double sum = 0, n = 0;
-    const ParticleSet& particles = flow.particles();
+    const ParticleSet& particles = run.particles();
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double x = particles[Field::x][p] / scale + k_upper_end;
         if (x < -200 || x > -50) continue;
-        sum += flow.map_velocity(p).x / scale;
+        sum += run.velocity(p).x / scale;
         ++n;
     }
     return sum / n;
@@ -216,7 +216,7 @@ Outcome run_once(double cell_size, Scheme scheme, bool map, double jitter) {
             return ExactState{state.depth / scale, state.qx, 0};  // (h / scale) (u scale)
         },
         [&](Point p) { return along(p) >= -200 && along(p) <= 220; });
-    outcome.block = block_speed(run.flow(), scale) / (incline.drive * k_granular_time) - 1;
+    outcome.block = block_speed(run, scale) / (incline.drive * k_granular_time) - 1;
     return outcome;
 }
 
@@ -340,7 +340,7 @@ CaseStatistics run_slump(double cell_size, Scheme scheme) {
         return ExactState{std::sqrt(rise * std::max(0.0, k_slump_runout - p.x)), 0, 0};
     });
     double front = 0;
-    const ParticleSet& particles = run.flow().particles();
+    const ParticleSet& particles = run.particles();
     for (std::size_t p = 0; p < particles.size(); ++p)
         front = std::max(front, particles[Field::x][p] + 0.5 * std::sqrt(particles[Field::area][p]));
     statistics.own = {{"run-out error", front / k_slump_runout - 1, 0.03}, {"l1_depth", statistics.l1_depth, 0.03}};
@@ -396,6 +396,15 @@ Budget of_nodes(const NodeGrid& nodes) {
     return b;
 }
 
+Budget of_cells(const Flow::NodalFields& fields) {
+    Budget b;
+    for (std::size_t k = 0; k < fields.depth.values.size(); ++k) {
+        b.volume += fields.depth.grid.cell_area() * fields.depth.values[k];
+        b.px += fields.depth.grid.cell_area() * fields.momentum_x.values[k];
+    }
+    return b;
+}
+
 CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     const GridSpec grid =
         plain_grid(std::llround(k_budget_length / cell_size), std::llround(k_budget_width / cell_size), cell_size);
@@ -410,20 +419,20 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     setup.material.turbulence = 200;
     setup.numerics = numerics_of(scheme, SlopeCorrection::none, Boundary::wall);
     TimedFlow run(setup);
-    const double volume = run.flow().volume();
+    const double volume = run.model().volume();
     double worst_volume = 0, worst_momentum = 0;
     const auto check = [&](const voellmy_bingham::StepReport&) {
-        const Budget particles = of_particles(run.flow().particles());
-        run.flow().nodal_fields();  // gathers on the nodes
-        const Budget nodes = of_nodes(run.flow().nodes());
+        const Budget particles = of_particles(run.particles());
+        const Flow::NodalFields fields = run.fields();
+        const Budget nodes = scheme == Scheme::finite_volume ? of_cells(fields) : of_nodes(run.flow().nodes());
         worst_volume =
             std::max({worst_volume, std::abs(nodes.volume / volume - 1), std::abs(particles.volume / volume - 1)});
-        if (run.flow().time() < k_wall_time && particles.size > 0) {
+        if (run.model().time() < k_wall_time && particles.size > 0) {
             worst_momentum = std::max(worst_momentum, std::abs(nodes.px - particles.px) / particles.size);
         }
     };
     run.advance_to(k_symmetry_time, check);
-    const Raster depth = run.flow().nodal_fields().depth;
+    const Raster depth = run.fields().depth;
     double greatest = 0, sum2 = 0, depth2 = 0;
     for (std::int64_t row = 0; row < grid.rows; ++row) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
@@ -437,8 +446,9 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     CaseStatistics statistics;
     statistics.cell_size = cell_size;
     statistics.particles = run.peak_particles();
-    statistics.steps = run.flow().steps();
+    statistics.steps = run.model().steps();
     statistics.wall_seconds = run.seconds();
+    statistics.cpu_seconds = run.cpu_seconds();
     statistics.l1_depth = worst_volume;
     statistics.l2_depth = std::sqrt(sum2 / depth2);
     statistics.linf_depth = greatest;

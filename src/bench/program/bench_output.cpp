@@ -16,7 +16,7 @@
 namespace frana::app {
 namespace {
 
-constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_peer{90, 90, 90};
+constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_volumes{0, 130, 90}, k_peer{90, 90, 90};
 
 render::ChartPanel panel_of(const std::string& title, const std::string& x_label, const std::string& y_label) {
     render::ChartPanel panel{title, x_label, y_label, {}};
@@ -27,20 +27,26 @@ render::ChartPanel panel_of(const std::string& title, const std::string& x_label
 // Distinguishable without colours, too: depth by solid and dash-dotted lines, momentum by dashed and dotted ones.
 render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name, Scheme scheme,
                               bool momentum) {
-    const bool paper = scheme == Scheme::paper;
+    struct Look {
+        Rgb colour;
+        render::Marker marker;
+        render::Stroke depth, momentum;
+    };
+    using enum render::Stroke;
+    const Look look = scheme == Scheme::paper ? Look{k_paper, render::Marker::square, dash_dot, dotted}
+                      : scheme == Scheme::finite_volume
+                          ? Look{k_volumes, render::Marker::triangle, solid, dashed}
+                          : Look{k_default, render::Marker::circle, solid, dashed};
     render::ChartSeries series{
-        std::string("scheme = ") + bench::name_of(scheme) + (momentum ? ", momentum" : ", depth"),
-        paper ? k_paper : k_default,
-        {}};
-    series.marker = momentum ? render::Marker::diamond : paper ? render::Marker::square : render::Marker::circle;
-    series.stroke = momentum ? (paper ? render::Stroke::dotted : render::Stroke::dashed)
-                             : (paper ? render::Stroke::dash_dot : render::Stroke::solid);
+        std::string("scheme = ") + bench::name_of(scheme) + (momentum ? ", momentum" : ", depth"), look.colour, {}};
+    series.marker = momentum ? render::Marker::diamond : look.marker;
+    series.stroke = momentum ? look.momentum : look.depth;
     for (const bench::AccuracyRow& row : rows) {
         if (row.case_name != name || row.scheme != scheme) continue;
         const double error = momentum ? row.statistics.l1_momentum : row.statistics.l1_depth;
         // Zero except for rounding: would only stretch the axis.
         constexpr double k_nothing = 1e-18;
-        if (error > k_nothing) series.points.push_back({row.statistics.wall_seconds, error});
+        if (error > k_nothing) series.points.push_back({row.statistics.cpu_seconds, error});
     }
     return series;
 }
@@ -71,7 +77,7 @@ render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
         true};
     for (const bench::AccuracyRow& row : rows) {
         if (!chart.panels.empty() && chart.panels.back().title == row.case_name) continue;
-        render::ChartPanel panel = panel_of(row.case_name, "wall time of the engine [s]", "relative L1 error [-]");
+        render::ChartPanel panel = panel_of(row.case_name, "processor time of the engine [s]", "relative L1 error [-]");
         panel.note = "no error: exact to the last bit";
         for (const Scheme scheme : bench::k_schemes)
             for (const bool momentum : {false, true})

@@ -100,40 +100,107 @@ Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary) {
 }
 
 const char* name_of(Scheme scheme) {
-    return scheme == Scheme::paper ? "paper" : "default";
+    return std::find_if(std::begin(frana::k_schemes), std::end(frana::k_schemes),
+                        [&](const auto& row) { return row.second == scheme; })
+        ->first;
 }
 
 SchemeBed::SchemeBed(const Raster& bed, Scheme scheme, Boundary boundary)
-    : nodes_(bed), hats_(scheme == Scheme::paper) {
+    : nodes_(bed), scheme_(scheme) {
     if (boundary == Boundary::wall) mirror_bed(nodes_);
 }
 
 double SchemeBed::operator()(Point local) const {
-    return hats_ ? interpolated<HatShape>(nodes_, local) : interpolated<QuadraticSplineShape>(nodes_, local);
+    if (scheme_ == Scheme::finite_volume)  // one elevation in a cell
+        return nodes_.bed[nodes_.scale().node_of(local.x, local.y)] + nodes_.datum();
+    return scheme_ == Scheme::paper ? interpolated<HatShape>(nodes_, local)
+                                    : interpolated<QuadraticSplineShape>(nodes_, local);
+}
+
+template <class Work>
+void TimedFlow::time(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    const double cpu = frana::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    work();
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    cpu_seconds_ += frana::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
 }
 
 TimedFlow::TimedFlow(const Setup& setup, int threads) {
-    const auto begin = std::chrono::steady_clock::now();
-    flow_.emplace(setup.bed, setup.seeds, setup.material, setup.numerics, threads, setup.tilt);
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    peak_ = static_cast<std::int64_t>(flow_->particles().size());
+    time([&] {
+        if (setup.numerics.scheme == Scheme::finite_volume) {
+            volumes_.emplace(setup.bed, std::nullopt, setup.seeds, setup.material, setup.numerics, threads,
+                             MaterialZones{}, Entrainment{}, setup.tilt);
+        } else {
+            flow_.emplace(setup.bed, setup.seeds, setup.material, setup.numerics, threads, setup.tilt);
+        }
+    });
+    peak_ = model().particle_count();
 }
 
 void TimedFlow::advance_to(double end, const std::function<void(const voellmy_bingham::StepReport&)>& after_step) {
+    Model& model = this->model();
     // A last step shorter than this would only be rounding.
-    while (flow_->time() < end * (1 - 1e-12) && non_finite_ == 0 && !flow_->empty()) {
-        const double before = flow_->time();
-        const auto begin = std::chrono::steady_clock::now();
-        const voellmy_bingham::StepReport report = flow_->advance(end - before);
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        peak_ = std::max(peak_, static_cast<std::int64_t>(flow_->particles().size()));
-        non_finite_ += report.particles.non_finite;
-        if (!(flow_->time() > before))
+    while (model.time() < end * (1 - 1e-12) && non_finite_ == 0 && !model.empty()) {
+        const double before = model.time();
+        voellmy_bingham::StepReport report;
+        time([&] {
+            if (flow_) {
+                report = flow_->advance(end - before);
+                non_finite_ += report.particles.non_finite;
+            } else {
+                const StepStatistics step = volumes_->step(end - before);
+                report.dt = step.dt;
+                report.nodes.max_speed = step.max_speed;
+                non_finite_ += step.non_finite;
+            }
+        });
+        peak_ = std::max(peak_, model.particle_count());
+        if (!(model.time() > before))
             ++non_finite_;  // a step that does not advance time results from a non-finite
                             // value
         if (after_step) after_step(report);
     }
-    flow_->synchronise();
+    model.synchronise();
+}
+
+Flow::NodalFields TimedFlow::fields() {
+    if (flow_) return flow_->nodal_fields();
+    const finite_volume::State& state = volumes_->state();
+    const auto raster = [&](const auto& value) {
+        Raster all = volumes_->raster_of(value);
+        all.values.change_each_stored([](std::size_t, double& here) { here = std::isnan(here) ? 0 : here; });
+        return all;
+    };
+    return {raster([&](std::size_t k) { return state.depth[k]; }),
+            raster([&](std::size_t k) { return state.depth[k] * volumes_->motion_of(k).u; }),
+            raster([&](std::size_t k) { return state.depth[k] * volumes_->motion_of(k).v; })};
+}
+
+const ParticleSet& TimedFlow::particles() {
+    if (flow_) return flow_->particles();
+    cells_ = ParticleSet();
+    const finite_volume::State& state = volumes_->state();
+    const std::int64_t stride = state.nodes.stride();
+    volumes_->for_each_active_node([&](std::size_t k) {
+        if (!(state.depth[k] > 0)) return;
+        const auto node = static_cast<std::int64_t>(k);
+        const Point middle = state.nodes.middle(node % stride, node / stride);
+        const finite_volume::CellMotion motion = volumes_->motion_of(k);
+        ParticleRow row = ParticleSet::initial_row();
+        get(row, Field::x) = middle.x;
+        get(row, Field::y) = middle.y;
+        get(row, Field::u) = motion.u;
+        get(row, Field::v) = motion.v;
+        get(row, Field::area) = state.cell_area();
+        get(row, Field::volume) = state.depth[k] * state.cell_area();
+        cells_.push_back(row);
+    });
+    return cells_;
+}
+
+Point TimedFlow::velocity(std::size_t particle) const {
+    return flow_ ? flow_->map_velocity(particle) : Point{cells_[Field::u][particle], cells_[Field::v][particle]};
 }
 
 }  // namespace frana::bench

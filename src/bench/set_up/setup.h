@@ -15,6 +15,7 @@
 #include "core/raster.h"
 #include "params/keys/shared_values.h"
 #include "particles/particle_set.h"
+#include "simulation/finite_volume_flow.h"
 #include "simulation/flow.h"
 
 namespace frana::bench {
@@ -87,10 +88,10 @@ Material dry_friction(double angle_deg);
 /// Returns the scheme in its standard form: `paper` never corrects for steep ground.
 Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary);
 
-/// "default" or "paper".
+/// Its word in scene files.
 const char* name_of(Scheme scheme);
 
-/// Bed elevation between the nodes by the scheme's own shape functions.
+/// Bed elevation between the nodes by the scheme's own shape functions; by finite volumes that of the cell.
 class SchemeBed {
   public:
     SchemeBed(const Raster& bed, Scheme scheme, Boundary boundary);
@@ -99,7 +100,7 @@ class SchemeBed {
 
   private:
     NodeGrid nodes_;
-    bool hats_;
+    Scheme scheme_;
 };
 
 /// A flow with a timer that runs only during the engine's work, and with the errors that occurred.
@@ -110,15 +111,28 @@ class TimedFlow {
     /// Steps to `end`, or until a value is not finite; `after_step` is not timed.
     void advance_to(double end, const std::function<void(const voellmy_bingham::StepReport&)>& after_step = {});
 
+    /// With particles only.
     [[nodiscard]] Flow& flow() noexcept { return *flow_; }
+    [[nodiscard]] Model& model() noexcept { return flow_ ? static_cast<Model&>(*flow_) : *volumes_; }
+    [[nodiscard]] Flow::NodalFields fields();
+    /// By finite volumes each cell with material counts as one.
+    [[nodiscard]] const ParticleSet& particles();
+    /// In map view [m/s].
+    [[nodiscard]] Point velocity(std::size_t particle) const;
     [[nodiscard]] double seconds() const noexcept { return seconds_; }
+    [[nodiscard]] double cpu_seconds() const noexcept { return cpu_seconds_; }
     /// Greatest number of particles at any time.
     [[nodiscard]] std::int64_t peak_particles() const noexcept { return peak_; }
     [[nodiscard]] std::int64_t non_finite() const noexcept { return non_finite_; }
 
   private:
+    template <class Work>
+    void time(const Work& work);
+
     std::optional<Flow> flow_;
-    double seconds_ = 0;
+    std::optional<FiniteVolumeFlow> volumes_;
+    ParticleSet cells_;
+    double seconds_ = 0, cpu_seconds_ = 0;
     std::int64_t peak_ = 0, non_finite_ = 0;
 };
 

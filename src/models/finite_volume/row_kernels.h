@@ -111,8 +111,9 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     const Stops<Number> stop = stops<Number>(friction, k, n, h, root * root, supported, step);
     const auto put = [&](Number value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + k, n); };
     put(weight, c.weight);
-    put(ax * lost, c.slowed_x);
-    put(ay * lost, c.slowed_y);
+    // The fall of the surface is in the predictor of the faces, that of a tilted frame is not.
+    put(ax * lost + select(wet, Number(half * v.gravity_x), zero), c.slowed_x);
+    put(ay * lost + select(wet, Number(half * v.gravity_y), zero), c.slowed_y);
     // Per time, so that the judgement of what rests is the same, to the last digit, in steps of any length.
     put(h * (u.x / v.dt + fall_x), c.pull_x);
     put(h * (u.y / v.dt + fall_y), c.pull_y);
@@ -227,12 +228,16 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const auto open = (L::none(at(b.closed) * at(c.closed) > 0.5)) & (wet_below | wet_above);
     const Quad inverse = select(open, one, zero) / max(fast - slow, Quad(1e-6));
     const Quad mb = depth_below * below.speed, mc = depth_above * above.speed, both = slow * fast;
-    const Quad mass = (fast * mb - slow * mc + both * (depth_above - depth_below)) * inverse;
+    const Quad flux = (fast * mb - slow * mc + both * (depth_above - depth_below)) * inverse;
+    // No cell gives more than it has.
+    constexpr double k_most = 0.98;
+    const Quad given = min(one, k_most * v.cell_size / v.dt * select(flux > 0, hb, hc) / max(abs(flux), Quad(1e-300)));
+    const Quad mass = given * flux;
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
     const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
     put(mass, to.mass);
     put((fast * mb * below.normal - slow * mc * above.normal + both * (depth_above * above.normal - depth_below * below.normal)) *
-            inverse,
+            inverse * given,
         to.normal);
     put(mass * select(mass > 0, below.tangential, above.tangential), to.tangential);
     // As each side sees it: above the pressure of its own depth, over the part of the bed that the other does not share.

@@ -240,12 +240,18 @@ class Sweeps {
             }
         });
     }
-    // In-plane stress: its force, then the change of momentum by it.
+    // The force of the in-plane stress, and its bound of the step.
     void strain() {
         if (std::holds_alternative<NoStress>(laws_.stress.law)) return;
         for_strips([&](Strip& strip) {
             std::visit([&](const auto& law) { strain_strip(law, strip); }, laws_.stress.law);
         });
+        s_.diffusivity = 0;
+        for (std::size_t n = 0; n < s_.n_strips; ++n) s_.diffusivity = std::max(s_.diffusivity, s_.strips[n].diffusivity);
+    }
+    // The change of momentum by it.
+    void push() {
+        if (std::holds_alternative<NoStress>(laws_.stress.law)) return;
         for_rows([&](Strip&, std::size_t first, std::size_t count) {
             for (std::size_t k = first; k < first + count; ++k) {
                 const double fx = v_.dt * s_.force_x[k], fy = v_.dt * s_.force_y[k];
@@ -360,7 +366,7 @@ class Sweeps {
                            std::size_t p) { return row.depth[q] > 0 ? (row.*component)[q] : (instead.*component)[p]; };
         const auto stress = [&](const CellRow& b, std::size_t p, const CellRow& c, std::size_t q, double u_x, double v_x,
                                 double u_y, double v_y) -> PlaneStress<double> {
-            const double depth = b.depth[p] > 0 && c.depth[q] > 0 ? 0.5 * (b.depth[p] + c.depth[q]) : 0;
+            const double depth = std::min(b.depth[p], c.depth[q]);  // the mean would push thin edges too hard
             if (!(depth > 0)) return {0, 0, 0, 0};
             PlaneStress<double> s{0, 0, 0, 0};
             if constexpr (Law::active)
@@ -450,7 +456,7 @@ class Sweeps {
 
     State& s_;
     const Laws& laws_;
-    const StepValues& v_;
+    const StepValues& v_;  // the step's length is known after `strain`
     Cells c_;
     ThreadPool& pool_;
     const RowKernels& kernels_ = row_kernels();
@@ -467,14 +473,13 @@ double sum(const double* lanes) {
 StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
     StepReport report;
     const double area = s.cell_area();
-    s.wave = s.diffusivity = s.momentum = 0;
+    s.wave = s.momentum = 0;
     std::vector<std::int64_t> computed;
     for (std::size_t n = 0; n < s.n_strips; ++n) {
         Strip& strip = s.strips[n];
         const StripTotals& t = strip.totals;
         report.max_speed = std::max(report.max_speed, greatest(t.max_speed));
         s.wave = std::max(s.wave, greatest(t.wave));
-        s.diffusivity = std::max(s.diffusivity, strip.diffusivity);
         s.momentum += area * sum(t.momentum);
         report.kinetic += area * sum(t.kinetic);
         report.moving += area * sum(t.moving);
@@ -532,17 +537,18 @@ double stable_step(const State& s, const Laws& laws) {
 
 StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, ThreadPool& pool) {
     StepValues values = laws.values;
-    values.dt = std::min(limit, stable_step(s, laws));
-    values.time = s.time + values.dt;
     choose_strips(s, laws);
     Sweeps sweeps(s, laws, values, maxima, pool);
+    sweeps.strain();
+    values.dt = std::min(limit, stable_step(s, laws));
+    values.time = s.time + values.dt;
     sweeps.prepare();
     if (laws.friction.keeps_rest()) {
         sweeps.hold();
     } else {
         sweeps.release();
     }
-    sweeps.strain();
+    sweeps.push();
     if (s.steps % 2 == 0) {
         sweeps.along_x();
         sweeps.along_y();

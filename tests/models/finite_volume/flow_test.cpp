@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first model by finite volumes: rest, exact motions, budgets, and what makes a run trustworthy.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "simulation/finite_volume_flow.h"
+#include "support/cases.h"
+
+namespace frana::test {
+namespace {
+
+Numerics volumes(Boundary boundary, SlopeCorrection slope = SlopeCorrection::normal) {
+    return numerics(Scheme::finite_volume, slope, boundary);
+}
+
+FiniteVolumeFlow flow_on(const Raster& bed, const ParticleSet& seeds, const Material& material, const Numerics& numerics,
+                         int threads = 1) {
+    return FiniteVolumeFlow(bed, std::nullopt, seeds, material, numerics, threads);
+}
+
+// One column in each cell, as deep as the ground lies below a level.
+ParticleSet filled_to(const Raster& bed, double level) {
+    return bench::fill_lattice(bed.grid, 1, 0, [&](Point p) {
+        const Cell cell = cell_of(bed.grid, p);
+        return bench::Seed{level - bed.at(cell.row, cell.column)};
+    });
+}
+
+double greatest_speed(const FiniteVolumeFlow& flow) {
+    double speed = 0;
+    flow.for_each_active_node([&](std::size_t k) { speed = std::max(speed, flow.motion_of(k).speed); });
+    return speed;
+}
+
+// A basin with waves of the ground and noise, from whose water islands rise.
+Raster rough_basin(unsigned seed, double noise) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> height(0, noise);
+    std::vector<double> waves;
+    std::uniform_real_distribution<double> number(0.02, 0.3);
+    for (int i = 0; i < 24; ++i) waves.push_back(number(random));
+    return bench::sample_raster(bench::plain_grid(80, 80, 5), [&](Point p) {
+        double z = 60 * ((p.x - 200) * (p.x - 200) + (p.y - 200) * (p.y - 200)) / (200 * 200) + height(random);
+        for (std::size_t i = 0; i < waves.size(); i += 4)
+            z += 3 * std::sin(waves[i] * p.x + 20 * waves[i + 1]) * std::cos(waves[i + 2] * p.y + 20 * waves[i + 3]);
+        return z;
+    });
+}
+
+// Ten minutes without friction. Rounding alone gives 1e-13 m/s at 30 m of depth; what grows by itself reaches 1e-1
+// within that time, as slopes of depth and surface limited each for itself do.
+TEST(FiniteVolumes, LakesOnRoughGroundStayAtRest) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        const Raster bed = rough_basin(seed, 1);
+        FiniteVolumeFlow flow = flow_on(bed, filled_to(bed, 25), water(), volumes(Boundary::wall));
+        const double volume = flow.volume();
+        flow.advance_to(600);
+        EXPECT_LT(greatest_speed(flow), 1e-12) << seed;
+        EXPECT_NEAR(flow.volume(), volume, 1e-13 * volume);
+    }
+}
+
+// Noise of 4 m from cell to cell on 5 m: slopes of 70 degrees on the ground of the lake.
+TEST(FiniteVolumes, ALakeOnVeryRoughGroundIsDisturbedByRoundingOnly) {
+    const Raster bed = rough_basin(4, 4);
+    FiniteVolumeFlow flow = flow_on(bed, filled_to(bed, 25), water(), volumes(Boundary::wall));
+    flow.advance_to(600);
+    EXPECT_LT(greatest_speed(flow), 1e-10);
+}
+
+// A slab down a plane: ds/dt = g (sin - mu cos) - g s^2 / (xi d), s = s_t tanh(a t / s_t). The middle is beyond the
+// reach of its ends.
+TEST(FiniteVolumes, ASlabMovesAsABlock) {
+    for (const double angle : {20.0, 35.0, 45.0}) {
+        constexpr double k_friction = 0.2, k_turbulence = 500, k_time = 8;
+        const double sine = std::sin(angle * M_PI / 180), cosine = std::cos(angle * M_PI / 180);
+        const GridSpec grid = bench::plain_grid(160, 6, 5);
+        const Raster bed = bench::sample_raster(grid, [&](Point p) { return (800 - p.x) * sine / cosine; });
+        const ParticleSet seeds = bench::fill_lattice(grid, 1, 0, [](Point p) { return bench::Seed{p.x < 500 ? 1.0 : 0.0}; });
+        Material material = water();
+        material.friction_coefficient = k_friction;
+        material.turbulence = k_turbulence;
+        FiniteVolumeFlow flow = flow_on(bed, seeds, material, volumes(Boundary::wall));
+        flow.advance_to(k_time);
+        const double drive = k_gravity * (sine - k_friction * cosine),
+                     terminal = std::sqrt(drive * k_turbulence * cosine / k_gravity);
+        const double exact = terminal * std::tanh(drive * k_time / terminal);
+        const std::size_t middle = flow.nodes().index(75, 3);
+        EXPECT_NEAR(flow.motion_of(middle).speed, exact, 1e-3 * exact) << angle;
+    }
+}
+
+// A film without friction round an arc keeps its speed but for the error of the slopes at a cell of 2 m.
+TEST(FiniteVolumes, AFilmKeepsItsSpeedRoundAnArc) {
+    constexpr double k_radius = 100, k_speed = 30;
+    const double half = std::sqrt(0.5);
+    const GridSpec grid = bench::plain_grid(220, 6, 2);
+    // From 45 degrees over an arc to level ground.
+    const Raster bed = bench::sample_raster(grid, [&](Point p) {
+        const double x = p.x - 120, end = k_radius * half;
+        if (x < 0) return k_radius * (1 - half) - x;
+        return x < end ? k_radius - std::sqrt(k_radius * k_radius - (end - x) * (end - x)) : 0;
+    });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 1, 0, [&](Point p) { return p.x < 60 ? bench::Seed{0.02, k_speed * half, 0} : bench::Seed{}; });
+    FiniteVolumeFlow flow = flow_on(bed, seeds, water(), volumes(Boundary::wall));
+    const double energy = 0.5 * k_speed * k_speed;
+    flow.advance_to(7);
+    double volume = 0, kinetic = 0, fallen = 0;
+    flow.for_each_active_node([&](std::size_t k) {
+        const auto node = static_cast<std::int64_t>(k);
+        const Point at = flow.nodes().middle(node % flow.nodes().stride(), node / flow.nodes().stride());
+        if (at.x < 210) return;
+        const double h = flow.state().depth[k], s = flow.motion_of(k).speed;
+        volume += h;
+        kinetic += h * 0.5 * s * s;
+        fallen += 1;
+    });
+    ASSERT_GT(fallen, 50);
+    // All of it began between 60 m and 120 m above the plain.
+    const double least = energy + k_gravity * (k_radius * (1 - half) + 60), most = energy + k_gravity * (k_radius * (1 - half) + 120);
+    EXPECT_GT(kinetic / volume, 0.98 * least);
+    EXPECT_LT(kinetic / volume, 1.001 * most);
+}
+
+// What friction holds does not change by a bit, and costs nothing.
+TEST(FiniteVolumes, APileAtRestStaysToTheBit) {
+    const GridSpec grid = bench::plain_grid(60, 60, 2);
+    const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.1 * p.x + 0.3 * std::sin(p.y); });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 1, 0, [](Point p) { return bench::Seed{6 - 0.4 * std::hypot(p.x - 60, p.y - 60)}; });
+    FiniteVolumeFlow flow = flow_on(bed, seeds, dry_friction(25), volumes(Boundary::open));
+    flow.advance_to(40);
+    ASSERT_EQ(greatest_speed(flow), 0);
+    const std::vector<double> before(flow.state().depth.data(), flow.state().depth.data() + flow.state().depth.size());
+    flow.advance_to(100);
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), flow.state().depth.data()));
+    EXPECT_EQ(flow.state().n_strips, 0U);
+}
+
+struct Rough {
+    Raster bed, end;
+    double left = 0, error = 0;
+};
+// A flow that divides, meets walls and leaves through an edge, on noisy ground.
+Rough run_rough(int threads, double viscosity) {
+    const GridSpec grid = bench::plain_grid(150, 90, 2);
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 0.3);
+    const Raster bed = bench::sample_raster(
+        grid, [&](Point p) { return 0.4 * (300 - p.x) + 2 * std::sin(0.1 * p.y) + noise(random); });
+    Raster walls(grid, 0);
+    for (std::int64_t r = 30; r < 60; ++r) walls.at(r, 60) = 1;
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
+    Material material = dry_friction(8);
+    material.turbulence = 800;
+    material.viscosity = viscosity;
+    material.yield_stress = 0.1 * viscosity;
+    FiniteVolumeFlow flow(bed, walls, seeds, material, volumes(Boundary::open), threads);
+    const double volume = flow.volume();
+    flow.advance_to(20);
+    return {bed, flow.snapshot().depth, flow.volume_left() / volume,
+            std::abs(flow.volume() + flow.volume_left() - volume) / volume};
+}
+
+TEST(FiniteVolumes, SameBitsForAnyNumberOfThreads) {
+    for (const double viscosity : {0.0, 500.0}) {
+        const Rough one = run_rough(1, viscosity);
+        ASSERT_GT(one.left, 0.01);
+        for (const int threads : {2, 3}) {
+            const Rough many = run_rough(threads, viscosity);
+            for (std::size_t k = 0; k < one.end.values.size(); ++k) {
+                const double a = one.end.values[k], b = many.end.values[k];
+                ASSERT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << k;
+            }
+        }
+    }
+}
+
+TEST(FiniteVolumes, ConserveVolumeThroughEdges) {
+    EXPECT_LT(run_rough(1, 0).error, 1e-13);  // rounding of sums
+}
+
+// The wall stands; the flow goes round it.
+TEST(FiniteVolumes, NothingPassesAWall) {
+    const Rough run = run_rough(1, 0);
+    for (std::int64_t r = 30; r < 60; ++r) EXPECT_TRUE(std::isnan(run.end.at(r, 60)));
+}
+
+// Eroded and deposited volumes are those of the bed.
+TEST(FiniteVolumes, ExchangeWithTheBedIsInTheBudget) {
+    const GridSpec grid = bench::plain_grid(100, 40, 2);
+    const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.5 * std::max(0.0, 120 - p.x); });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.2 * std::hypot(p.x - 30, p.y - 40)}; });
+    Entrainment entrainment;
+    entrainment.erosion = "growth";
+    entrainment.growth_rate = 0.02;
+    entrainment.erodible_depth = 0.5;
+    FiniteVolumeFlow flow(bed, std::nullopt, seeds, dry_friction(10), volumes(Boundary::open), 1, {}, entrainment);
+    const double start = flow.volume();
+    flow.advance_to(8);
+    const BedBudget budget = flow.bed_budget();
+    EXPECT_GT(budget.eroded, 0.02 * start);
+    EXPECT_NEAR(flow.volume() + flow.volume_left(), start + budget.eroded - budget.deposited, 1e-12 * start);
+}
+
+// Free fall from the highest surface and the front of a dam break bound every speed.
+TEST(FiniteVolumes, NoCellIsFasterThanItsFall) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> noise(0, 1.5);
+        const GridSpec grid = bench::plain_grid(120, 60, 5);
+        const Raster bed = bench::sample_raster(
+            grid, [&](Point p) { return 0.7 * std::max(0.0, 500 - p.x) + 0.01 * (p.y - 150) * (p.y - 150) + noise(random); });
+        const ParticleSet seeds = bench::fill_lattice(
+            grid, 1, 0, [](Point p) { return bench::Seed{std::hypot(p.x - 60, p.y - 150) < 40 ? 3.0 : 0.0}; });
+        FiniteVolumeFlow flow = flow_on(bed, seeds, dry_friction(15), volumes(Boundary::open));
+        double fastest = 0;
+        while (flow.time() < 30) fastest = std::max(fastest, flow.step(1).max_speed);
+        EXPECT_LT(fastest, std::sqrt(2 * k_gravity * (0.7 * 500 + 10)));
+        EXPECT_GT(fastest, 20);
+    }
+}
+
+}  // namespace
+}  // namespace frana::test
