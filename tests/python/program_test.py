@@ -85,6 +85,12 @@ class AsTheProgram(unittest.TestCase):
         scene.add_release(2.0, outline=SQUARE)
         return scene
 
+    def expect_same_warnings(self, result, summary):
+        """But for those of the program's layer of exposed features, which the library has no key for."""
+        told = [warning for warning in summary["warnings"] if "exposed features" not in warning]
+        self.assertEqual(result.warnings, told)
+        self.assertEqual(result.summary["warnings"], told)
+
     def test_both_warn_in_the_same_words(self):
         usual = {"material.friction-coefficient": "0.3", "time.end": "8"}
         for keys, expected in (({}, "still moves"),
@@ -97,8 +103,7 @@ class AsTheProgram(unittest.TestCase):
                 keys = {**usual, **keys}
                 _, summary = self.program(keys)
                 result = frana.run(self.scene(keys))
-                self.assertEqual(result.warnings, summary["warnings"])
-                self.assertEqual(result.summary["warnings"], summary["warnings"])
+                self.expect_same_warnings(result, summary)
                 self.assertTrue(any(expected in warning for warning in result.warnings), result.warnings)
 
     def test_both_give_exposed_features_the_same_values(self):
@@ -148,7 +153,7 @@ class AsTheProgram(unittest.TestCase):
         uniform = frana.run(self.scene({**STRUCTURED, "time.end": "3"}))
         for name in ("max_depth_m", "max_velocity_ms", "covered_area_m2", "steps"):
             self.assertEqual(result.summary[name], summary[name], name)
-        self.assertEqual(result.warnings, summary["warnings"])
+        self.expect_same_warnings(result, summary)
         self.assertTrue(any("damage-length is not given" in warning for warning in result.warnings), result.warnings)
         self.assertNotEqual(result.summary["max_velocity_ms"], uniform.summary["max_velocity_ms"])
         holes = values.copy()

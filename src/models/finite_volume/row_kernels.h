@@ -189,7 +189,10 @@ FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, 
     // or each step over a rough bed would give the waves of a lake some energy.
     const Quad shared_a = max(zero, min(surface, ha + za) - max(z, za)), shared_c = max(zero, min(surface, hc + zc) - max(z, zc));
     const auto level = abs(z - za) + abs(zc - z) > 2 * (abs(down) + abs(up));
-    const Quad dh = select(level, min(max(rise - limited<Quad>(z - za, zc - z), -h), h), limited<Quad>(h - ha, hc - h));
+    // A rough bed has no slope in the cell: what passes the faces is then what the half step above takes.
+    const auto rough = abs(zc - 2 * z + za) > 0.1 * (abs(z - za) + abs(zc - z));
+    const Quad sloping = min(max(rise - limited<Quad>(z - za, zc - z), -h), h);
+    const Quad dh = select(level, select(rough, rise, sloping), limited<Quad>(h - ha, hc - h));
     const Quad gain = half * select(level, 0.5 * (shared_c * (u + uc) - shared_a * (u + ua)), u * dh + h * du);
     const Quad pull = half * select(level, 0.5 * (shared_c * up + shared_a * down) / max(h, Quad(dry)), rise);
     return {max(zero, h + side * dh - gain), u + side * du - half * u * du - at(b.weight) * pull,

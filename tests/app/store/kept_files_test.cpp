@@ -88,7 +88,7 @@ TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
 TEST_F(KeptFilesOf, TheClassesOfAComparison) {
     write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
     write_scene(
-        "[output]\nmaps = off\nanimation = off\nframes = off\nmap-formats = png, tif\nmap-size = 640x480\n"
+        "[output]\nmaps = max_depth\nanimation = off\nframes = off\nmap-formats = png, tif\nmap-size = 640x480\n"
         "[scar]\nperimeter = scar.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "compared", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -36,12 +36,12 @@ TEST(AccuracyCsv, HasTheContractsColumns) {
     std::string line;
     std::getline(lines, line);
     EXPECT_EQ(line,
-              "case,scheme,cell_size,particles,steps,wall_seconds,l1_depth,l2_depth,linf_depth,l1_momentum,"
-              "observed_order");
+              "case,scheme,cell_size,particles,steps,wall_seconds,cpu_seconds,l1_depth,l2_depth,linf_depth,"
+              "l1_momentum,observed_order");
     std::getline(lines, line);
-    EXPECT_EQ(line, "stoker,default,10,0,0,1,0.1,0,0,0.1,nan");
+    EXPECT_EQ(line, "stoker,default,10,0,0,1,0,0.1,0,0,0.1,nan");
     std::getline(lines, line);
-    EXPECT_EQ(line, "stoker,default,5,0,0,8,0.05,0,0,0.05,1.0000");
+    EXPECT_EQ(line, "stoker,default,5,0,0,8,0,0.05,0,0,0.05,1.0000");
 }
 
 TEST(ErrorInTime, IsLinearInLogarithms) {
@@ -84,7 +84,7 @@ TEST(BenchCommand, WritesCsvAndPicture) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("com1DFA"), std::string::npos);
     const std::string csv = test::read_text((folder / "result" / "accuracy.csv").string());
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);  // header, 2 schemes x 2 resolutions
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);  // header, 3 schemes x 2 resolutions
     EXPECT_GT(fs::file_size(folder / "result" / "accuracy.png"), 1000u);
     const test::Outcome wrong = test::run_program(folder.string(), {"bench", "speeed"});
     EXPECT_EQ(wrong.exit_code, 2);
