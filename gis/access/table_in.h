@@ -22,8 +22,8 @@ struct Table {
 /// Error(input).
 void refuse_surplus_fields(const std::string& path, const std::string& place);
 
-/// Reads a CSV file with a header, before which lines may begin with #; comma, semicolon or tab between the columns. `where` names the key. Throws
-/// Error(input): missing file, not a table, no row, refuse_surplus_fields.
+/// Reads a CSV file with a header, before which lines may begin with #; comma, semicolon or tab between the columns.
+/// `where` names the key. Throws Error(input): missing file, not a table, no row, refuse_surplus_fields.
 Table read_table(const std::string& path, const std::string& where);
 
 }  // namespace frana::gis

@@ -49,9 +49,9 @@ finite_volume::Laws laws_of(const Material& material, const MaterialZones& zones
 
 }  // namespace
 
-FiniteVolumeFlow::FiniteVolumeFlow(const Ground& ground, const std::optional<Raster>& walls, const ParticleSet& released,
-                                   const Material& material, const Numerics& numerics, int threads,
-                                   const MaterialZones& zones, const Entrainment& entrainment,
+FiniteVolumeFlow::FiniteVolumeFlow(const Ground& ground, const std::optional<Raster>& walls,
+                                   const ParticleSet& released, const Material& material, const Numerics& numerics,
+                                   int threads, const MaterialZones& zones, const Entrainment& entrainment,
                                    std::optional<TiltedGravity> tilt)
     : grid_(ground.terrain.grid),
       pool_(threads),
@@ -74,22 +74,22 @@ void FiniteVolumeFlow::add_particles(const ParticleSet& particles) {
     if (particles.size() == 0) return;
     const NodeScale scale = state_.nodes.scale();
     const double *const x = particles[Field::x], *const y = particles[Field::y], *const u = particles[Field::u],
-                 *const v = particles[Field::v], *const volume = particles[Field::volume];
+                        *const v = particles[Field::v], *const volume = particles[Field::volume];
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!state_.nodes.bounds().contains(x[p], y[p])) {
             state_.volume_left += volume[p];
             continue;
         }
         finite_volume::add_to_cell(state_, laws_, whole_below(x[p] * scale.inverse_dx) + scale.origin_x,
-                                   whole_below(y[p] * scale.inverse_dx) + scale.origin_y, volume[p] / state_.cell_area(),
-                                   u[p], v[p]);
+                                   whole_below(y[p] * scale.inverse_dx) + scale.origin_y,
+                                   volume[p] / state_.cell_area(), u[p], v[p]);
     }
     finite_volume::settle(state_, laws_);
 }
 
 void FiniteVolumeFlow::lower_bed(const Raster& depth) {
     state_.nodes.lower_bed(depth);
-    finite_volume::renew_ground(state_);
+    finite_volume::renew_ground(state_, laws_);
     finite_volume::settle(state_, laws_);
 }
 
@@ -127,7 +127,8 @@ double FiniteVolumeFlow::farthest_front() const {
         if (state_.records[static_cast<std::size_t>(tile)].covered == 0) continue;
         const NodeRange range(tile, state_.tiles, state_.nodes);
         const Point a = state_.nodes.middle(range.i0, range.j0), b = state_.nodes.middle(range.i1 - 1, range.j1 - 1);
-        tiles.push_back({std::sqrt(origins_.squared_distance({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)})) + half_diagonal, tile});
+        tiles.push_back(
+            {std::sqrt(origins_.squared_distance({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)})) + half_diagonal, tile});
     }
     std::sort(tiles.begin(), tiles.end(), [](const Far& a, const Far& b) { return a.most > b.most; });
     double farthest = 0;

@@ -69,7 +69,10 @@ class FiniteVolumeFlow final : public Model {
     void advance_to(double time);
 
     void transfer(StateWriter& archive) override { archive(state_, maxima_); }
-    void transfer(StateReader& archive) override { archive(state_, maxima_); }
+    void transfer(StateReader& archive) override {
+        archive(state_, maxima_);
+        finite_volume::renew_ground(state_, laws_);
+    }
 
   private:
     [[nodiscard]] double farthest_front() const;

@@ -52,8 +52,8 @@ std::unique_ptr<Model> make_model(const Scene& scene, const Ground& ground, cons
         return std::make_unique<StructuredFlow>(ground, scene.walls, *scene.structured, scene.numerics, released,
                                                 threads);
     if (scene.numerics.scheme == Scheme::finite_volume)
-        return std::make_unique<FiniteVolumeFlow>(ground, scene.walls, released, scene.material, scene.numerics, threads,
-                                                  scene.zones, scene.entrainment);
+        return std::make_unique<FiniteVolumeFlow>(ground, scene.walls, released, scene.material, scene.numerics,
+                                                  threads, scene.zones, scene.entrainment);
     auto flow = std::make_unique<Flow>(ground, released, scene.material, scene.numerics, threads, std::nullopt,
                                        scene.zones, scene.entrainment);
     if (scene.walls) flow->add_walls(*scene.walls);

@@ -51,7 +51,8 @@ std::vector<AccuracyRow> run_accuracy(const AccuracyOptions& options) {
         const std::size_t levels =
             options.quick ? std::min<std::size_t>(2, one.cell_sizes.size()) : one.cell_sizes.size();
         for (const Scheme scheme : k_schemes) {
-            if ((one.one_scheme && scheme != Scheme::standard) || (one.flies && scheme == Scheme::finite_volume)) continue;
+            if ((one.one_scheme && scheme != Scheme::standard) || (one.flies && scheme == Scheme::finite_volume))
+                continue;
             for (std::size_t level = 0; level < levels; ++level) {
                 AccuracyRow row{one.name, scheme, one.run(one.cell_sizes[level], scheme), k_no_data};
                 if (level > 0 && !one.rounding)

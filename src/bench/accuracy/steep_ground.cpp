@@ -100,7 +100,8 @@ class FilmRun {
     [[nodiscard]] double square_of_speed(std::size_t p, Point at, Point v) {
         const ParticleSet& particles = run_->particles();
         // Particles carry the velocity along the bed, cells are given that in map view.
-        if (curvature(setup_.numerics) && setup_.numerics.scheme != Scheme::finite_volume) return square(particles[Field::u][p]) + square(particles[Field::v][p]);
+        if (curvature(setup_.numerics) && setup_.numerics.scheme != Scheme::finite_volume)
+            return square(particles[Field::u][p]) + square(particles[Field::v][p]);
         constexpr double k_near = 1e-3;
         const double x = (ground_({at.x + k_near, at.y}) - ground_({at.x - k_near, at.y})) / (2 * k_near);
         const double y = (ground_({at.x, at.y + k_near}) - ground_({at.x, at.y - k_near})) / (2 * k_near);
@@ -420,17 +421,18 @@ CaseStatistics run_cliff_jump(double cell_size, Scheme scheme) {
 /// l1_depth of these cases is the largest of their own values, l1_momentum the mean.
 std::vector<AccuracyCase> steep_ground() {
     const std::vector<double> cells{10, 5, 2.5, 1.25};
-    return {
-        {"valley", "thin film without friction down one side of a V and up the other", cells, false, run_valley},
-        {"valley-surge", "thin film without friction into a V, whose parts overtake each other on the other side",
-         cells, false, run_valley_surge},
-        {"profile", "thin film without friction down a smooth, wavy profile", cells, false, run_profile},
-        {"bowl", "thin film without friction round a paraboloid", cells, false, run_bowl},
-        {"slope-step", "thin film without friction from 40 to 10 degrees", cells, false, run_slope_step},
-        {"gully-bend", "thin film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
-        {"ridge", "thin film without friction against a ridge that a part overtops", cells, false, run_ridge},
-        {"cliff-jump", "film of 30 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<30>, false, true},
-        {"thin-cliff-jump", "film of 10 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<10>, false, true}};
+    return {{"valley", "thin film without friction down one side of a V and up the other", cells, false, run_valley},
+            {"valley-surge", "thin film without friction into a V, whose parts overtake each other on the other side",
+             cells, false, run_valley_surge},
+            {"profile", "thin film without friction down a smooth, wavy profile", cells, false, run_profile},
+            {"bowl", "thin film without friction round a paraboloid", cells, false, run_bowl},
+            {"slope-step", "thin film without friction from 40 to 10 degrees", cells, false, run_slope_step},
+            {"gully-bend", "thin film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
+            {"ridge", "thin film without friction against a ridge that a part overtops", cells, false, run_ridge},
+            {"cliff-jump", "film of 30 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<30>,
+             false, true},
+            {"thin-cliff-jump", "film of 10 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<10>,
+             false, true}};
 }
 
 }  // namespace frana::bench

@@ -33,10 +33,9 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
         render::Stroke depth, momentum;
     };
     using enum render::Stroke;
-    const Look look = scheme == Scheme::paper ? Look{k_paper, render::Marker::square, dash_dot, dotted}
-                      : scheme == Scheme::finite_volume
-                          ? Look{k_volumes, render::Marker::triangle, solid, dashed}
-                          : Look{k_default, render::Marker::circle, solid, dashed};
+    const Look look = scheme == Scheme::paper           ? Look{k_paper, render::Marker::square, dash_dot, dotted}
+                      : scheme == Scheme::finite_volume ? Look{k_volumes, render::Marker::triangle, solid, dashed}
+                                                        : Look{k_default, render::Marker::circle, solid, dashed};
     render::ChartSeries series{
         std::string("scheme = ") + bench::name_of(scheme) + (momentum ? ", momentum" : ", depth"), look.colour, {}};
     series.marker = momentum ? render::Marker::diamond : look.marker;

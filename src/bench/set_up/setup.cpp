@@ -105,8 +105,7 @@ const char* name_of(Scheme scheme) {
         ->first;
 }
 
-SchemeBed::SchemeBed(const Raster& bed, Scheme scheme, Boundary boundary)
-    : nodes_(bed), scheme_(scheme) {
+SchemeBed::SchemeBed(const Raster& bed, Scheme scheme, Boundary boundary) : nodes_(bed), scheme_(scheme) {
     if (boundary == Boundary::wall) mirror_bed(nodes_);
 }
 

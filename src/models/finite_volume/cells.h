@@ -12,18 +12,18 @@ namespace frana::finite_volume {
 /// Arrays of the cells, padded as the nodes are (NodeGrid): h the vertical depth, w the velocity along the bed in the
 /// frame of BedFrame.
 struct Cells {
-    double *depth, *qx, *qy;                                      ///< h [m], h w [m2/s]
-    const double* bed;                                            ///< walls raised by k_wall_height [m]
-    const double *slope_x, *slope_y, *root;                       ///< of the bed; 0 and 1 without slope correction
-    const double *curvature_xx, *curvature_xy, *curvature_yy;     ///< BedCurvature [1/m]
-    double* weight;                                               ///< g' [m/s2]
-    double *slowed_x, *slowed_y;                                  ///< change of w by friction in half a step [m/s]
-    double *pull_x, *pull_y, *bound;                              ///< momentum after a step without friction, and what
-                                                                  ///< friction stops in it, per time [m2/s2]
-    double* held;                                                 ///< 1: friction keeps the cell at rest
-    double* head;                                                 ///< greatest energy over weight, times g [m2/s2]
-    double* start;                                                ///< speed before the step; negative: dry [m/s]
-    double *max_depth, *max_speed, *arrival_plus_1;               ///< Maxima
+    double *depth, *qx, *qy;                                   ///< h [m], h w [m2/s]
+    const double* bed;                                         ///< walls raised by k_wall_height [m]
+    const double *slope_x, *slope_y, *root;                    ///< of the bed; 0 and 1 without slope correction
+    const double *curvature_xx, *curvature_xy, *curvature_yy;  ///< BedCurvature [1/m]
+    double* weight;                                            ///< g' [m/s2]
+    double *slowed_x, *slowed_y;                               ///< change of w by friction in half a step [m/s]
+    double *pull_x, *pull_y, *bound;                           ///< momentum after a step without friction, and what
+                                                               ///< friction stops in it, per time [m2/s2]
+    double* held;                                              ///< 1: friction keeps the cell at rest
+    double* head;                                              ///< greatest energy over weight, times g [m2/s2]
+    double* start;                                             ///< speed before the step; negative: dry [m/s]
+    double *max_depth, *max_speed, *arrival_plus_1;            ///< Maxima
     std::int64_t stride;
 };
 
@@ -57,7 +57,7 @@ struct FaceRow {
 
 /// Greatest values and sums over the cells of a strip, in four lanes that are joined in order.
 struct StripTotals {
-    double max_speed[4] = {}, wave[4] = {};  ///< [m/s]
+    double max_speed[4] = {}, wave[4] = {};                    ///< [m/s]
     double kinetic[4] = {}, moving[4] = {}, momentum[4] = {};  ///< per cell area [m3/s2], [m], [m2/s]
     double unsupported[4] = {}, not_finite[4] = {};            ///< cells
 };
@@ -77,8 +77,7 @@ struct RowKernels {
                   const StepValues&, const FaceRow&);
     void (*update)(const Cells&, std::size_t first, std::size_t count, bool along_y, const StepValues&,
                    const FaceRow& before, const FaceRow& after);
-    void (*finish)(const Cells&, std::size_t first, std::size_t count, const StepValues&, const Uniform&,
-                   StripTotals&);
+    void (*finish)(const Cells&, std::size_t first, std::size_t count, const StepValues&, const Uniform&, StripTotals&);
     void (*finish_summed)(const Cells&, std::size_t first, std::size_t count, const StepValues&, const Summed&,
                           StripTotals&);
 };

@@ -50,8 +50,8 @@ FRANA_INLINE Number weight_of(Number surface_x, Number surface_y, Number slope_x
     return select(bearing > n, of_bed, v.gravity / max(bearing, Number(0.5)));
 }
 
-/// What static friction can stop: on these cells, as held in the sum of 3 x 3 cells [m2/s2], and the speed that it stops
-/// in a step [m/s].
+/// What static friction can stop: on these cells, as held in the sum of 3 x 3 cells [m2/s2], and the speed that it
+/// stops in a step [m/s].
 template <class Number>
 struct Stops {
     Number bound, speed;
@@ -80,11 +80,10 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     using L = Lanes<Number>;
     using std::max;
     using std::sqrt;
-    const auto at = [&](const double* from, std::int64_t offset = 0) FRANA_INLINE_LAMBDA {
-        return L::load(from + static_cast<std::int64_t>(k) + offset, n);
-    };
+    const auto at = [&](const double* from, std::int64_t offset = 0)
+                        FRANA_INLINE_LAMBDA { return L::load(from + static_cast<std::int64_t>(k) + offset, n); };
     const Number zero(0.0), h = at(c.depth), z = at(c.bed), slope_x = at(c.slope_x), slope_y = at(c.slope_y),
-                 root = at(c.root);
+                            root = at(c.root);
     const auto wet = h > v.dry;
     const Number some = select(wet, h, Number(1.0));
     const Number wx = select(wet, at(c.qx) / some, zero), wy = select(wet, at(c.qy) / some, zero);
@@ -96,17 +95,18 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
                                y = surface_steps<Number>(h + z, at(c.depth, -c.stride), at(c.bed, -c.stride),
                                                          at(c.depth, c.stride), at(c.bed, c.stride), v.dry);
     const double inverse_dx = 1 / v.cell_size;
-    const Number weight = weight_of<Number>(0.5 * inverse_dx * (x.before + x.after), 0.5 * inverse_dx * (y.before + y.after),
-                                    slope_x, slope_y, root, v);
-    const Number sx = limited<Number>(x.before, x.after) * inverse_dx, sy = limited<Number>(y.before, y.after) * inverse_dx;
+    const Number weight = weight_of<Number>(0.5 * inverse_dx * (x.before + x.after),
+                                            0.5 * inverse_dx * (y.before + y.after), slope_x, slope_y, root, v);
+    const Number sx = limited<Number>(x.before, x.after) * inverse_dx,
+                 sy = limited<Number>(y.before, y.after) * inverse_dx;
     const Number fall_x = v.gravity_x - weight * sx, fall_y = v.gravity_y - weight * sy;
     const Number along = (fall_x * slope_x + fall_y * slope_y) / (root + 1);
     const double half = 0.5 * v.dt;
     const Number ax = wx + half * (fall_x + along * slope_x), ay = wy + half * (fall_y + along * slope_y);
     const Number start = sqrt(wx * wx + wy * wy), driven = sqrt(ax * ax + ay * ay);
     const NodeUpdate half_step{.dt = half, .gravity = v.gravity}, step{.dt = v.dt, .gravity = v.gravity};
-    const Number slowed = friction.template speed_after<Number>(k, n, start, driven, L::none(wet), half_step, root,
-                                                                supported, some);
+    const Number slowed =
+        friction.template speed_after<Number>(k, n, start, driven, L::none(wet), half_step, root, supported, some);
     const Number lost = select(wet & (driven > 0), slowed / select(driven > 0, driven, Number(1.0)) - 1, zero);
     const Stops<Number> stop = stops<Number>(friction, k, n, h, root * root, supported, step);
     const auto put = [&](Number value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + k, n); };
@@ -130,9 +130,8 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
 FRANA_INLINE void hold_cells(const Cells& c, std::size_t k, std::size_t n) {
     const auto sum = [&](const double* from) FRANA_INLINE_LAMBDA {
         const double* const here = from + k;
-        const auto row = [&](const double* p) FRANA_INLINE_LAMBDA {
-            return Quad::load(p - 1) + Quad::load(p) + Quad::load(p + 1);
-        };
+        const auto row = [&](const double* p)
+                             FRANA_INLINE_LAMBDA { return Quad::load(p - 1) + Quad::load(p) + Quad::load(p + 1); };
         return row(here - c.stride) + row(here) + row(here + c.stride);
     };
     const Quad x = sum(c.pull_x), y = sum(c.pull_y), bound = sum(c.bound);
@@ -145,7 +144,8 @@ FRANA_INLINE void read_cells(const Cells& c, std::size_t k, std::size_t q, std::
                              const double* qx, const double* qy, bool along_y, double dry, const CellRow& row) {
     using L = Lanes<Quad>;
     const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + k, n); };
-    const Quad zero(0.0), h = L::load(depth + q, n), slope_x = at(c.slope_x), slope_y = at(c.slope_y), root = at(c.root);
+    const Quad zero(0.0), h = L::load(depth + q, n), slope_x = at(c.slope_x), slope_y = at(c.slope_y),
+                          root = at(c.root);
     const auto wet = h > dry;
     const Quad held = at(c.held), some = select(wet, h, Quad(1.0));
     const auto moves = wet & L::none(held > 0.5);
@@ -173,8 +173,8 @@ struct Side {
 /// bed's: with slopes of depth and surface limited each for itself the bed at the face would move with every ripple,
 /// and lakes over rough ground would begin to swing.
 /// @param a, b, c the cell before, the cell, the cell after  @param side +1/2: the face after it
-FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t q, std::size_t n, double side,
-                          double half, double dry) {
+FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t q, std::size_t n,
+                          double side, double half, double dry) {
     using L = Lanes<Quad>;
     const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
     const auto none = [](Quad::Mask m) FRANA_INLINE_LAMBDA { return L::none(m); };
@@ -185,9 +185,10 @@ FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, 
     const Quad ua = at(a.speed), uc = at(c.speed), rise = limited<Quad>(down, up), du = limited<Quad>(u - ua, uc - u);
     const Quad dn = limited<Quad>(wn - at(a.normal), at(c.normal) - wn);
     const Quad dt = limited<Quad>(wt - at(a.tangential), at(c.tangential) - wt);
-    // Half a step: with the slopes inside the cell; where the surface is flatter than the bed with what passes the faces,
-    // or each step over a rough bed would give the waves of a lake some energy.
-    const Quad shared_a = max(zero, min(surface, ha + za) - max(z, za)), shared_c = max(zero, min(surface, hc + zc) - max(z, zc));
+    // Half a step: with the slopes inside the cell; where the surface is flatter than the bed with what passes the
+    // faces, or each step over a rough bed would give the waves of a lake some energy.
+    const Quad shared_a = max(zero, min(surface, ha + za) - max(z, za)),
+               shared_c = max(zero, min(surface, hc + zc) - max(z, zc));
     const auto level = abs(z - za) + abs(zc - z) > 2 * (abs(down) + abs(up));
     // A rough bed has no slope in the cell: what passes the faces is then what the half step above takes.
     const auto rough = abs(zc - 2 * z + za) > 0.1 * (abs(z - za) + abs(zc - z));
@@ -196,7 +197,8 @@ FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, 
     const Quad gain = half * select(level, 0.5 * (shared_c * (u + uc) - shared_a * (u + ua)), u * dh + h * du);
     const Quad pull = half * select(level, 0.5 * (shared_c * up + shared_a * down) / max(h, Quad(dry)), rise);
     return {max(zero, h + side * dh - gain), u + side * du - half * u * du - at(b.weight) * pull,
-            wn + side * dn - half * u * dn - at(b.drive) * pull, wt + side * dt - half * (u * dt), z + side * (rise - dh)};
+            wn + side * dn - half * u * dn - at(b.drive) * pull, wt + side * dt - half * (u * dt),
+            z + side * (rise - dh)};
 }
 
 /// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
@@ -210,8 +212,8 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad zero(0.0), one(1.0);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
                surface_c = hc + zc;
-    // Thin flow that goes down a step higher than it is deep, or is fast enough to climb it, has one bed at the face: the
-    // higher one would dam it.
+    // Thin flow that goes down a step higher than it is deep, or is fast enough to climb it, has one bed at the face:
+    // the higher one would dam it.
     const auto rises = dz > 0;
     const Quad upper = select(rises, hc, hb), towards = select(rises, at(b.speed), -at(c.speed));
     const auto pours = (upper > v.dry) & ((surface_c - surface_b) * dz > 0.5 * dz * dz);
@@ -220,13 +222,16 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad middle = 0.5 * (zb + zc), low = min(zb, zc), high = max(zb, zc);
     const Quad bed_below = select(one_bed, middle, min(high, max(low, below.bed))),
                bed_above = select(one_bed, middle, min(high, max(low, above.bed))), top = max(bed_below, bed_above);
-    const Quad depth_below = max(zero, below.depth - (top - bed_below)), depth_above = max(zero, above.depth - (top - bed_above));
+    const Quad depth_below = max(zero, below.depth - (top - bed_below)),
+               depth_above = max(zero, above.depth - (top - bed_above));
     const auto wet_below = depth_below > v.dry, wet_above = depth_above > v.dry;
     const Quad wave_below = sqrt(v.wave_factor * at(b.weight) * depth_below),
                wave_above = sqrt(v.wave_factor * at(c.weight) * depth_above);
     const Quad ub = select(wet_below, below.speed, above.speed), uc = select(wet_above, above.speed, below.speed);
-    const Quad slow = min(zero, min(ub - select(wet_below, wave_below, 2 * wave_above), uc - select(wet_above, wave_above, zero)));
-    const Quad fast = max(zero, max(ub + select(wet_below, wave_below, zero), uc + select(wet_above, wave_above, 2 * wave_below)));
+    const Quad slow =
+        min(zero, min(ub - select(wet_below, wave_below, 2 * wave_above), uc - select(wet_above, wave_above, zero)));
+    const Quad fast =
+        max(zero, max(ub + select(wet_below, wave_below, zero), uc + select(wet_above, wave_above, 2 * wave_below)));
     // Nothing passes between cells at rest, and films do not move.
     const auto open = (L::none(at(b.closed) * at(c.closed) > 0.5)) & (wet_below | wet_above);
     const Quad inverse = select(open, one, zero) / max(fast - slow, Quad(1e-6));
@@ -239,11 +244,13 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
     const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
     put(mass, to.mass);
-    put((fast * mb * below.normal - slow * mc * above.normal + both * (depth_above * above.normal - depth_below * below.normal)) *
+    put((fast * mb * below.normal - slow * mc * above.normal +
+         both * (depth_above * above.normal - depth_below * below.normal)) *
             inverse * given,
         to.normal);
     put(mass * select(mass > 0, below.tangential, above.tangential), to.tangential);
-    // As each side sees it: above the pressure of its own depth, over the part of the bed that the other does not share.
+    // As each side sees it: above the pressure of its own depth, over the part of the bed that the other does not
+    // share.
     put(0.5 * below.depth * below.depth - slow * push, to.pressure_below);
     put(0.5 * above.depth * above.depth - fast * push, to.pressure_above);
     put(bed_below - zb, to.step_below);
@@ -253,9 +260,8 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
 FRANA_INLINE void update_cells(const Cells& c, std::size_t k, std::size_t q, std::size_t n, bool along_y, double rate,
                                const FaceRow& before, const FaceRow& after) {
     using L = Lanes<Quad>;
-    const auto change = [&](const double* to, const double* from) FRANA_INLINE_LAMBDA {
-        return L::load(to + q, n) - L::load(from + q, n);
-    };
+    const auto change = [&](const double* to, const double* from)
+                            FRANA_INLINE_LAMBDA { return L::load(to + q, n) - L::load(from + q, n); };
     const Quad slope_x = L::load(c.slope_x + k, n), slope_y = L::load(c.slope_y + k, n), root = L::load(c.root + k, n);
     const Quad h = L::load(c.depth + k, n);
     const Quad next = max(Quad(0.0), h - rate * change(after.mass, before.mass));
@@ -286,14 +292,14 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     using std::max;
     using std::min;
     using std::sqrt;
-    const auto at = [&](const double* from, std::int64_t offset = 0) FRANA_INLINE_LAMBDA {
-        return L::load(from + static_cast<std::int64_t>(k) + offset, n);
-    };
+    const auto at = [&](const double* from, std::int64_t offset = 0)
+                        FRANA_INLINE_LAMBDA { return L::load(from + static_cast<std::int64_t>(k) + offset, n); };
     const auto highest = [&](std::int64_t offset) FRANA_INLINE_LAMBDA {
         return max(max(at(c.head, offset - 1), at(c.head, offset)), at(c.head, offset + 1));
     };
     const auto first = L::first(n);
-    const Number zero(0.0), one(1.0), h = at(c.depth), slope_x = at(c.slope_x), slope_y = at(c.slope_y), root = at(c.root);
+    const Number zero(0.0), one(1.0), h = at(c.depth), slope_x = at(c.slope_x), slope_y = at(c.slope_y),
+                                      root = at(c.root);
     const auto wet = h > v.dry;
     const Number some = select(wet, h, one);
     Number wx = select(wet, at(c.qx) / some, zero), wy = select(wet, at(c.qy) / some, zero);
@@ -309,11 +315,12 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     const Number driven = sqrt(tx * tx + ty * ty), before = at(c.start);
     const auto held = L::none(wet) | (at(c.held) > 0.5);
     const NodeUpdate step{.dt = v.dt, .gravity = v.gravity};
-    const Number slowed = friction.template speed_after<Number>(k, n, select(before < 0, driven, before), driven, held, step,
-                                                                root, supported, some);
+    const Number slowed = friction.template speed_after<Number>(k, n, select(before < 0, driven, before), driven, held,
+                                                                step, root, supported, some);
     // No cell is faster than the energy of those around it before the step allows.
     const Number energy = max(max(highest(-c.stride), highest(0)), highest(c.stride)) - v.gravity * at(c.bed);
-    const Number speed = min(slowed, sqrt(max(zero, 2 * energy)) + v.dt * (abs(Number(v.gravity_x)) + abs(Number(v.gravity_y))));
+    const Number speed =
+        min(slowed, sqrt(max(zero, 2 * energy)) + v.dt * (abs(Number(v.gravity_x)) + abs(Number(v.gravity_y))));
     const Number left = select(driven > 0, speed / select(driven > 0, driven, one), zero);
     wx = tx * left;
     wy = ty * left;
@@ -333,11 +340,11 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
         const Number old = L::load(lanes, 4);
         L::store(max(old, select(first, value, zero)), lanes, 4);
     };
-    const auto to_sum = [&](Number value, double* lanes) FRANA_INLINE_LAMBDA {
-        L::store(L::load(lanes, 4) + select(first, value, zero), lanes, 4);
-    };
+    const auto to_sum = [&](Number value, double* lanes)
+                            FRANA_INLINE_LAMBDA { L::store(L::load(lanes, 4) + select(first, value, zero), lanes, 4); };
     to_greatest(select(deep, speed, zero), totals.max_speed);
-    to_greatest(select(wet, max(abs(moved.x), abs(moved.y)) + sqrt(v.wave_factor * at(c.weight) * h), zero), totals.wave);
+    to_greatest(select(wet, max(abs(moved.x), abs(moved.y)) + sqrt(v.wave_factor * at(c.weight) * h), zero),
+                totals.wave);
     to_sum(0.5 * h * speed * speed, totals.kinetic);
     to_sum(h * speed, totals.momentum);
     to_sum(select(speed > v.moving_speed, h, zero), totals.moving);
@@ -347,7 +354,9 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
 
 template <class Friction>
 void prepare_row(const Cells& c, std::size_t first, std::size_t count, const StepValues& v, const Friction& friction) {
-    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { prepare_cells<Quad>(c, first + q, n, v, friction); });
+    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA {
+        prepare_cells<Quad>(c, first + q, n, v, friction);
+    });
 }
 void hold_row(const Cells& c, std::size_t first, std::size_t count, const StepValues&) {
     for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { hold_cells(c, first + q, n); });
@@ -360,7 +369,8 @@ void read_row(const Cells& c, std::size_t first, std::size_t count, const double
 }
 void faces_of_row(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t count,
                   const StepValues& v, const FaceRow& to) {
-    for_chunks(0, count, [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { flow_through(a, b, c, d, q, n, v, to); });
+    for_chunks(0, count,
+               [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { flow_through(a, b, c, d, q, n, v, to); });
 }
 void update_row(const Cells& c, std::size_t first, std::size_t count, bool along_y, const StepValues& v,
                 const FaceRow& before, const FaceRow& after) {
@@ -377,10 +387,9 @@ void finish_row(const Cells& c, std::size_t first, std::size_t count, const Step
     });
 }
 
-constexpr RowKernels k_row_kernels{prepare_row<UniformFriction>, prepare_row<SummedFriction<NoExcess>>,
-                                   hold_row,                     read_row,
-                                   faces_of_row,                 update_row,
-                                   finish_row<UniformFriction>,  finish_row<SummedFriction<NoExcess>>};
+constexpr RowKernels k_row_kernels{
+    prepare_row<UniformFriction>, prepare_row<SummedFriction<NoExcess>>, hold_row, read_row, faces_of_row, update_row,
+    finish_row<UniformFriction>,  finish_row<SummedFriction<NoExcess>>};
 
 }  // namespace
 }  // namespace frana::finite_volume

@@ -54,27 +54,27 @@ struct State {
 
     NodeGrid nodes;
     TileGrid tiles;
-    ZeroArray<double> depth, qx, qy;                  ///< padded as the nodes are: Cells
-    std::vector<std::int64_t> wet;                    ///< tiles with any material, ascending
-    ZeroArray<TileRecord> records;                    ///< by tile
-    double time = 0;                                  ///< [s]
-    double wave = 0;                                  ///< greatest |u| + sqrt(g' h), by direction [m/s]
-    double diffusivity = 0;                           ///< greatest of the in-plane stress [m2/s]
-    double volume_left = 0;                           ///< through open edges [m3]
-    double momentum = 0;                              ///< sum of volume times speed [m4/s]
+    ZeroArray<double> depth, qx, qy;  ///< padded as the nodes are: Cells
+    std::vector<std::int64_t> wet;    ///< tiles with any material, ascending
+    ZeroArray<TileRecord> records;    ///< by tile
+    double time = 0;                  ///< [s]
+    double wave = 0;                  ///< greatest |u| + sqrt(g' h), by direction [m/s]
+    double diffusivity = 0;           ///< greatest of the in-plane stress [m2/s]
+    double volume_left = 0;           ///< through open edges [m3]
+    double momentum = 0;              ///< sum of volume times speed [m4/s]
     std::int64_t steps = 0;
-    ZeroArray<ErodibleBed> erodible_beds;             ///< padded; empty if the bed does not change
+    ZeroArray<ErodibleBed> erodible_beds;  ///< padded; empty if the bed does not change
     ExchangeReport exchanged;
 
     // What follows from the ground, read where the flow arrives, and what lives within a step.
     ZeroArray<double> bed, slope_x, slope_y, root, curvature_xx, curvature_xy, curvature_yy;
     ZeroArray<double> weight, slowed_x, slowed_y, pull_x, pull_y, bound, held, head, start;
-    ZeroArray<double> force_x, force_y;               ///< of the in-plane stress, over density [m2/s2]; else empty
-    ZeroArray<std::uint8_t> ready;                    ///< by tile: the ground was read
-    ZeroArray<BedState> bed_states;                   ///< if friction is summed
+    ZeroArray<double> force_x, force_y;  ///< of the in-plane stress, over density [m2/s2]; else empty
+    ZeroArray<std::uint8_t> ready;       ///< by tile: the ground was read
+    ZeroArray<BedState> bed_states;      ///< if friction is summed
     std::vector<Strip> strips;
     std::size_t n_strips = 0;
-    std::vector<Region> prepared;                     ///< the same with one more cell on every side
+    std::vector<Region> prepared;  ///< the same with one more cell on every side
 
     [[nodiscard]] Cells cells(Maxima& maxima);
     [[nodiscard]] double cell_area() const noexcept { return nodes.cell_size() * nodes.cell_size(); }
@@ -91,9 +91,8 @@ void serialise(Archive& archive, TileRecord& record) {
 
 template <class Archive>
 void serialise(Archive& archive, State& s) {
-    archive(s.nodes, s.depth, s.qx, s.qy, s.held, s.wet, s.records, s.time, s.wave, s.diffusivity, s.volume_left, s.momentum,
-            s.steps, s.erodible_beds, s.exchanged);
-    if constexpr (Archive::k_reads) s.ready = ZeroArray<std::uint8_t>(s.ready.size());
+    archive(s.nodes, s.depth, s.qx, s.qy, s.held, s.wet, s.records, s.time, s.wave, s.diffusivity, s.volume_left,
+            s.momentum, s.steps, s.erodible_beds, s.exchanged);
 }
 
 }  // namespace frana::finite_volume

@@ -51,8 +51,8 @@ bool may_rest(const Laws& laws) {
     return laws.friction.keeps_rest() && laws.exchange_at_nodes == nullptr;
 }
 
-// Surveys a tile: what is in it and where something may move. What friction held in the last step, and was at rest before
-// it, stays as it is while nothing within reach moves.
+// Surveys a tile: what is in it and where something may move. What friction held in the last step, and was at rest
+// before it, stays as it is while nothing within reach moves.
 TileRecord survey(const State& s, const Laws& laws, std::int64_t tile) {
     const NodeRange range(tile, s.tiles, s.nodes);
     const StepValues& v = laws.values;
@@ -104,7 +104,8 @@ std::vector<Region> regions_within(std::int64_t reach, const State& s) {
     std::vector<Region> regions;
     std::int64_t last = -2;
     for (const Part& part : parts) {
-        const bool joins = !regions.empty() && (part.tile == last || (part.tile == last + 1 && part.tile % across != 0));
+        const bool joins =
+            !regions.empty() && (part.tile == last || (part.tile == last + 1 && part.tile % across != 0));
         if (!joins) regions.push_back(part.region);
         Region& region = regions.back();
         region = {std::min(region.i0, part.region.i0), std::max(region.i1, part.region.i1),
@@ -131,8 +132,8 @@ class Workspace {
         if (strip.work.size() < arrays * width_) strip.work.resize(arrays * width_);
         next_ = strip.work.data();
         for (CellRow& row : rows)
-            for (double** array : {&row.depth, &row.speed, &row.normal, &row.tangential, &row.weight, &row.drive, &row.bed,
-                                   &row.closed})
+            for (double** array :
+                 {&row.depth, &row.speed, &row.normal, &row.tangential, &row.weight, &row.drive, &row.bed, &row.closed})
                 *array = take();
         for (FaceRow& row : faces)
             for (double** array : {&row.mass, &row.normal, &row.tangential, &row.pressure_below, &row.pressure_above,
@@ -152,11 +153,11 @@ class Workspace {
 };
 
 CellRow moved(const CellRow& row, std::ptrdiff_t by) {
-    return {row.depth + by, row.speed + by, row.normal + by, row.tangential + by,
-            row.weight + by, row.drive + by, row.bed + by, row.closed + by};
+    return {row.depth + by,  row.speed + by, row.normal + by, row.tangential + by,
+            row.weight + by, row.drive + by, row.bed + by,    row.closed + by};
 }
 FaceRow moved(const FaceRow& row, std::ptrdiff_t by) {
-    return {row.mass + by, row.normal + by, row.tangential + by, row.pressure_below + by,
+    return {row.mass + by,           row.normal + by,     row.tangential + by, row.pressure_below + by,
             row.pressure_above + by, row.step_below + by, row.step_above + by};
 }
 
@@ -187,9 +188,7 @@ class Sweeps {
         for_rows([&](Strip&, std::size_t first, std::size_t count) { kernels_.hold(c_, first, count, v_); });
     }
     void release() {
-        for_rows([&](Strip&, std::size_t first, std::size_t count) {
-            std::fill_n(c_.held + first, count, 0.0);
-        });
+        for_rows([&](Strip&, std::size_t first, std::size_t count) { std::fill_n(c_.held + first, count, 0.0); });
     }
     void along_x() {
         for_strips([&](Strip& strip) {
@@ -199,8 +198,8 @@ class Sweeps {
             const auto count = static_cast<std::size_t>(width);
             for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j) {
                 const std::size_t first = index(strip.region.i0, j), before = first - 2;
-                kernels_.read_row(c_, before, count + 4, c_.depth + before, c_.qx + before, c_.qy + before, false, v_.dry,
-                                  work.rows[0]);
+                kernels_.read_row(c_, before, count + 4, c_.depth + before, c_.qx + before, c_.qy + before, false,
+                                  v_.dry, work.rows[0]);
                 kernels_.faces(moved(row, -1), row, moved(row, 1), moved(row, 2), count + 1, v_, work.faces[0]);
                 kernels_.update(c_, first, count, false, v_, work.faces[0], moved(work.faces[0], 1));
                 const double rate = v_.dt / v_.cell_size;
@@ -215,7 +214,8 @@ class Sweeps {
             Workspace work(strip, strip.region.i1 - strip.region.i0 + 4);
             const auto count = strip.region.i1 - strip.region.i0;
             for (int q = 0; q < 4; ++q) {
-                const std::size_t from = index(strip.region.i0, q < 2 ? strip.region.j0 - 2 + q : strip.region.j1 + q - 2);
+                const std::size_t from =
+                    index(strip.region.i0, q < 2 ? strip.region.j0 - 2 + q : strip.region.j1 + q - 2);
                 std::copy_n(c_.depth + from, count, work.beyond[q][0]);
                 std::copy_n(c_.qx + from, count, work.beyond[q][1]);
                 std::copy_n(c_.qy + from, count, work.beyond[q][2]);
@@ -243,11 +243,11 @@ class Sweeps {
     // The force of the in-plane stress, and its bound of the step.
     void strain() {
         if (std::holds_alternative<NoStress>(laws_.stress.law)) return;
-        for_strips([&](Strip& strip) {
-            std::visit([&](const auto& law) { strain_strip(law, strip); }, laws_.stress.law);
-        });
+        for_strips(
+            [&](Strip& strip) { std::visit([&](const auto& law) { strain_strip(law, strip); }, laws_.stress.law); });
         s_.diffusivity = 0;
-        for (std::size_t n = 0; n < s_.n_strips; ++n) s_.diffusivity = std::max(s_.diffusivity, s_.strips[n].diffusivity);
+        for (std::size_t n = 0; n < s_.n_strips; ++n)
+            s_.diffusivity = std::max(s_.diffusivity, s_.strips[n].diffusivity);
     }
     // The change of momentum by it.
     void push() {
@@ -364,8 +364,8 @@ class Sweeps {
         // The velocity of a cell, or of the one beside it where there is no flow.
         const auto of = [](const CellRow& row, double* CellRow::*component, std::size_t q, const CellRow& instead,
                            std::size_t p) { return row.depth[q] > 0 ? (row.*component)[q] : (instead.*component)[p]; };
-        const auto stress = [&](const CellRow& b, std::size_t p, const CellRow& c, std::size_t q, double u_x, double v_x,
-                                double u_y, double v_y) -> PlaneStress<double> {
+        const auto stress = [&](const CellRow& b, std::size_t p, const CellRow& c, std::size_t q, double u_x,
+                                double v_x, double u_y, double v_y) -> PlaneStress<double> {
             const double depth = std::min(b.depth[p], c.depth[q]);  // the mean would push thin edges too hard
             if (!(depth > 0)) return {0, 0, 0, 0};
             PlaneStress<double> s{0, 0, 0, 0};
@@ -401,9 +401,10 @@ class Sweeps {
                            (of(*north, component, q, *here, q) - of(*south, component, q, *here, q) +
                             of(*north, component, q + 1, *here, q + 1) - of(*south, component, q + 1, *here, q + 1));
                 };
-                const PlaneStress<double> s = stress(
-                    *here, q, *here, q + 1, (here->speed[q + 1] - here->speed[q]) * inverse_dx,
-                    (here->normal[q + 1] - here->normal[q]) * inverse_dx, gradient(&CellRow::speed), gradient(&CellRow::normal));
+                const PlaneStress<double> s =
+                    stress(*here, q, *here, q + 1, (here->speed[q + 1] - here->speed[q]) * inverse_dx,
+                           (here->normal[q + 1] - here->normal[q]) * inverse_dx, gradient(&CellRow::speed),
+                           gradient(&CellRow::normal));
                 across_x[q] = s.xx;
                 along_x[q] = s.xy;
             }
@@ -427,7 +428,8 @@ class Sweeps {
             if (j >= strip.region.j0 && j < strip.region.j1) {
                 kernels_.read_row(c_, first, count, c_.depth + first, c_.qx + first, c_.qy + first, true, v_.dry, row);
             } else {
-                double* const* const copy = work.beyond[j < strip.region.j0 ? j - strip.region.j0 + 2 : j - strip.region.j1 + 2];
+                double* const* const copy =
+                    work.beyond[j < strip.region.j0 ? j - strip.region.j0 + 2 : j - strip.region.j1 + 2];
                 kernels_.read_row(c_, first, count, copy[0], copy[1], copy[2], true, v_.dry, row);
             }
         };
@@ -487,16 +489,18 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
         report.not_finite += static_cast<std::int64_t>(sum(t.not_finite));
         s.volume_left += area * strip.left;
         strip.left = 0;
-        const std::int64_t first = s.tile_of(strip.region.i0, strip.region.j0), last = s.tile_of(strip.region.i1 - 1, strip.region.j0);
+        const std::int64_t first = s.tile_of(strip.region.i0, strip.region.j0),
+                           last = s.tile_of(strip.region.i1 - 1, strip.region.j0);
         for (std::int64_t tile = first; tile <= last; ++tile) computed.push_back(tile);
     }
     pool.for_each(computed.size(), [&](std::size_t n) {
         s.records[static_cast<std::size_t>(computed[n])] = survey(s, laws, computed[n]);
     });
     for (std::size_t n = 0; s.nodes.any_solid() && n < computed.size(); ++n)
-        NodeRange(computed[n], s.tiles, s.nodes).for_each(s.nodes.stride(), [&](std::size_t k, std::int64_t, std::int64_t) {
-            report.no_data += s.depth[k] > 0 && s.nodes.is_gap(k) ? 1 : 0;
-        });
+        NodeRange(computed[n], s.tiles, s.nodes)
+            .for_each(s.nodes.stride(), [&](std::size_t k, std::int64_t, std::int64_t) {
+                report.no_data += s.depth[k] > 0 && s.nodes.is_gap(k) ? 1 : 0;
+            });
     computed.insert(computed.end(), s.wet.begin(), s.wet.end());
     std::sort(computed.begin(), computed.end());
     computed.erase(std::unique(computed.begin(), computed.end()), computed.end());
@@ -509,7 +513,11 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
 
 State::State(NodeGrid grid)
     : nodes(std::move(grid)),
-      tiles{nodes.columns(), nodes.rows(), k_ghost, nodes.cell_size(), nodes.scale().origin_x - k_ghost,
+      tiles{nodes.columns(),
+            nodes.rows(),
+            k_ghost,
+            nodes.cell_size(),
+            nodes.scale().origin_x - k_ghost,
             nodes.scale().origin_y - k_ghost} {
     for (ZeroArray<double>* array :
          {&depth, &qx, &qy, &bed, &slope_x, &slope_y, &root, &curvature_xx, &curvature_xy, &curvature_yy, &weight,
@@ -521,11 +529,18 @@ State::State(NodeGrid grid)
 }
 
 Cells State::cells(Maxima& maxima) {
-    return {depth.data(),        qx.data(),           qy.data(),    bed.data(),      slope_x.data(),
-            slope_y.data(),      root.data(),         curvature_xx.data(), curvature_xy.data(), curvature_yy.data(),
-            weight.data(),       slowed_x.data(),     slowed_y.data(), pull_x.data(),   pull_y.data(),
-            bound.data(),        held.data(),         head.data(),  start.data(),    maxima.depth.data(),
-            maxima.speed.data(), maxima.arrival_plus_1.data(), nodes.stride()};
+    return {depth.data(),        qx.data(),
+            qy.data(),           bed.data(),
+            slope_x.data(),      slope_y.data(),
+            root.data(),         curvature_xx.data(),
+            curvature_xy.data(), curvature_yy.data(),
+            weight.data(),       slowed_x.data(),
+            slowed_y.data(),     pull_x.data(),
+            pull_y.data(),       bound.data(),
+            held.data(),         head.data(),
+            start.data(),        maxima.depth.data(),
+            maxima.speed.data(), maxima.arrival_plus_1.data(),
+            nodes.stride()};
 }
 
 double stable_step(const State& s, const Laws& laws) {
@@ -591,8 +606,12 @@ void settle(State& s, const Laws& laws) {
     }
 }
 
-void renew_ground(State& s) {
+void renew_ground(State& s, const Laws& laws) {
     s.ready = ZeroArray<std::uint8_t>(s.ready.size());
+    for (const std::int64_t tile : s.wet) {
+        const NodeRange range(tile, s.tiles, s.nodes);
+        require_ground(s, laws, {range.i0, range.i1, range.j0, range.j1});
+    }
 }
 
 CellMotion motion_of(const State& s, const Laws& laws, std::size_t k) {

@@ -7,10 +7,10 @@ namespace frana::finite_volume {
 
 /// Results of a step.
 struct StepReport {
-    double dt = 0;            ///< [s]
-    double max_speed = 0;     ///< along the bed [m/s]
-    double kinetic = 0;       ///< energy over density [m5/s2]
-    double moving = 0;        ///< volume faster than StepValues::moving_speed [m3]
+    double dt = 0;                                              ///< [s]
+    double max_speed = 0;                                       ///< along the bed [m/s]
+    double kinetic = 0;                                         ///< energy over density [m5/s2]
+    double moving = 0;                                          ///< volume faster than StepValues::moving_speed [m3]
     std::int64_t unsupported = 0, not_finite = 0, no_data = 0;  ///< cells
 };
 
@@ -27,8 +27,8 @@ double stable_step(const State& state, const Laws& laws);
 void add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, double u, double v);
 /// After material was added or the ground was changed: everything is surveyed and computed again.
 void settle(State& state, const Laws& laws);
-/// The bed has changed: what follows from it is read again.
-void renew_ground(State& state);
+/// The bed has changed, or a saved state was read: what follows from the ground is read again under the flow.
+void renew_ground(State& state, const Laws& laws);
 
 /// A cell's velocity in map view and speed along the bed [m/s].
 struct CellMotion {

@@ -289,8 +289,9 @@ Parameter accuracy_parameter() {
 }
 
 void add_numerics(std::vector<Parameter>& list) {
-    list.push_back(option("numerics.scheme", FRANA_MEMBER(numerics.scheme), k_schemes,
-                          "Numerical scheme: material points, the method as published, or finite volumes without particles."));
+    list.push_back(
+        option("numerics.scheme", FRANA_MEMBER(numerics.scheme), k_schemes,
+               "Numerical scheme: material points, the method as published, or finite volumes without particles."));
     declare::Words<Transfer> transfers;
     for (const TransferRow& row : k_transfers) transfers.emplace_back(row.word, row.transfer);
     list.push_back(option("numerics.transfer", FRANA_MEMBER(numerics.transfer), transfers,

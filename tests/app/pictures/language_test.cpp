@@ -124,9 +124,7 @@ TEST_F(Languages, AWarningOfARunStandsOnItsMapsAndSheets) {
     EXPECT_NE(project.find("2 avvisi, il primo: " + told, sheet), std::string::npos) << project.substr(sheet, 4000);
     // Drawn again, from summary.json, in another language.
     ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--language", "de"}).exit_code, 0);
-    has_all(
-        on_map(),
-        {"2 Warnungen, die erste: der Strom bewegt sich noch, wenn time.end den Lauf beendet:"});
+    has_all(on_map(), {"2 Warnungen, die erste: der Strom bewegt sich noch, wenn time.end den Lauf beendet:"});
     run("language = en\n", {"time.end=3", "time.stop-when-still=off", "numerics.particles-per-cell=1"});
     has_all(on_map(), {"3 warnings, the first: the flow still moves when time.end ends the run:"});
     run("language = en\n", {"time.end=300", "material.friction-angle=22"});

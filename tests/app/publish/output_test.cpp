@@ -321,7 +321,8 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     })) << named;
 }
 
-// Classes made by depth alone cover what is deep enough; those by speed as well follow their rasters however thin the flow.
+// Classes made by depth alone cover what is deep enough; those by speed as well follow their rasters however thin the
+// flow.
 TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
     const std::string by_depth = "[hazard]\nscheme = custom\ndepth-limits = 0.5, 2\n";
     for (const std::string& more : {k_quiet + by_depth, k_quiet + "trace-threshold = 0.3\n" + by_depth}) {

@@ -16,8 +16,8 @@ Numerics volumes(Boundary boundary, SlopeCorrection slope = SlopeCorrection::nor
     return numerics(Scheme::finite_volume, slope, boundary);
 }
 
-FiniteVolumeFlow flow_on(const Raster& bed, const ParticleSet& seeds, const Material& material, const Numerics& numerics,
-                         int threads = 1) {
+FiniteVolumeFlow flow_on(const Raster& bed, const ParticleSet& seeds, const Material& material,
+                         const Numerics& numerics, int threads = 1) {
     return FiniteVolumeFlow(bed, std::nullopt, seeds, material, numerics, threads);
 }
 
@@ -79,7 +79,8 @@ TEST(FiniteVolumes, ASlabMovesAsABlock) {
         const double sine = std::sin(angle * M_PI / 180), cosine = std::cos(angle * M_PI / 180);
         const GridSpec grid = bench::plain_grid(160, 6, 5);
         const Raster bed = bench::sample_raster(grid, [&](Point p) { return (800 - p.x) * sine / cosine; });
-        const ParticleSet seeds = bench::fill_lattice(grid, 1, 0, [](Point p) { return bench::Seed{p.x < 500 ? 1.0 : 0.0}; });
+        const ParticleSet seeds =
+            bench::fill_lattice(grid, 1, 0, [](Point p) { return bench::Seed{p.x < 500 ? 1.0 : 0.0}; });
         Material material = water();
         material.friction_coefficient = k_friction;
         material.turbulence = k_turbulence;
@@ -104,8 +105,9 @@ TEST(FiniteVolumes, AFilmKeepsItsSpeedRoundAnArc) {
         if (x < 0) return k_radius * (1 - half) - x;
         return x < end ? k_radius - std::sqrt(k_radius * k_radius - (end - x) * (end - x)) : 0;
     });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 1, 0, [&](Point p) { return p.x < 60 ? bench::Seed{0.02, k_speed * half, 0} : bench::Seed{}; });
+    const ParticleSet seeds = bench::fill_lattice(grid, 1, 0, [&](Point p) {
+        return p.x < 60 ? bench::Seed{0.02, k_speed * half, 0} : bench::Seed{};
+    });
     FiniteVolumeFlow flow = flow_on(bed, seeds, water(), volumes(Boundary::wall));
     const double energy = 0.5 * k_speed * k_speed;
     flow.advance_to(7);
@@ -121,7 +123,8 @@ TEST(FiniteVolumes, AFilmKeepsItsSpeedRoundAnArc) {
     });
     ASSERT_GT(fallen, 50);
     // All of it began between 60 m and 120 m above the plain.
-    const double least = energy + k_gravity * (k_radius * (1 - half) + 60), most = energy + k_gravity * (k_radius * (1 - half) + 120);
+    const double least = energy + k_gravity * (k_radius * (1 - half) + 60),
+                 most = energy + k_gravity * (k_radius * (1 - half) + 120);
     EXPECT_GT(kinetic / volume, 0.98 * least);
     EXPECT_LT(kinetic / volume, 1.001 * most);
 }
@@ -130,8 +133,8 @@ TEST(FiniteVolumes, AFilmKeepsItsSpeedRoundAnArc) {
 TEST(FiniteVolumes, APileAtRestStaysToTheBit) {
     const GridSpec grid = bench::plain_grid(60, 60, 2);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.1 * p.x + 0.3 * std::sin(p.y); });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 1, 0, [](Point p) { return bench::Seed{6 - 0.4 * std::hypot(p.x - 60, p.y - 60)}; });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 1, 0, [](Point p) { return bench::Seed{6 - 0.4 * std::hypot(p.x - 60, p.y - 60)}; });
     FiniteVolumeFlow flow = flow_on(bed, seeds, dry_friction(25), volumes(Boundary::open));
     flow.advance_to(40);
     ASSERT_EQ(greatest_speed(flow), 0);
@@ -154,8 +157,8 @@ Rough run_rough(int threads, double viscosity) {
         grid, [&](Point p) { return 0.4 * (300 - p.x) + 2 * std::sin(0.1 * p.y) + noise(random); });
     Raster walls(grid, 0);
     for (std::int64_t r = 30; r < 60; ++r) walls.at(r, 60) = 1;
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(8);
     material.turbulence = 800;
     material.viscosity = viscosity;
@@ -195,8 +198,8 @@ TEST(FiniteVolumes, NothingPassesAWall) {
 TEST(FiniteVolumes, ExchangeWithTheBedIsInTheBudget) {
     const GridSpec grid = bench::plain_grid(100, 40, 2);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.5 * std::max(0.0, 120 - p.x); });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.2 * std::hypot(p.x - 30, p.y - 40)}; });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.2 * std::hypot(p.x - 30, p.y - 40)}; });
     Entrainment entrainment;
     entrainment.erosion = "growth";
     entrainment.growth_rate = 0.02;
@@ -215,8 +218,9 @@ TEST(FiniteVolumes, NoCellIsFasterThanItsFall) {
         std::mt19937 random(seed);
         std::normal_distribution<double> noise(0, 1.5);
         const GridSpec grid = bench::plain_grid(120, 60, 5);
-        const Raster bed = bench::sample_raster(
-            grid, [&](Point p) { return 0.7 * std::max(0.0, 500 - p.x) + 0.01 * (p.y - 150) * (p.y - 150) + noise(random); });
+        const Raster bed = bench::sample_raster(grid, [&](Point p) {
+            return 0.7 * std::max(0.0, 500 - p.x) + 0.01 * (p.y - 150) * (p.y - 150) + noise(random);
+        });
         const ParticleSet seeds = bench::fill_lattice(
             grid, 1, 0, [](Point p) { return bench::Seed{std::hypot(p.x - 60, p.y - 150) < 40 ? 3.0 : 0.0}; });
         FiniteVolumeFlow flow = flow_on(bed, seeds, dry_friction(15), volumes(Boundary::open));

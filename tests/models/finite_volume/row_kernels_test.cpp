@@ -16,7 +16,8 @@ constexpr std::size_t k_first = 3 * k_stride + 3, k_count = 37;  // not a multip
 
 // Rough ground with flow, films and dry cells on it.
 struct Ground {
-    std::vector<std::vector<double>> arrays = std::vector<std::vector<double>>(24, std::vector<double>(k_stride * k_rows + 8));
+    std::vector<std::vector<double>> arrays =
+        std::vector<std::vector<double>>(24, std::vector<double>(k_stride* k_rows + 8));
     Cells cells{};
 
     Ground() {
@@ -40,9 +41,9 @@ struct Ground {
         cells.curvature_xx = take(0.1, 0);
         cells.curvature_xy = take(0.1, 0);
         cells.curvature_yy = take(0.1, 0);
-        for (double** field : {&cells.weight, &cells.slowed_x, &cells.slowed_y, &cells.pull_x, &cells.pull_y, &cells.bound,
-                               &cells.held, &cells.head, &cells.start, &cells.max_depth, &cells.max_speed,
-                               &cells.arrival_plus_1})
+        for (double** field :
+             {&cells.weight, &cells.slowed_x, &cells.slowed_y, &cells.pull_x, &cells.pull_y, &cells.bound, &cells.held,
+              &cells.head, &cells.start, &cells.max_depth, &cells.max_speed, &cells.arrival_plus_1})
             *field = take(0, 0);
         cells.stride = k_stride;
     }
@@ -75,15 +76,17 @@ TEST(RowKernels, GiveTheSameBitsInEverySetOfInstructions) {
         for (const bool along_y : {false, true}) {
             const CellRow row{array(0), array(1), array(2), array(3), array(4), array(5), array(6), array(7)};
             const std::size_t before = k_first - 2;
-            kernels.read_row(c, before, k_count + 4, c.depth + before, c.qx + before, c.qy + before, along_y, v.dry, row);
+            kernels.read_row(c, before, k_count + 4, c.depth + before, c.qx + before, c.qy + before, along_y, v.dry,
+                             row);
             const auto moved = [&](std::size_t by) {
-                return CellRow{row.depth + by, row.speed + by, row.normal + by, row.tangential + by,
-                               row.weight + by, row.drive + by, row.bed + by, row.closed + by};
+                return CellRow{row.depth + by,  row.speed + by, row.normal + by, row.tangential + by,
+                               row.weight + by, row.drive + by, row.bed + by,    row.closed + by};
             };
             const FaceRow faces{array(8), array(9), array(10), array(11), array(12), array(13), array(14)};
             kernels.faces(moved(0), moved(1), moved(2), moved(3), k_count + 1, v, faces);
-            const FaceRow after{faces.mass + 1, faces.normal + 1, faces.tangential + 1, faces.pressure_below + 1,
-                                faces.pressure_above + 1, faces.step_below + 1, faces.step_above + 1};
+            const FaceRow after{faces.mass + 1,           faces.normal + 1,         faces.tangential + 1,
+                                faces.pressure_below + 1, faces.pressure_above + 1, faces.step_below + 1,
+                                faces.step_above + 1};
             kernels.update(c, k_first, k_count, along_y, v, faces, after);
         }
         kernels.finish(c, k_first, k_count, v, UniformFriction{law}, totals[n]);
