@@ -114,7 +114,8 @@ TEST_F(Ensemble, AMembersFiguresAreThoseOfARunWithItsValues) {
     ASSERT_EQ(rows.size(), 4U);
     for (const auto& row : rows) {
         ASSERT_EQ(row.at("status"), "finished");
-        std::vector<std::string> arguments{"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet"};
+        std::vector<std::string> arguments{"run",         "scene.ini", "--out", "alone",
+                                           "--overwrite", "--quiet",   "--set", "time.end=" + row.at("end_s")};
         for (const auto& [key, value] : row)
             if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
         const Outcome alone = frana(arguments);
@@ -143,8 +144,11 @@ TEST_F(Ensemble, MembersWithOtherFilesHaveTheirOwnGround) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::map<std::string, std::size_t> areas;
     for (const auto& row : members()) {
-        std::vector<std::string> arguments{"run",     "scene.ini",   "--out", "alone",
-                                           "--quiet", "--overwrite", "--set", "terrain.error=0.3, 40, 7"};
+        std::vector<std::string> arguments{"run",     "scene.ini",
+                                           "--out",   "alone",
+                                           "--quiet", "--overwrite",
+                                           "--set",   "terrain.error=0.3, 40, 7",
+                                           "--set",   "time.end=" + row.at("end_s")};
         for (const auto& [key, value] : row)
             if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
         const Outcome alone = frana(arguments);
@@ -255,10 +259,11 @@ TEST_F(Ensemble, AResultIsReplacedOnlyWhenAsked) {
 }
 
 TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {
-    write_study("samples = 6\nsampling = latin-hypercube\n", k_two_keys);
+    const std::string to_rest = "[set]\ntime.end = 60\n";  // members of a table do not run on
+    write_study("samples = 6\nsampling = latin-hypercube\n", to_rest + k_two_keys);
     ASSERT_EQ(run().exit_code, 0);
     fs::rename(path("out"), path("drawn"));
-    write_study("sampling = table:drawn/members.csv\n", "");
+    write_study("sampling = table:drawn/members.csv\n", to_rest);
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Raster a = gis::read_result_raster(path("drawn/mean_max_depth.tif")),
