@@ -108,7 +108,9 @@ inline Scene eventful_volumes() {
     return by_finite_volumes(eventful());
 }
 inline Scene resting_volumes() {
-    return by_finite_volumes(resting());
+    Scene scene = by_finite_volumes(resting());
+    scene.time.stop_when_still = false;
+    return scene;
 }
 
 // Over a cliff: saved while a part is in the air.

@@ -329,8 +329,7 @@ TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
         run(more);
         double classes = 0;
         for (const Json& one : json_value(text("summary.json"), "hazard")) classes += one["area_m2"].get<double>();
-        // Both are sums of whole cells of 25 m2, of which polygons are added in another order.
-        EXPECT_NEAR(classes, json_value(text("summary.json"), "covered_area_m2").get<double>(), 1e-6) << more;
+        EXPECT_NEAR(classes, json_number(text("summary.json"), "covered_area_m2"), 1e-6) << more;  // rounding of sums
     }
     run(k_quiet + by_depth + "minimum-depth = 1\n");
     const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif");

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sweeps of a step over its strips, for step.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "models/finite_volume/step.h"
+#include "mpm/curvature.h"
+
+namespace frana::finite_volume {
+namespace {
+
+// Reads what follows from the ground.
+void read_ground(State& s, const Laws& laws, const NodeRange& range);
+
+// The arrays of a strip's sweep, in its workspace.
+class Workspace {
+  public:
+    Workspace(Strip& strip, std::int64_t width) : width_(static_cast<std::size_t>(width) + 8) {
+        const std::size_t arrays = 5 * CellRow::k_arrays + 2 * FaceRow::k_arrays + 12;
+        if (strip.work.size() < arrays * width_) strip.work.resize(arrays * width_);
+        next_ = strip.work.data();
+        for (CellRow& row : rows)
+            for (double** array :
+                 {&row.depth, &row.speed, &row.normal, &row.tangential, &row.weight, &row.drive, &row.bed, &row.closed})
+                *array = take();
+        for (FaceRow& row : faces)
+            for (double** array : {&row.mass, &row.normal, &row.tangential, &row.pressure_below, &row.pressure_above,
+                                   &row.step_below, &row.step_above})
+                *array = take();
+        for (auto& row : beyond)
+            for (double*& array : row) array = take();
+    }
+    CellRow rows[5];
+    FaceRow faces[2];
+    double* beyond[4][3];  // depth, qx, qy of the two rows before and after the strip
+
+  private:
+    double* take() { return std::exchange(next_, next_ + width_); }
+    std::size_t width_;
+    double* next_;
+};
+
+CellRow moved(const CellRow& row, std::ptrdiff_t by) {
+    return {row.depth + by,  row.speed + by, row.normal + by, row.tangential + by,
+            row.weight + by, row.drive + by, row.bed + by,    row.closed + by};
+}
+FaceRow moved(const FaceRow& row, std::ptrdiff_t by) {
+    return {row.mass + by,           row.normal + by,     row.tangential + by, row.pressure_below + by,
+            row.pressure_above + by, row.step_below + by, row.step_above + by};
+}
+
+class Sweeps {
+  public:
+    Sweeps(State& state, const Laws& laws, const StepValues& values, Maxima& maxima, ThreadPool& pool)
+        : s_(state), laws_(laws), v_(values), c_(state.cells(maxima)), pool_(pool) {}
+
+    void prepare() {
+        const voellmy_bingham::BedFriction& friction = laws_.friction;
+        if (!friction.summed) {
+            for_prepared_rows([&](std::size_t first, std::size_t count) {
+                kernels_.prepare(c_, first, count, v_, UniformFriction{friction.voellmy});
+            });
+            return;
+        }
+        BedState* const states = s_.bed_states.data();
+        pool_.for_each(s_.prepared.size(), [&](std::size_t n) { fill_bed_states(s_.prepared[n]); });
+        for_prepared_rows([&](std::size_t first, std::size_t count) {
+            if (std::holds_alternative<NoExcess>(friction.excess)) {
+                kernels_.prepare_summed(c_, first, count, v_, {NoExcess{}, states, friction.yields});
+            } else {
+                prepare_excess(c_, first, count, v_, friction.excess, states);
+            }
+        });
+    }
+    void hold() {
+        for_rows([&](Strip&, std::size_t first, std::size_t count) { kernels_.hold(c_, first, count, v_); });
+    }
+    void release() {
+        for_rows([&](Strip&, std::size_t first, std::size_t count) { std::fill_n(c_.held + first, count, 0.0); });
+    }
+    void along_x() {
+        for_strips([&](Strip& strip) {
+            const std::int64_t width = strip.region.i1 - strip.region.i0;
+            Workspace work(strip, width + 4);
+            const CellRow row = moved(work.rows[0], 1);
+            const auto count = static_cast<std::size_t>(width);
+            for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j) {
+                const std::size_t first = index(strip.region.i0, j), before = first - 2;
+                kernels_.read_row(c_, before, count + 4, c_.depth + before, c_.qx + before, c_.qy + before, false,
+                                  v_.dry, work.rows[0]);
+                kernels_.faces(moved(row, -1), row, moved(row, 1), moved(row, 2), count + 1, v_, work.faces[0]);
+                kernels_.update(c_, first, count, false, v_, work.faces[0], moved(work.faces[0], 1));
+                const double rate = v_.dt / v_.cell_size;
+                if (strip.region.i0 == k_ghost) strip.left -= rate * work.faces[0].mass[0];
+                if (strip.region.i1 == s_.nodes.stride() - k_ghost) strip.left += rate * work.faces[0].mass[count];
+            }
+        });
+    }
+    void along_y() {
+        // What lies beyond the strips, before any of them changes.
+        for_strips([&](Strip& strip) {
+            Workspace work(strip, strip.region.i1 - strip.region.i0 + 4);
+            const auto count = strip.region.i1 - strip.region.i0;
+            for (int q = 0; q < 4; ++q) {
+                const std::size_t from =
+                    index(strip.region.i0, q < 2 ? strip.region.j0 - 2 + q : strip.region.j1 + q - 2);
+                std::copy_n(c_.depth + from, count, work.beyond[q][0]);
+                std::copy_n(c_.qx + from, count, work.beyond[q][1]);
+                std::copy_n(c_.qy + from, count, work.beyond[q][2]);
+            }
+        });
+        for_strips([&](Strip& strip) { sweep_along_y(strip); });
+    }
+    void finish() {
+        const voellmy_bingham::BedFriction& friction = laws_.friction;
+        BedState* const states = s_.bed_states.data();
+        for_strips([&](Strip& strip) {
+            strip.totals = {};
+            if (friction.summed) fill_bed_states(strip.region);  // of what has just been reached, too
+        });
+        for_rows([&](Strip& strip, std::size_t first, std::size_t count) {
+            if (!friction.summed) {
+                kernels_.finish(c_, first, count, v_, UniformFriction{friction.voellmy}, strip.totals);
+            } else if (std::holds_alternative<NoExcess>(friction.excess)) {
+                kernels_.finish_summed(c_, first, count, v_, {NoExcess{}, states, friction.yields}, strip.totals);
+            } else {
+                finish_excess(c_, first, count, v_, friction.excess, states, strip.totals);
+            }
+        });
+    }
+    // The force of the in-plane stress, and its bound of the step.
+    void strain() {
+        if (std::holds_alternative<NoStress>(laws_.stress.law)) return;
+        for_strips(
+            [&](Strip& strip) { std::visit([&](const auto& law) { strain_strip(law, strip); }, laws_.stress.law); });
+        s_.diffusivity = 0;
+        for (std::size_t n = 0; n < s_.n_strips; ++n)
+            s_.diffusivity = std::max(s_.diffusivity, s_.strips[n].diffusivity);
+    }
+    // The change of momentum by it.
+    void push() {
+        if (std::holds_alternative<NoStress>(laws_.stress.law)) return;
+        for_rows([&](Strip&, std::size_t first, std::size_t count) {
+            for (std::size_t k = first; k < first + count; ++k) {
+                const double fx = v_.dt * s_.force_x[k], fy = v_.dt * s_.force_y[k];
+                const Point w = BedFrame{c_.slope_x[k], c_.slope_y[k], c_.root[k]}.along_bed(fx, fy);
+                c_.qx[k] += w.x;
+                c_.qy[k] += w.y;
+            }
+        });
+    }
+    // Erosion and deposition: eroded material is at rest, deposited material leaves with its momentum.
+    void exchange() {
+        if (laws_.exchange_at_nodes == nullptr) return;
+        std::vector<ExchangeReport> reports(s_.n_strips);
+        pool_.for_each(s_.n_strips, [&](std::size_t n) {
+            const Region& r = s_.strips[n].region;
+            const NodeRange range(r.i0, r.i1, r.j0, r.j1);
+            range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
+                const CellMotion motion = motion_of(s_, laws_, k);
+                const double mass = c_.depth[k] > v_.dry ? c_.depth[k] * s_.cell_area() : 0;
+                s_.nodes.records[k].motion = {motion.u, motion.v, 0, 0, mass, 1, 0, 0};
+            });
+            laws_.exchange_at_nodes(range, laws_.exchange, v_.dt, 2 * v_.dry, s_.bed_states.data(), s_.nodes,
+                                    s_.erodible_beds.data());
+            range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
+                const double change = s_.erodible_beds[k].change;
+                if (change != 0) move_bed(k, change, reports[n]);
+            });
+        });
+        for (const ExchangeReport& report : reports) s_.exchanged.merge(report);
+        for_strips([&](Strip& strip) {
+            const Region& r = strip.region;
+            read_ground(s_, laws_, NodeRange(r.i0, r.i1, r.j0, r.j1));
+        });
+    }
+    template <class Task>
+    void for_strips(const Task& task) {
+        pool_.for_each(s_.n_strips, [&](std::size_t n) { task(s_.strips[n]); });
+    }
+    template <class Task>
+    void for_rows(const Task& task) {
+        for_strips([&](Strip& strip) {
+            for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j)
+                task(strip, index(strip.region.i0, j), static_cast<std::size_t>(strip.region.i1 - strip.region.i0));
+        });
+    }
+
+  private:
+    template <class Task>
+    void for_prepared_rows(const Task& task) {
+        pool_.for_each(s_.prepared.size(), [&](std::size_t n) {
+            const Region& r = s_.prepared[n];
+            for (std::int64_t j = r.j0; j < r.j1; ++j) task(index(r.i0, j), static_cast<std::size_t>(r.i1 - r.i0));
+        });
+    }
+    // The states of the bed at the beginning of the step, and every law's part.
+    void fill_bed_states(const Region& r) {
+        const NodeRange range(r.i0, r.i1, r.j0, r.j1);
+        range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
+            const double h = c_.depth[k];
+            const bool wet = h > v_.dry;
+            s_.nodes.records[k].sums.mass = wet ? h * s_.cell_area() : 0;
+            if (!wet) return;
+            const Point u = BedFrame{c_.slope_x[k], c_.slope_y[k], c_.root[k]}.in_map(c_.qx[k] / h, c_.qy[k] / h);
+            const BedCurvature curvature{c_.curvature_xx[k], c_.curvature_xy[k], c_.curvature_yy[k]};
+            const double supported = v_.gravity + std::max(-v_.gravity, curvature.load(u.x, u.y));
+            s_.bed_states[k] = {h / c_.root[k], supported / c_.root[k], 0, 0, 0, 0, 0};
+        });
+        for (const auto& sweep : laws_.friction.sweeps) sweep(range, s_.nodes, s_.bed_states.data());
+    }
+    [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const {
+        return static_cast<std::size_t>(j * c_.stride + i);
+    }
+    void move_bed(std::size_t k, double change, ExchangeReport& report) {
+        const double area = s_.cell_area(), kept = change > 0 ? 1 - change / c_.depth[k] : 1;
+        if (change > 0) {
+            const CellMotion motion = motion_of(s_, laws_, k);
+            report.deposited += change * area;
+            report.momentum_x += change * area * motion.u;
+            report.momentum_y += change * area * motion.v;
+        } else {
+            report.eroded -= change * area;
+        }
+        c_.depth[k] -= change;
+        c_.qx[k] *= kept;
+        c_.qy[k] *= kept;
+        s_.nodes.bed[k] += change;
+    }
+    // Depth and velocity in map view of a row and the cells before and after it.
+    void read_motion(const Strip& strip, std::int64_t j, const CellRow& row) const {
+        for (std::int64_t i = strip.region.i0 - 1; i <= strip.region.i1; ++i) {
+            const std::size_t k = index(i, j);
+            const auto q = static_cast<std::size_t>(i - strip.region.i0 + 1);
+            const CellMotion motion = motion_of(s_, laws_, k);
+            row.depth[q] = c_.depth[k] > v_.dry ? c_.depth[k] : 0;
+            row.speed[q] = motion.u;
+            row.normal[q] = motion.v;
+        }
+    }
+    // The force of the divergence of h sigma, from the stress at the faces between wet cells.
+    template <class Law>
+    void strain_strip(const Law& law, Strip& strip) {
+        Workspace work(strip, strip.region.i1 - strip.region.i0 + 4);
+        const auto count = static_cast<std::size_t>(strip.region.i1 - strip.region.i0);
+        const CellRow *south = &work.rows[0], *here = &work.rows[1], *north = &work.rows[2];
+        FaceRow lower = work.faces[0], upper = work.faces[1];
+        double* const across_x = work.rows[3].depth;  // h sigma_xx and h sigma_xy at the faces of a row
+        double* const along_x = work.rows[3].speed;
+        strip.diffusivity = 0;
+        const double inverse_dx = 1 / v_.cell_size;
+        // The velocity of a cell, or of the one beside it where there is no flow.
+        const auto of = [](const CellRow& row, double* CellRow::*component, std::size_t q, const CellRow& instead,
+                           std::size_t p) { return row.depth[q] > 0 ? (row.*component)[q] : (instead.*component)[p]; };
+        const auto stress = [&](const CellRow& b, std::size_t p, const CellRow& c, std::size_t q, double u_x,
+                                double v_x, double u_y, double v_y) -> PlaneStress<double> {
+            const double depth = std::min(b.depth[p], c.depth[q]);  // the mean would push thin edges too hard
+            if (!(depth > 0)) return {0, 0, 0, 0};
+            PlaneStress<double> s{0, 0, 0, 0};
+            if constexpr (Law::active)
+                s = law(StrainRate<double>{u_x, 0.5 * (u_y + v_x), v_y, 0.5 * (b.speed[p] + c.speed[q]),
+                                           0.5 * (b.normal[p] + c.normal[q]), depth});
+            strip.diffusivity = std::max(strip.diffusivity, s.diffusivity);
+            return {depth * s.xx, depth * s.xy, depth * s.yy, 0};
+        };
+        const auto faces_in_y = [&](const CellRow& b, const CellRow& c, const FaceRow& to) {
+            for (std::size_t q = 1; q <= count; ++q) {
+                const auto gradient = [&](double* CellRow::*component) {
+                    return 0.25 * inverse_dx *
+                           (of(b, component, q + 1, b, q) - of(b, component, q - 1, b, q) +
+                            of(c, component, q + 1, c, q) - of(c, component, q - 1, c, q));
+                };
+                const PlaneStress<double> s =
+                    stress(b, q, c, q, gradient(&CellRow::speed), gradient(&CellRow::normal),
+                           (c.speed[q] - b.speed[q]) * inverse_dx, (c.normal[q] - b.normal[q]) * inverse_dx);
+                to.mass[q] = s.xy;
+                to.normal[q] = s.yy;
+            }
+        };
+        read_motion(strip, strip.region.j0 - 1, *south);
+        read_motion(strip, strip.region.j0, *here);
+        faces_in_y(*south, *here, lower);
+        for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j) {
+            read_motion(strip, j + 1, *north);
+            faces_in_y(*here, *north, upper);
+            for (std::size_t q = 0; q <= count; ++q) {
+                const auto gradient = [&](double* CellRow::*component) {
+                    return 0.25 * inverse_dx *
+                           (of(*north, component, q, *here, q) - of(*south, component, q, *here, q) +
+                            of(*north, component, q + 1, *here, q + 1) - of(*south, component, q + 1, *here, q + 1));
+                };
+                const PlaneStress<double> s =
+                    stress(*here, q, *here, q + 1, (here->speed[q + 1] - here->speed[q]) * inverse_dx,
+                           (here->normal[q + 1] - here->normal[q]) * inverse_dx, gradient(&CellRow::speed),
+                           gradient(&CellRow::normal));
+                across_x[q] = s.xx;
+                along_x[q] = s.xy;
+            }
+            for (std::size_t q = 1; q <= count; ++q) {
+                const std::size_t k = index(strip.region.i0, j) + q - 1;
+                s_.force_x[k] = (across_x[q] - across_x[q - 1] + upper.mass[q] - lower.mass[q]) * inverse_dx;
+                s_.force_y[k] = (along_x[q] - along_x[q - 1] + upper.normal[q] - lower.normal[q]) * inverse_dx;
+            }
+            std::swap(lower, upper);
+            const CellRow* const last = south;
+            south = here;
+            here = north;
+            north = last;
+        }
+    }
+    void sweep_along_y(Strip& strip) {
+        Workspace work(strip, strip.region.i1 - strip.region.i0 + 4);
+        const auto count = static_cast<std::size_t>(strip.region.i1 - strip.region.i0);
+        const auto read = [&](std::int64_t j, const CellRow& row) {
+            const std::size_t first = index(strip.region.i0, j);
+            if (j >= strip.region.j0 && j < strip.region.j1) {
+                kernels_.read_row(c_, first, count, c_.depth + first, c_.qx + first, c_.qy + first, true, v_.dry, row);
+            } else {
+                double* const* const copy =
+                    work.beyond[j < strip.region.j0 ? j - strip.region.j0 + 2 : j - strip.region.j1 + 2];
+                kernels_.read_row(c_, first, count, copy[0], copy[1], copy[2], true, v_.dry, row);
+            }
+        };
+        const auto row = [&](std::int64_t j) -> const CellRow& { return work.rows[(j - strip.region.j0 + 5) % 5]; };
+        const auto faces = [&](std::int64_t j, const FaceRow& to) {
+            kernels_.faces(row(j - 2), row(j - 1), row(j), row(j + 1), count, v_, to);
+        };
+        for (std::int64_t j = strip.region.j0 - 2; j < strip.region.j0 + 2; ++j) read(j, row(j));
+        int now = 0;
+        faces(strip.region.j0, work.faces[now]);
+        const double rate = v_.dt / v_.cell_size;
+        if (strip.region.j0 == k_ghost) strip.left -= rate * sum(work.faces[now].mass, count);
+        for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j) {
+            read(j + 2, row(j + 2));
+            faces(j + 1, work.faces[1 - now]);
+            kernels_.update(c_, index(strip.region.i0, j), count, true, v_, work.faces[now], work.faces[1 - now]);
+            now = 1 - now;
+        }
+        if (strip.region.j1 == s_.nodes.padded_rows() - k_ghost) strip.left += rate * sum(work.faces[now].mass, count);
+    }
+    static double sum(const double* values, std::size_t count) {
+        double total = 0;
+        for (std::size_t i = 0; i < count; ++i) total += values[i];
+        return total;
+    }
+
+    State& s_;
+    const Laws& laws_;
+    const StepValues& v_;  // the step's length is known after `strain`
+    Cells c_;
+    ThreadPool& pool_;
+    const RowKernels& kernels_ = row_kernels();
+};
+
+}  // namespace
+}  // namespace frana::finite_volume
