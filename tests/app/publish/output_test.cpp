@@ -303,8 +303,7 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
         ASSERT_EQ(classes.values[i], is_high ? 3 : 2) << depth.values[i] << ' ' << speed.values[i];
         high += is_high ? 25 : 0;
     }
-    EXPECT_GT(high, 0);
-    EXPECT_GT(thin, 0) << "cells without a class";
+    EXPECT_GT(std::min(high, thin * 1.0), 0) << "cells without a class";
     const gis::GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(file);
