@@ -12,7 +12,7 @@
 namespace frana::finite_volume {
 namespace {
 
-constexpr std::int64_t k_reach = 2;  // cells that a step of two sweeps reads on either side
+constexpr std::int64_t k_reach = 3;  // cells beside moving ones that a step may set free or reach
 
 // Reads what follows from the ground.
 void read_ground(State& s, const Laws& laws, const NodeRange& range) {
