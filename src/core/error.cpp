@@ -103,7 +103,10 @@ Error::Error(ErrorKind kind, std::vector<Problem> problems)
 Error::Error(ErrorKind kind, Problem problem) : Error(kind, std::vector<Problem>{std::move(problem)}) {}
 
 void Problems::add(Problem problem) {
-    list_.push_back(std::move(problem));
+    const auto is_known = [&](const Problem& one) {
+        return one.where == problem.where && describe(one) == describe(problem);
+    };
+    if (std::none_of(list_.begin(), list_.end(), is_known)) list_.push_back(std::move(problem));
 }
 
 void Problems::add(const Error& error) {

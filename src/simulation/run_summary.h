@@ -149,10 +149,9 @@ struct MotionAtEnd {
     bool front = false;    ///< the front still moved: run-out and final depth are not those of the deposit
     bool deposit = false;  ///< run-out and area had stopped changing, the deposit still crept
 };
-/// @param in_motion ends_in_motion of its stop reason
 /// @param fastest greatest speed of the last step [m/s]
 /// @param moving_fraction fraction of the volume that still moved
-MotionAtEnd motion_at_end(bool in_motion, double fastest, double moving_fraction, bool front_is_final) noexcept;
+MotionAtEnd motion_at_end(StopReason reason, double fastest, double moving_fraction, bool front_is_final) noexcept;
 MotionAtEnd motion_at_end(const RunResult& result) noexcept;
 
 /// Flow that came to ground without elevation, which should stop the run (NodataPolicy::stop): only a particle that

@@ -76,6 +76,8 @@ std::pair<std::string, Sentence> stop_and_remedy(StopReason reason) {
             return lower("time.stop-moving-fraction");
         case StopReason::momentum:
             return lower("time.stop-momentum");
+        case StopReason::settled:
+            return lower("time.stop-change");
         case StopReason::requested:
             return {"signal", worded("use --resume")};
         default:

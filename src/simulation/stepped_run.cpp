@@ -318,7 +318,12 @@ void SteppedRun::count(const StepStatistics& statistics) {
     // The step that ends a run with values that are no numbers has no row: whoever reads the file would refuse it.
     if (const SeriesRow row = series_row(*model_, statistics, result_); std::isfinite(row.volume + row.kinetic_energy))
         result_.series.push_back(row);
-    result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin_fraction);
+    // Of the most that flowed at one time: the first drops of a hydrograph are always thin.
+    const double before = volume_peak_;
+    volume_peak_ = std::max(volume_peak_, statistics.volume);
+    if (volume_peak_ > 0)
+        result_.thin_fraction =
+            std::max(result_.thin_fraction * before, statistics.thin_fraction * statistics.volume) / volume_peak_;
     if (statistics.volume > 0)
         result_.moving_fraction_limit =
             std::min(1.0, statistics.moving / statistics.volume);  // some may have just left

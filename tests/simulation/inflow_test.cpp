@@ -112,6 +112,7 @@ TEST(Inflow, SeriesAndThreadsAgree) {
     scene.release[0].start = 2.5;
     RunOptions options;
     const RunResult one = run(scene, options);
+    EXPECT_LT(one.thin_fraction, 0.1) << "the first drops are not the flow";
     options.threads = 3;
     const RunResult three = run(scene, options);
     EXPECT_EQ(std::memcmp(one.raster("final_depth").values.data(), three.raster("final_depth").values.data(),

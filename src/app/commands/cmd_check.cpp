@@ -325,7 +325,7 @@ int cmd_check(const Arguments& arguments) {
     const std::optional<Problem> place_problem = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
     const Stopwatch input_watch;
-    const Prepared prepared = prepare(reading, place_problem, log);
+    Prepared prepared = prepare(reading, place_problem, log);
     const double input_seconds = input_watch.seconds();
     // The libraries that draw are loaded by a run alone, unless their addresses count: where the shell limits these.
     const bool loads = std::isfinite(address_room());

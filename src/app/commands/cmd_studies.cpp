@@ -255,7 +255,9 @@ struct ManyRuns {
     static Problems& problems(Texts& texts) { return texts.central.problems; }
     static std::string place(const Texts& texts) { return study_directory(texts.reading.study, texts.central.scene); }
     static Input prepare(Texts texts, const std::optional<Problem>& place, RunLog& log) {
-        return study::prepare_study(std::move(texts), place, log);
+        Input input = study::prepare_study(std::move(texts), place, log);
+        study::warn_of_unknown_exposure(input, log);
+        return input;
     }
     static study::RankStudies for_rank(Input input) {
         study::RankStudies own;

@@ -305,9 +305,7 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
         print_fact("friction",
                    study::shown_friction(input).of + ": " + friction_text(input.base.friction->choice()).text());
     warn_of_release(input.base.scene, log);
-    if (const auto& exposed = input.base.extra.exposure)
-        warn_of_unknown_exposure(*exposed, study::computed_ground(input),
-                                 study.region ? nullptr : &input.base.scene.terrain, log);
+    study::warn_of_unknown_exposure(input, log);
     const auto members = input.members();
     Json json = document_of("check");
     json["study"] = study.file;

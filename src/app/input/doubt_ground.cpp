@@ -151,18 +151,21 @@ Sentence whole_percent(double share) {
     return numeral(number_text(std::round(100 * share), 3));
 }
 
-void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prepared, bool by_frana, RunLog& log) {
+void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, bool by_frana, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
-        if (by_frana || side * here.cell_size > 1.25 * working)
+        if (by_frana || side * here.cell_size > 1.25 * working) {
             log.warn(worded(by_frana
                                 ? worded("DTM: {1} % of the path lies in blocks of {2} x {2} equal cells. Set "
                                          "terrain.resampling = bilinear or cubic")
                                 : worded("DTM: {1} % of the path lies in blocks of {2} x {2} equal cells. Resample "
                                          "the original bilinear or cubic, or give it to frana"),
                             {whole_percent(blocks->share), numeral(number_text(side, 2))}));
+            prepared.doubts.push_back(
+                worded("{1} % of the path is copied DTM cells: run-out unreliable", {whole_percent(blocks->share)}));
+        }
     }
     if (const auto& terraces = doubts.terraces)
         log.warn(worded(
@@ -173,11 +176,14 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prep
         log.warn(worded("DTM: a straight step of {1} m crosses {2} m of the path, at {3}. Fit the tiles to each other",
                         {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
                          here.at(seam->place)}));
-    if (const auto& pits = doubts.pits)
+    if (const auto& pits = doubts.pits) {
         log.warn(
             worded("DTM: {1} cells of {2} m are pits in the path, first at {3}. If they mean no data, set "
                    "terrain.nodata-value",
                    {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6)), here.at(pits->place)}));
+        prepared.doubts.push_back(worded("{1} pits of {2} m in the DTM's path: run-out unreliable",
+                                         {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6))}));
+    }
     if (const auto& rough = doubts.rough)
         log.warn(
             worded("DTM: {1} % of the path stands out by about {2} m, most at {3}. Trees or noise: take a model "
@@ -187,7 +193,7 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prep
 
 }  // namespace
 
-void doubt_ground(const SceneReading& reading, const Prepared& prepared, RunLog& log) {
+void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log) {
     const std::optional<Bounds> origin = origin_of(prepared.scene);
     const bool is_all_in_memory = !prepared.ground.on_demand && prepared.scene.terrain.values.is_tiled();
     if (!origin || is_all_in_memory) return;  // a large map that is read whole costs more than this is worth

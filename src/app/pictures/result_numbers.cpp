@@ -194,10 +194,10 @@ RunEnd run_end(const RunResult& result) {
 }
 
 RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final) {
-    bool in_motion = false;
+    StopReason known = StopReason::still;
     for (int i = 0; i <= static_cast<int>(StopReason::volume_drift); ++i)
-        if (const auto one = static_cast<StopReason>(i); reason == describe(one)) in_motion = ends_in_motion(one);
-    const MotionAtEnd motion = motion_at_end(in_motion, fastest, moving_fraction, front_is_final);
+        if (const auto one = static_cast<StopReason>(i); reason == describe(one)) known = one;
+    const MotionAtEnd motion = motion_at_end(known, fastest, moving_fraction, front_is_final);
     return {reason, seconds, fastest, motion.front, motion.deposit};
 }
 
@@ -343,7 +343,10 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
         if (varies || (text && std::isnan(number)))
             parts.push_back(words("{1} by place", {words(one.words)}));
         else if (text && !(one.not_if_zero && number == 0))
-            parts.push_back(words(one.words) + " " + words.number(value_text(number)) + one.unit);
+            parts.push_back(words(one.words) + " " + words.number(value_text(number)) + one.unit +
+                            (facts.density_by_default && std::string_view(one.key) == "material.density"
+                                 ? " (" + words("default") + ")"
+                                 : ""));
         else if (!text && one.absent != nullptr)
             parts.push_back(words(one.absent));
     }

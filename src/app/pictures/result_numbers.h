@@ -114,6 +114,7 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
 /// What a scenario line is made of.
 struct ScenarioFacts {
     std::function<std::optional<std::string>(const std::string& key)> value;  ///< of the result's scene
+    bool density_by_default = false;                                          ///< left alone in it
     std::vector<std::string> release_names;                                   ///< of the polygons that have one
     double volume = 0;                                                        ///< [m3]
     double simulated_seconds = 0;

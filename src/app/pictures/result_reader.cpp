@@ -15,6 +15,7 @@
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
+#include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -477,10 +478,13 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
         const MapFacts known = facts(statistics);
         source.subtitle = map_subtitle(known, words_);
         source.notes = map_notes(known, words_);
-        source.scenario = scenario_words(
-            {[this](const std::string& key) { return scene_value(key); }, source.release_names, known.volume,
-             known.simulated_seconds, known.statistics ? known.statistics->end : std::nullopt},
-            words_);
+        source.scenario =
+            scenario_words({[this](const std::string& key) { return scene_value(key); },
+                            has(k_scene_file) && read_text_file(path(k_scene_file)).find("From: default\ndensity = ") !=
+                                                     std::string::npos,
+                            source.release_names, known.volume, known.simulated_seconds,
+                            known.statistics ? known.statistics->end : std::nullopt},
+                           words_);
         // A summary that is not written yet, or that of an earlier part of the run, does not know them.
         if (!statistics && has(k_summary_file))
             source.warnings = warnings_in(read_json_file(path(k_summary_file)).value_or(Json::object()));

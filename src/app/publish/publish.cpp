@@ -237,7 +237,9 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
-    facts.map_warnings = sentences_of(result.warnings, WarningsOn::maps);
+    facts.map_warnings = prepared.doubts;
+    for (Sentence& warning : sentences_of(result.warnings, WarningsOn::maps))
+        facts.map_warnings.push_back(std::move(warning));
     const PictureOutcome pictures = draw_pictures(
         {prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date, facts.map_warnings}, log);
     facts.wall.render = render_watch.seconds();

@@ -89,6 +89,10 @@ std::map<std::string, std::string> provenance(const Prepared& prepared) {
                 {"SCENE_HASH", text_hash(echoed_scene_without_places(prepared))},
                 {gis::k_depth_item, prepared.spec.output.depth == k_normal_depth ? k_normal : k_vertical},
                 {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}});
+    for (const Sentence& doubt : prepared.doubts) {
+        std::string& told = all["DOUBTS"];
+        told += (told.empty() ? "" : "; ") + doubt.text();
+    }
     return all;
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "analysis/hazard.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "params/grammar/value_text.h"
@@ -365,10 +366,12 @@ void check_frames(const SceneSpec& scene, const std::string& file, Problems& pro
 void check_density(const SceneSpec& scene, const std::string& file, Problems& problems) {
     const std::string key = "material.density";
     const auto& scheme = scene.hazard.resolved;
-    if (!scheme || !scheme->uses(HazardQuantity::pressure) || !model_reads(scene, key) ||
+    const bool classed = scheme && scheme->uses(HazardQuantity::pressure);
+    if ((!classed && scene.output.pressure_thresholds.empty()) || !model_reads(scene, key) ||
         scene.origin_of(key) != Origin::default_value)
         return;
-    problems.add({"is not given, but the classes of hazard.scheme = " + scheme->name + " are of pressure",
+    problems.add({classed ? "is not given, but the classes of hazard.scheme = " + scheme->name + " are of pressure"
+                          : "is not given, but output.pressure-thresholds need it",
                   file + ": " + key, shortest_text(scene.material.density) + " kg/m3, the default",
                   find_parameter(scene_parameters(), key)->range->text() + " kg/m3",
                   "Set it, for example 300 for dense snow or 2000 for debris, or name a material.preset"});
@@ -386,8 +389,9 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
         problems.add({"limits apply only to scheme custom", file + ": hazard.scheme",
                       hazard.scheme.value_or("not given"), "custom", "Set hazard.scheme = custom or remove them"});
     }
-    if (hazard.process &&
-        (!hazard.scheme || (hazard.resolved && hazard.resolved->matrix_of(hazard.process) == nullptr))) {
+    const bool is_process = hazard.process && std::find(std::begin(k_processes), std::end(k_processes),
+                                                        *hazard.process) != std::end(k_processes);
+    if (is_process && (!hazard.scheme || (hazard.resolved && hazard.resolved->matrix_of(hazard.process) == nullptr))) {
         std::vector<std::string> known;
         if (hazard.resolved)
             for (const ProcessMatrix& one : hazard.resolved->matrices)

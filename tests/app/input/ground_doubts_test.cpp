@@ -3,9 +3,11 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 
+#include "gis/raster/raster_out.h"
 #include "support/files.h"
 #include "support/tiny_scene.h"
 
@@ -101,6 +103,18 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
     run("copied", {});
     EXPECT_LT(number("copied", "runout.horizontal_m"), 0.5 * number("right", "runout.horizontal_m"));
     expect_words(read_text(path("copied/report.html")), {"blocks of 3 x 3 equal cells"});
+    // What passes on without the log carries it, too; those of a study as well.
+    write("study.ini", "[study]\nscene = bed.ini\nsamples = 2\n[vary]\nmaterial.friction-angle = uniform(19, 21)\n");
+    const Outcome study = frana({"ensemble", "study.ini", "--out", "study", "--quiet"});
+    EXPECT_EQ(study.exit_code, 0) << study.err;
+    for (const std::string raster : {"copied/max_depth.tif", "study/probability_depth_0.5.tif"})
+        expect_words(gis::read_raster_text(path(raster)).metadata["DOUBTS"], {"% of the path is copied DTM cells"});
+    for (const std::string result : {"copied", "study"}) {
+        const Json summary = parse_json(read_text(path(result + "/summary.json")));
+        expect_words(summary["warning_words"].dump(), {"% of the path is copied DTM cells"});
+        expect_words(summary["warnings"].dump(), {"blocks of 3 x 3 equal cells"});
+    }
+    EXPECT_FALSE(gis::read_raster_text(path("right/max_depth.tif")).metadata.contains("DOUBTS"));
     expect_words(read_text(path("copied/log.txt")), {"WARNING: DTM: ", "blocks of 3 x 3 equal cells"});
     // Cells as large as the blocks are the original again.
     EXPECT_EQ(doubts({"terrain.cell-size=30"}), "");

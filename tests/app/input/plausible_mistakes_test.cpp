@@ -153,6 +153,10 @@ TEST_F(Mistakes, ARunTellsOfExposedThingsOffItsGround) {
     const Outcome run = frana({"run", "scene.ini", "--out", "result", "--set", "output.exposure=house.geojson"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     expect_words(run.err, {"1 of 1 exposed features are off the map"});
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 2\n[set]\noutput.exposure = house.geojson\n[vary]\n"
+          "material.friction-angle = uniform(16, 20)\n");
+    expect_words(frana({"ensemble", "study.ini", "--out", "study"}).err, {"1 of 1 exposed features are off the map"});
 }
 
 // The raster fills a quarter of the outline.

@@ -24,10 +24,10 @@ TEST(RunEnd, TellsAFrontThatMovesFromADepositThatCreeps) {
     // A seventh of the volume that moves behind a front at rest pushed it on 80 s later (S-1000, end = 120 and 200 s).
     EXPECT_TRUE(run_end(at_end, 120, 2, 0.17, true).is_cut_short);
     // Whatever else stops a run stops a flow that moves as time.end does.
-    for (const StopReason other :
-         {StopReason::momentum, StopReason::energy, StopReason::moving_volume, StopReason::requested})
+    for (const StopReason other : {StopReason::momentum, StopReason::energy, StopReason::moving_volume,
+                                   StopReason::requested, StopReason::settled})
         EXPECT_TRUE(run_end(describe(other), 60, 3, 0.7, false).is_cut_short) << describe(other);
-    for (const StopReason rest : {StopReason::still, StopReason::settled, StopReason::all_left})
+    for (const StopReason rest : {StopReason::still, StopReason::all_left})
         EXPECT_FALSE(run_end(describe(rest), 60, 3, 0.7, false).is_cut_short) << describe(rest);
     EXPECT_NE(creeping_sentence(creeps).text().find("0.3 m/s"), std::string::npos);
 }
@@ -46,6 +46,11 @@ TEST(ScenarioWords, TellTurbulenceThatIsOffFromTurbulenceByPlace) {
     EXPECT_EQ(scenario_words(facts, {}).find("by place"), std::string::npos);
     keys["zones.turbulence"] = "raster:xi.tif";
     EXPECT_NE(scenario_words(facts, {}).find("turbulence by place"), std::string::npos);
+    keys["material.density"] = "2000";
+    EXPECT_EQ(scenario_words(facts, {}).find("(default)"), std::string::npos);
+    facts.density_by_default = true;
+    EXPECT_NE(scenario_words(facts, {}).find("density 2 000 kg/m\u00B3 (default)"), std::string::npos)
+        << scenario_words(facts, {});
 }
 
 // What a page in another language is made of goes through summary.json unchanged.

@@ -465,6 +465,15 @@ TEST_F(Output, HazardKeysThatContradictAreRefused) {
     EXPECT_NE(frana({"check", "scene.ini"}).err.find("limits apply only to scheme custom"), std::string::npos);
     write_scene("[hazard]\nscheme = custom\ndepth-limits = 2 1\n");
     EXPECT_NE(frana({"check", "scene.ini"}).err.find("does not rise from above 0"), std::string::npos);
+    write_scene("[hazard]\nscheme = swiss-debris-flow\nprocess = foo\n");
+    const std::string told = frana({"check", "scene.ini"}).err, where = "hazard.process: ";
+    EXPECT_NE(told.find(where), std::string::npos) << told;
+    EXPECT_EQ(told.find(where), told.rfind(where)) << told;
+    // Pressure over a threshold, too, is that of a density.
+    write_scene("[output]\npressure-thresholds = 3 30\n");
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("material.density: is not given, but output.pressure-thresholds"),
+              std::string::npos);
+    EXPECT_EQ(frana({"check", "scene.ini", "--set", "material.density=300"}).exit_code, 0);
 }
 
 TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {

@@ -27,6 +27,14 @@ TEST_F(Ensemble, WhateverStopsARunThatMovesIsTold) {
         EXPECT_NE(read_text(path("one/log.txt")).find("still moves when " + key + " ends the run"), std::string::npos);
         EXPECT_TRUE(gis::read_raster_text(path("one/max_depth.tif")).metadata.contains("LOWER_BOUND"));
     }
+    // Nor has all settled that a loose limit calls so.
+    EXPECT_EQ(frana({"run", "scene.ini", "--out", "loose", "--strict", "--set", "time.stop-change=0.5", "--set",
+                     "time.stop-window=0.05", "--set", "time.end=300"})
+                  .exit_code,
+              3);
+    EXPECT_NE(read_text(path("loose/log.txt")).find("still moves when time.stop-change ends the run"),
+              std::string::npos);
+    EXPECT_TRUE(gis::read_raster_text(path("loose/max_depth.tif")).metadata.contains("LOWER_BOUND"));
 }
 
 // A member that time.end cuts runs on, at most ten times as long: it is the run of the scene with that end, and comes

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/trace.h"
+#include "app/input/check_inputs.h"
 #include "app/pictures/charts.h"
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
@@ -295,6 +296,12 @@ Bounds computed_ground(const StudyInput& input) {
     const gis::RasterInfo& file = input.base.ground.file;
     if (const auto& bounds = input.base.spec.terrain.bounds) return *bounds;
     return gis::CrsTransform(grid.crs_wkt.empty() ? "" : file.crs_wkt, grid.crs_wkt, file.bounds).around(file.bounds);
+}
+
+void warn_of_unknown_exposure(const StudyInput& input, RunLog& log) {
+    if (const auto& exposed = input.base.extra.exposure)
+        app::warn_of_unknown_exposure(*exposed, computed_ground(input),
+                                      input.reading.study.region ? nullptr : &input.base.scene.terrain, log);
 }
 
 ReachedBy exposure_reached_by(const StudyInput& input) {

@@ -37,6 +37,9 @@ std::vector<ChartTitle> study_charts();
 /// The ground of which a study says something: the working grid, of a region the DTM.
 Bounds computed_ground(const StudyInput& input);
 
+/// Warns of exposed features of which the study will say nothing.
+void warn_of_unknown_exposure(const StudyInput& input, RunLog& log);
+
 /// What reaches the exposed features of a study, for its sentence.
 ReachedBy exposure_reached_by(const StudyInput& input);
 
