@@ -299,12 +299,15 @@ void SteppedRun::receive() {
     if (scene_.terrain_contains_release && arrived.failed.size() > 0)
         model_->lower_bed(cell_depth(arrived.failed, scene_.grid));
     model_->add(arrived);
+    const double before = result_.volume_entered;
     result_.volume_inflow += arrived.inflow;
     result_.volume_entered += arrived.inflow;
     for (const std::size_t i : arrived.areas) {
         result_.released[i].failed = true;
         result_.volume_entered += result_.released[i].volume;
     }
+    // The first drops of a hydrograph are thin, and little of the flow.
+    if (before < result_.volume_entered) result_.thin_fraction *= before / result_.volume_entered;
     settling_.restart(model_->time());
 }
 
@@ -318,12 +321,7 @@ void SteppedRun::count(const StepStatistics& statistics) {
     // The step that ends a run with values that are no numbers has no row: whoever reads the file would refuse it.
     if (const SeriesRow row = series_row(*model_, statistics, result_); std::isfinite(row.volume + row.kinetic_energy))
         result_.series.push_back(row);
-    // Of the most that flowed at one time: the first drops of a hydrograph are always thin.
-    const double before = volume_peak_;
-    volume_peak_ = std::max(volume_peak_, statistics.volume);
-    if (volume_peak_ > 0)
-        result_.thin_fraction =
-            std::max(result_.thin_fraction * before, statistics.thin_fraction * statistics.volume) / volume_peak_;
+    result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin_fraction);
     if (statistics.volume > 0)
         result_.moving_fraction_limit =
             std::min(1.0, statistics.moving / statistics.volume);  // some may have just left

@@ -243,10 +243,9 @@ class SteppedRun {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [scene, options, engine, release, arrivals, model, result, stopped, frames, next_frame,
-                                last_frame, origins, still, fade, settling, recorder, watch, energy, volume_peak] =
-            *this;
+                                last_frame, origins, still, fade, settling, recorder, watch, energy] = *this;
         engine.stop();
-        archive(engine, arrivals, *model, frames, next_frame, still, fade, settling, recorder, energy, volume_peak);
+        archive(engine, arrivals, *model, frames, next_frame, still, fade, settling, recorder, energy);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
                 result.volume_entered, result.thin_fraction, result.moving_fraction_limit);
         for (ReleasedArea& area : result.released) archive(area.failed);
@@ -293,7 +292,6 @@ class SteppedRun {
     Recorder recorder_;
     RunCheck watch_;
     EnergyWatch energy_;
-    double volume_peak_ = 0;  ///< the most that flowed at one time [m3]
 };
 
 }  // namespace frana
