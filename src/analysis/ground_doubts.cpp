@@ -151,8 +151,9 @@ bool is_round(double step) {
 }
 
 /// Finds blocks, by steps that run straight through many rows and columns, or else level ground between steps: it was
-/// rounded if these are of a round number of metres or feet, and copied if not.
-void find_level_ground(const Raster& ground, const Path& path, const Runs& east, const Runs& south,
+/// rounded if these are of a round number of metres or feet, and copied if not. Returns whether the blocks are
+/// straight.
+bool find_level_ground(const Raster& ground, const Path& path, const Runs& east, const Runs& south,
                        GroundDoubts& doubts) {
     constexpr double k_least_block = 1.2, k_least_agreement = 0.7, k_least_share = 0.1;
     GroundDoubts::Blocks blocks{east.mean(), south.mean(), 0};
@@ -171,16 +172,70 @@ void find_level_ground(const Raster& ground, const Path& path, const Runs& east,
     terraces.share = fraction(between_steps, path.size());
     std::vector<double> steps = east.steps;
     steps.insert(steps.end(), south.steps.begin(), south.steps.end());
-    if (!straight && terraces.share < k_least_share) return;
+    if (!straight && terraces.share < k_least_share) return false;
     terraces.step = percentile(std::move(steps), 0.5);
     if (!straight && is_round(terraces.step)) {
         doubts.terraces = terraces;
-        return;
+        return false;
     }
     // A slope that falls along one of the two has no steps along the other.
     if (east.lengths.empty()) blocks.columns = blocks.rows;
     if (south.lengths.empty()) blocks.rows = blocks.columns;
     doubts.blocks = blocks;
+    return straight;
+}
+
+/// The steps of lines folded to a period: on ground, all places of the period have the same share of its rise.
+struct Rhythm {
+    std::int64_t period, looked_at = 0, rising = 0;
+    std::vector<double> shares, counts;  ///< by place in the period
+
+    Rhythm(const Raster& ground, const Raster& path, double cell_size, bool along_rows, std::int64_t wanted,
+           std::int64_t stride)
+        : period(wanted), shares(static_cast<std::size_t>(wanted)), counts(shares) {
+        constexpr double k_gentlest = 0.05;
+        const Lines z(ground, along_rows), on(path, along_rows);
+        const auto step = [&](std::int64_t line, std::int64_t i) { return std::abs(z(line, i + 1) - z(line, i)); };
+        for (std::int64_t line = 0; line < z.count(); line += stride) {
+            for (std::int64_t first = 0; first + period < z.length(); ++first) {
+                const std::int64_t middle = first + (period - 1) / 2;
+                if (!(on(line, middle) > 0)) continue;
+                ++looked_at;
+                double rise = 0;
+                for (std::int64_t i = first; i < first + period; ++i) rise += step(line, i);
+                if (!(rise > k_gentlest * cell_size * static_cast<double>(period))) continue;
+                ++rising;
+                const auto place = static_cast<std::size_t>(middle % period);
+                shares[place] += static_cast<double>(period) * step(line, middle) / rise;
+                counts[place] += 1;
+            }
+        }
+        for (std::size_t place = 0; place < shares.size(); ++place) shares[place] /= std::max(counts[place], 1.0);
+    }
+    /// Too few steps to tell, as across a slope.
+    [[nodiscard]] bool is_level() const { return *std::min_element(counts.begin(), counts.end()) < 50; }
+    /// Real ground has 0.8 to 1.2, copies that were interpolated 0 to 0.25 and above 2.5.
+    [[nodiscard]] bool is_stepped() const {
+        const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+        return !is_level() && *least < 0.5 && *most > 1.8;
+    }
+};
+
+/// Finds copied cells that were interpolated once more, or that noise lies on.
+void find_blurred_blocks(const Raster& ground, const Raster& path, std::int64_t path_size, double cell_size,
+                         GroundDoubts& doubts) {
+    constexpr std::int64_t k_longest = 12, k_samples = 200'000;
+    for (std::int64_t period = 2; period <= k_longest; ++period) {
+        const std::int64_t stride = 1 + path_size / k_samples;
+        const Rhythm east(ground, path, cell_size, true, period, stride),
+            south(ground, path, cell_size, false, period, stride);
+        if ((!east.is_stepped() && !east.is_level()) || (!south.is_stepped() && !south.is_level())) continue;
+        if (east.is_level() && south.is_level()) continue;
+        const auto side = static_cast<double>(period);
+        doubts.blocks = {
+            side, side, std::max(fraction(east.rising, east.looked_at), fraction(south.rising, south.looked_at)), true};
+        return;
+    }
 }
 
 /// By how much a step exceeds the steps before and after it; 0 if it lies between them, as where a slope bends.
@@ -331,8 +386,9 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     GroundDoubts doubts;
     const Path on(path);
     const Runs east(ground, path, true), south(ground, path, false);
-    find_level_ground(ground, on, east, south, doubts);
+    const bool is_told = find_level_ground(ground, on, east, south, doubts) || doubts.terraces;
     find_pits(ground, on, cell_size, doubts);
+    if (!is_told) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
     find_seam(ground, path, cell_size, true, doubts);
     find_seam(ground, path, cell_size, false, doubts);

@@ -298,14 +298,19 @@ double sure_friction(const SceneSpec& scene) {
            (1 - scene.material.pore_pressure(scene.material.density).greatest());
 }
 
-std::vector<Sentence> release_warnings(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
-                                       std::int64_t particles) {
+std::vector<Sentence> release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
+                                       const std::vector<ReleasedArea>& areas, std::int64_t particles) {
     std::vector<Sentence> warnings;
+    const bool by_raster = std::any_of(scene.release.begin(), scene.release.end(),
+                                       [](const ReleaseArea& area) { return area.thickness_raster.has_value(); });
     const SurfaceStep step = greatest_step(bed, release);
     if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
         warnings.push_back(worded(
-            "the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a raster of "
-            "thickness that lies half a cell off the DTM does that, and the first speeds come from this step",
+            by_raster ? worded("the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a "
+                               "raster of thickness that lies half a cell off the DTM does that, and the first speeds "
+                               "come from this step")
+                      : worded("the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: "
+                               "the first speeds come from this step"),
             {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
     for (const ReleasedArea& area : areas) {
         const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
@@ -350,7 +355,8 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
     warn_of_thin_flow(result, scene, warnings);
     warn_of_empty_trace(result, scene, warnings);
     append(warnings,
-           release_warnings(result.raster("bed"), result.raster("release"), result.released, result.particles_initial),
+           release_warnings(scene, result.raster("bed"), result.raster("release"), result.released,
+                            result.particles_initial),
            false);
     warn_of_energy(result, warnings);
     warn_of_piles(result, scene, warnings);

@@ -24,10 +24,11 @@ inline constexpr const char* k_few_particles_warning = worded(
     "terrain.cell-size, and see frana converge");
 
 /// Returns what is wrong with a release that no slope has, or that is too small for its cells.
+/// @param scene tells whether a raster gives the thickness
 /// @param bed, release vertical thickness on the grid of the bed [m]
 /// @param particles at the start; 0: it fails later
-std::vector<Sentence> release_warnings(const Raster& bed, const Raster& release, const std::vector<ReleasedArea>& areas,
-                                       std::int64_t particles);
+std::vector<Sentence> release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
+                                       const std::vector<ReleasedArea>& areas, std::int64_t particles);
 
 /// Where a key was given, for messages; whether it was given.
 using KeyPlace = std::function<std::string(const std::string& key)>;

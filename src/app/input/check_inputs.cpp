@@ -128,16 +128,50 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
     return areas;
 }
 
+// The thickest landslides have an eighth of their width where they are deepest, and less than a tenth on average.
+constexpr double k_thick = 30, k_of_width = 0.25, k_thick_mean = 20, k_mean_of_width = 0.1;
+
+/// Warns of a raster that is unusually thick for its width.
+void question_raster(double greatest, double width, RunLog& log) {
+    if (!(greatest > std::max(k_thick, k_of_width * width))) return;
+    const bool is_mark = std::abs(greatest - 255) < 1 || std::abs(greatest - 999) < 1;  // of no data
+    log.warn(worded(is_mark ? worded("release up to {1} m thick: declare that value as no data in its raster")
+                            : worded("release up to {1} m thick, {2} m wide: if in cm, convert it"),
+                    {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
+}
+
+/// The same of the first area of one thickness; it may be the elevation of the ground there.
+void question_mean(const ReleaseInput& release, const TerrainInput& ground, RunLog& log) {
+    for (const ReleaseArea& one : release.areas) {
+        const double width = std::sqrt(area(one.outline)), thickness = one.thickness;
+        if (one.thickness_raster || one.volume || !(thickness > std::max(k_thick_mean, k_mean_of_width * width)))
+            continue;
+        double least = HUGE_VAL, greatest = -HUGE_VAL;
+        gis::visit_cells(one.outline, ground.terrain.grid, gis::Cover::closed,
+                         [&](std::int64_t row, std::int64_t column) {
+                             least = std::min(least, std::as_const(ground.terrain).at(row, column));
+                             greatest = std::max(greatest, std::as_const(ground.terrain).at(row, column));
+                         });
+        const bool is_elevation = thickness >= least && thickness <= greatest;
+        log.warn(worded(is_elevation ? worded("release {1} m thick: that is the elevation of its ground, no thickness")
+                                     : worded("release {1} m thick, {2} m wide: if in cm, write {3}"),
+                        {numeral(number_text(thickness, 4)), numeral(number_text(width, 3)),
+                         numeral(number_text(thickness / 100, 3))}));
+        return;
+    }
+}
+
 /// Refuses a thickness greater than that of any landslide: a raster of elevations, nodata that no file declares, a
 /// volume in other units.
-void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
-                    const Raster& cover, RunLog& log, Problems& problems) {
-    double least = k_most_thickness, greatest = 0, mean = 0;
+void check_greatest(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
+                    const MultiPolygon& outlines, const Raster& cover, RunLog& log, Problems& problems) {
+    double least = k_most_thickness, greatest = 0, of_raster = 0, mean = 0;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
         release_area->thickness_raster->values.for_each_stored([&](std::size_t cell, double thickness) {
-            if (thickness > greatest && cover.values[cell] != 0) greatest = thickness;
+            if (thickness > of_raster && cover.values[cell] != 0) of_raster = thickness;
         });
     }
+    greatest = of_raster;
     for (const ReleaseArea& release_area : release.areas) {
         if (!release_area.thickness_raster) {
             least = std::min(least, release_area.thickness);
@@ -149,11 +183,8 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
     if (least < k_least_thickness) greatest = least;
     if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
-    constexpr double k_thick = 30, k_of_width = 0.25;  // the thickest landslides have an eighth of their width
-    const double width = std::sqrt(area(outlines));
-    if (greatest > std::max(k_thick, k_of_width * width) && problems.empty())
-        log.warn(worded("the release is up to {1} m thick and {2} m wide: if the thickness is in cm, convert it",
-                        {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
+    if (problems.empty()) question_raster(of_raster, std::sqrt(area(outlines)), log);
+    if (problems.empty() && !volume) question_mean(release, ground, log);
     if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
 }
 
@@ -252,7 +283,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     check_ground(reading, ground, cover, problems);
     for (const ReleaseArea* area : different_rasters(reading, release))
         check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
-    check_greatest(reading, release, outlines, cover, log, problems);
+    check_greatest(reading, ground, release, outlines, cover, log, problems);
     refuse_elevations(reading, ground, release, cover, problems);
     check_map_scale(reading, outlines, problems);
     check_difference(reading, ground, release, cover, log, problems);
@@ -286,7 +317,8 @@ void warn_of_release(const Scene& scene, RunLog& log) {
     log.warn_all(thin_release_warnings(release.depth, scene));
     std::size_t particles = release.particles.size();
     for (const Entry& entry : release.later) particles += entry.particles.size();
-    log.warn_all(release_warnings(release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles)));
+    log.warn_all(
+        release_warnings(scene, release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles)));
 }
 
 namespace {

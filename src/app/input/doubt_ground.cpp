@@ -153,42 +153,47 @@ Sentence whole_percent(double share) {
 
 void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, bool by_frana, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
+    const std::string& from = prepared.ground.file.path;
+    const std::string file = from.substr(from.find_last_of('/') + 1);
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
         if (by_frana || side * here.cell_size > 1.25 * working) {
-            log.warn(worded(by_frana
-                                ? worded("DTM: {1} % of the path lies in blocks of {2} x {2} equal cells. Set "
-                                         "terrain.resampling = bilinear or cubic")
-                                : worded("DTM: {1} % of the path lies in blocks of {2} x {2} equal cells. Resample "
-                                         "the original bilinear or cubic, or give it to frana"),
-                            {whole_percent(blocks->share), numeral(number_text(side, 2))}));
+            log.warn(worded(
+                blocks->is_blurred ? worded("DTM {3}: steps every {2} cells on {1} % of the path: copied cells, "
+                                            "interpolated. Take the original")
+                : by_frana         ? worded("DTM {3}: {1} % of the path lies in blocks of {2} x {2} equal cells. Set "
+                                                    "terrain.resampling = bilinear or cubic")
+                           : worded("DTM {3}: {1} % of the path lies in blocks of {2} x {2} equal cells. Resample "
+                                    "the original bilinear or cubic, or give it to frana"),
+                {whole_percent(blocks->share), numeral(number_text(side, 2)), file}));
             prepared.doubts.push_back(
                 worded("{1} % of the path is copied DTM cells: run-out unreliable", {whole_percent(blocks->share)}));
         }
     }
     if (const auto& terraces = doubts.terraces)
         log.warn(worded(
-            "DTM: {1} % of the path is level between steps of {2} m, first at {3}. Take elevations with "
+            "DTM {4}: {1} % of the path is level between steps of {2} m, first at {3}. Take elevations with "
             "decimals",
-            {whole_percent(terraces->share), numeral(number_text(terraces->step, 3)), here.at(terraces->place)}));
+            {whole_percent(terraces->share), numeral(number_text(terraces->step, 3)), here.at(terraces->place), file}));
     if (const auto& seam = doubts.seam)
-        log.warn(worded("DTM: a straight step of {1} m crosses {2} m of the path, at {3}. Fit the tiles to each other",
-                        {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
-                         here.at(seam->place)}));
+        log.warn(
+            worded("DTM {4}: a straight step of {1} m crosses {2} m of the path, at {3}. Fit the tiles to each other",
+                   {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
+                    here.at(seam->place), file}));
     if (const auto& pits = doubts.pits) {
         log.warn(
-            worded("DTM: {1} cells of {2} m are pits in the path, first at {3}. If they mean no data, set "
+            worded("DTM {4}: {1} cells of {2} m are pits in the path, first at {3}. If they mean no data, set "
                    "terrain.nodata-value",
-                   {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6)), here.at(pits->place)}));
+                   {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6)), here.at(pits->place), file}));
         prepared.doubts.push_back(worded("{1} pits of {2} m in the DTM's path: run-out unreliable",
                                          {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6))}));
     }
     if (const auto& rough = doubts.rough)
         log.warn(
-            worded("DTM: {1} % of the path stands out by about {2} m, most at {3}. Trees or noise: take a model "
+            worded("DTM {4}: {1} % of the path stands out by about {2} m, most at {3}. Trees or noise: take a model "
                    "of the bare ground",
-                   {whole_percent(rough->share), numeral(number_text(rough->height, 2)), here.at(rough->place)}));
+                   {whole_percent(rough->share), numeral(number_text(rough->height, 2)), here.at(rough->place), file}));
 }
 
 }  // namespace

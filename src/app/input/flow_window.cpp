@@ -104,8 +104,9 @@ std::optional<std::vector<Origin>> inflow_origins(const SceneReading& reading, c
             const Polyline& line = layer.features[i].line;
             Origin origin{bounds(MultiPolygon{{line, {}}}), 0};
             const double length = length_of(line);
-            for (const HydrographPoint& point : read_hydrograph(hydrograph_file(reading, layer.features[i], i + 1),
-                                                                reading.where("inflow.hydrograph"), gravity, length)) {
+            const Hydrograph read = read_hydrograph(hydrograph_file(reading, layer.features[i], i + 1),
+                                                    reading.where("inflow.hydrograph"), gravity, length);
+            for (const HydrographPoint& point : read.points) {
                 if (point.discharge > 0)
                     origin.head = std::max(
                         origin.head, point.discharge / (length * point.speed) + velocity_head(point.speed, gravity));

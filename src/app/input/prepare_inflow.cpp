@@ -16,6 +16,7 @@
 #include "gis/vector/marks_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/plausible.h"
 #include "params/scene/read_scene.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene_values.h"
@@ -27,6 +28,7 @@ namespace {
 struct Column {
     std::size_t index = 0;
     double unit = 1;
+    bool is_named = false;
 };
 
 /// The units of a column that are known, as letters and digits alone: "m3/s", "m3s" and "m3_s" are the same.
@@ -64,7 +66,7 @@ std::optional<Column> column_of(const gis::Table& table, const std::string& name
             problems.add({"the hydrograph's column has an unknown unit", place, table.columns[i], units,
                           "Convert the values, and name their unit or none"});
         }
-        return Column{i, unit.empty() || found == known.end() ? 1 : found->second};
+        return Column{i, unit.empty() || found == known.end() ? 1 : found->second, !unit.empty()};
     }
     return std::nullopt;
 }
@@ -141,13 +143,16 @@ std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& f
     return absolute_path(found->second, reading.scene.file.substr(0, slash));
 }
 
-std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std::string& where, double gravity,
-                                             double line_length) {
+Hydrograph read_hydrograph(const std::string& file, const std::string& where, double gravity, double line_length) {
     const std::string place = where + ": " + file;
     const gis::Table table = gis::read_table(file, where);
     const Columns columns = columns_of(table, place);
     const std::vector<Row> rows = rows_of(table, columns, place);
-    std::vector<HydrographPoint> points;
+    Hydrograph hydrograph{{},
+                          columns.time.is_named,
+                          columns.cumulative || columns.amount.is_named,
+                          !columns.speed || columns.speed->is_named};
+    std::vector<HydrographPoint>& points = hydrograph.points;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!columns.cumulative) {
             points.push_back({rows[i].time, rows[i].amount, rows[i].speed});
@@ -162,8 +167,31 @@ std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std:
     Problems problems;
     check_hydrograph(points, place, problems);
     problems.throw_if_any();
-    return points;
+    return hydrograph;
 }
+
+namespace {
+
+/// Warns of values that mean something else in another unit, where none is named.
+void question_units(const Hydrograph& hydrograph, double line_length, double end, RunLog& log) {
+    constexpr double k_most_hours = 48, k_part_of_run = 0.01, k_deep = 20;
+    const double last = hydrograph.points.back().time;
+    double depth = 0, speed = 0;
+    for (const HydrographPoint& point : hydrograph.points) {
+        speed = std::max(speed, point.speed);
+        if (point.discharge > 0) depth = std::max(depth, point.discharge / (line_length * point.speed));
+    }
+    if (!hydrograph.has_time_unit && last <= k_most_hours && last < k_part_of_run * end)
+        log.warn(worded("hydrograph ends at {1} s of {2} s: name its unit, time_s or time_h",
+                        {numeral(shortest_text(last)), numeral(grouped(end))}));
+    if (!hydrograph.has_discharge_unit && depth > k_deep)
+        log.warn(worded("hydrograph is {1} m deep on its line: name its unit, as discharge_l/s",
+                        {numeral(number_text(depth, 3))}));
+    if (const auto warning = implausible(k_hydrograph_velocity, speed); warning && !hydrograph.has_speed_unit)
+        log.warn(*warning);
+}
+
+}  // namespace
 
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
                                    std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
@@ -191,12 +219,14 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             std::string hydrograph;
             if (spec.direction) inflow.azimuth = *spec.direction * std::numbers::pi / 180;
             const double length = ground != nullptr ? length_of(feature.line) : 1;
-            const auto read = [&] {
+            const auto read_it = [&] {
                 hydrograph = hydrograph_file(reading, feature, i + 1);
-                inflow.hydrograph = read_hydrograph(hydrograph, reading.where("inflow.hydrograph"),
-                                                    reading.scene.numerics.gravity, length);
+                const Hydrograph read = read_hydrograph(hydrograph, reading.where("inflow.hydrograph"),
+                                                        reading.scene.numerics.gravity, length);
+                if (ground != nullptr) question_units(read, length, reading.scene.time.end, log);
+                inflow.hydrograph = read.points;
             };
-            if (!attempt(problems, read)) continue;
+            if (!attempt(problems, read_it)) continue;
             const auto flows = [](const HydrographPoint& point) { return point.discharge > 0; };
             const auto first = std::find_if(inflow.hydrograph.begin(), inflow.hydrograph.end(), flows);
             // Between two rows the discharge is linear.

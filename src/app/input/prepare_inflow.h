@@ -19,11 +19,15 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
 /// Error(input).
 std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number);
 
+struct Hydrograph {
+    std::vector<HydrographPoint> points;
+    bool has_time_unit = false, has_discharge_unit = false, has_speed_unit = false;  ///< named by its column
+};
+
 /// Reads a hydrograph from a CSV with the columns time, discharge or volume (cumulative), and velocity; names may have
 /// a unit after an underscore or in brackets, which is converted (time_min, discharge_l/s). Without a velocity material
 /// crosses the line at the critical speed. Throws Error(input) with every problem: a missing column, an invalid number,
 /// times that do not rise, a negative discharge or a decreasing volume, a discharge with speed zero.
-std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std::string& where, double gravity,
-                                             double line_length);
+Hydrograph read_hydrograph(const std::string& file, const std::string& where, double gravity, double line_length);
 
 }  // namespace frana::app

@@ -17,6 +17,7 @@
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
 #include "params/keys/laws.h"
+#include "params/keys/plausible.h"
 #include "params/keys/zone_keys.h"
 #include "simulation/scene_values.h"
 
@@ -68,6 +69,14 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
                       reading.where("terrain.friction-zones"), list[0].source->name + ", " + list[1].source->name, "",
                       "Name one of them in zones.friction-angle or zones.friction-coefficient"});
     }
+}
+
+/// The value of a feature; warns of one that is unusual.
+std::optional<double> zone_value(const SceneReading& reading, const Quantity& quantity, const gis::PolygonLayer& layer,
+                                 std::size_t feature, RunLog& log, Problems& problems) {
+    const auto value = value_of(reading, quantity.key->name, *quantity.source, layer, feature, problems);
+    if (const auto warning = value ? implausible(quantity.key->name, *value) : std::nullopt) log.warn(*warning);
+    return value;
 }
 
 Sentence fraction_of(std::int64_t cells, const GridSpec& grid) {
@@ -129,7 +138,7 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
         std::vector<std::pair<Raster*, double>> values;
         for (const Quantity& quantity : list) {
             if (!quantity_by_attribute(quantity)) continue;
-            const auto value = value_of(reading, quantity.key->name, *quantity.source, layer, f, problems);
+            const auto value = zone_value(reading, quantity, layer, f, log, problems);
             if (!value) continue;
             std::optional<Raster>& raster = zones.*quantity.target;
             if (!raster) raster.emplace(grid, k_no_data);
@@ -152,7 +161,7 @@ void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer,
         if (!quantity_by_attribute(quantity)) continue;
         std::vector<std::optional<double>> values;
         for (std::size_t f = 0; f < layer.features.size(); ++f) {
-            values.push_back(value_of(reading, quantity.key->name, *quantity.source, layer, f, problems));
+            values.push_back(zone_value(reading, quantity, layer, f, log, problems));
             if (!values.back()) continue;
             values.back() = quantity.key->stored(*values.back());
             if (quantity.key->what == "friction")
@@ -238,6 +247,8 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     if (!within_limits(reading, key, least, "the raster's least value", problems) ||
         !within_limits(reading, key, greatest, "the raster's greatest value", problems))
         return std::nullopt;
+    for (const double value : {least, greatest})
+        if (const auto warning = implausible(key, value)) log.warn(*warning);
     if (read.nodata_cells > 0 && elsewhere != nullptr)
         log.warn(worded("{1} has no value on {2}: {3}", {key, fraction_of(read.nodata_cells, grid), elsewhere}));
     return std::move(read.raster);

@@ -17,14 +17,19 @@ constexpr double k_any = std::numeric_limits<double>::infinity();
 constexpr double k_arc_tangent = 0;
 const char* const k_angle =
     worded("{2} as a coefficient is {1} degrees: use friction-coefficient, or write that angle");
+const char* const k_speed = worded("if it is in km/h, write {1}");
+const char* const k_xi = worded("Voellmy's xi is mostly 100 to 4 000 m/s2");
 
 const std::vector<PlausibleRange> k_ranges{
     {"material.friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
     {"zones.friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
     {"structured.bed-friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
-    {"material.density", 50, 3500, worded("if it is in kN/m3, write {1}"), 1000 / 9.81},
-    {"material.turbulence", 20, k_any, worded("Voellmy's xi is mostly 100 to 4 000 m/s2")},
-    {"release.velocity", 0, 50, worded("if it is in km/h, write {1}"), 1 / 3.6},
+    {"material.density", 50, 3500, worded("if it is in kN/m3, write {1}"), 1000 / 9.81, false,
+     worded("debris has 1 500 to 2 500 kg/m3")},
+    {"material.turbulence", 20, 10'000, k_xi},
+    {"zones.turbulence", 20, 10'000, k_xi},
+    {"release.velocity", 0, 50, k_speed, 1 / 3.6},
+    {k_hydrograph_velocity, 0, 30, k_speed, 1 / 3.6},
     {"terrain.obstacle-height", 0, 50, worded("it is a height above the ground, no elevation")},
 };
 
@@ -32,7 +37,8 @@ const std::vector<PlausibleRange> k_ranges{
 
 Sentence PlausibleRange::meant(double value) const {
     const double other = factor == k_arc_tangent ? std::atan(value) * 180 / std::numbers::pi : factor * value;
-    return worded(reading, {numeral(number_text(other, 3)), numeral(number_text(value, 4))});
+    return worded(value > most && above ? above : reading,
+                  {numeral(number_text(other, 3)), numeral(number_text(value, 4))});
 }
 
 const PlausibleRange* plausible_range(const std::string& key) {

@@ -16,7 +16,8 @@ struct PlausibleRange {
     double least, most;
     const char* reading;  ///< what was probably meant; {1}: the value times `factor`
     double factor = 1;
-    bool is_refused = false;  ///< outside the range, but for 0; else a warning
+    bool is_refused = false;      ///< outside the range, but for 0; else a warning
+    const char* above = nullptr;  ///< what is said of greater values; null: `reading`
 
     [[nodiscard]] bool has(double value) const noexcept {
         return (value >= least && value <= most) || (is_refused && value == 0);
@@ -24,6 +25,9 @@ struct PlausibleRange {
     /// "0.32 as a coefficient is 17.7 degrees: use material.friction-coefficient"
     [[nodiscard]] Sentence meant(double value) const;
 };
+
+/// The name of a hydrograph's column in the table.
+inline constexpr const char* k_hydrograph_velocity = "hydrograph velocity";
 
 /// The range of a key; null: none.
 const PlausibleRange* plausible_range(const std::string& key);

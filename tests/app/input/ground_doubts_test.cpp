@@ -115,7 +115,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
         expect_words(summary["warnings"].dump(), {"blocks of 3 x 3 equal cells"});
     }
     EXPECT_FALSE(gis::read_raster_text(path("right/max_depth.tif")).metadata.contains("DOUBTS"));
-    expect_words(read_text(path("copied/log.txt")), {"WARNING: DTM: ", "blocks of 3 x 3 equal cells"});
+    expect_words(read_text(path("copied/log.txt")), {"WARNING: DTM bed.asc: ", "blocks of 3 x 3 equal cells"});
     // Cells as large as the blocks are the original again.
     EXPECT_EQ(doubts({"terrain.cell-size=30"}), "");
     expect_words(doubts({"terrain.dtm=coarse.asc", "terrain.cell-size=10", "terrain.resampling=nearest"}),
@@ -129,6 +129,27 @@ TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
                                         {90.0, "blocks of 9 x 9"}}) {
         write_grid("bed", 10, copied(coarse, waves));
         expect_words(doubts(), {words});
+    }
+}
+
+// Brought from 10 m to 5 m by interpolation, or with a little noise: no cells are equal, and the steps remain.
+TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyWereInterpolatedOrHaveNoise) {
+    const Elevation blocks = copied(30, waves);
+    const auto bilinear = [&](double x, double y) {
+        const double west = std::floor(x / 10 - 0.5) * 10 + 5, south = std::floor(y / 10 - 0.5) * 10 + 5;
+        const double u = (x - west) / 10, v = (y - south) / 10;
+        return (1 - v) * ((1 - u) * blocks(west, south) + u * blocks(west + 10, south)) +
+               v * ((1 - u) * blocks(west, south + 10) + u * blocks(west + 10, south + 10));
+    };
+    write_grid("bed", 5, bilinear);
+    expect_words(doubts(), {"DTM bed.asc: steps every 6 cells", "Take the original"});
+    std::mt19937 generator(1);
+    std::normal_distribution<double> chance(0, 1);
+    for (const double noise : {0.01, 0.05}) {
+        write_grid("bed", 10, [&](double x, double y) { return blocks(x, y) + noise * chance(generator); });
+        const std::string told = doubts();
+        expect_words(told, {"DTM bed.asc: steps every 3 cells"});
+        EXPECT_EQ(told.find("Trees"), std::string::npos) << told;
     }
 }
 

@@ -2,6 +2,8 @@
 // Valid values that are mistakes of daily practice: told with what was probably meant, or refused.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "support/files.h"
 #include "support/tiny_scene.h"
 
@@ -72,11 +74,18 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
              {{"material.turbulence=5"}, {"material.turbulence = 5 is unusual"}},
              {{"terrain.obstacles=dam.geojson", "terrain.obstacle-height=220"},
               {"terrain.obstacle-height = 220 is unusual", "above the ground"}},
-             {{"release.thickness=250"}, {"250 m thick", "in cm"}},
+             {{"material.turbulence=20000"}, {"material.turbulence = 20000 is unusual", "100 to 4 000"}},
+             {{"material.density=5000"}, {"material.density = 5000 is unusual: debris has"}},
+             {{"release.thickness=250"}, {"250 m thick", "if in cm, write 2.5"}},
+             {{"release.thickness=30"}, {"release 30 m thick, 44.7 m wide: if in cm, write 0.3"}},
+             {{"release.thickness=50"}, {"if in cm, write 0.5"}},
+             {{"release.thickness=80"}, {"if in cm, write 0.8"}},
          }) {
         const Outcome outcome = check(one.keys);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         expect_words(outcome.err, one.words);
+        EXPECT_EQ(outcome.err.find("half a cell off"), std::string::npos) << "no raster gives the thickness";
+        EXPECT_EQ(outcome.err.find("509"), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(check({}).err, "");
     EXPECT_EQ(check({"release.velocity=10", "release.direction=90", "material.density=300"}).err, "");
@@ -84,6 +93,15 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
 
 TEST_F(Mistakes, ElevationsAsThicknessAreRefused) {
     expect_refused(check({"release.thickness=raster:dtm.asc"}), {"release.thickness", "elevations", "difference:"});
+    // A constant and an attribute, at the release's own height.
+    write("high.geojson",
+          std::regex_replace(read_text(path("perimeter.geojson")), std::regex("\"depth\": ?2"), "\"depth\":280"));
+    for (const std::vector<std::string>& keys : std::vector<std::vector<std::string>>{
+             {"release.thickness=280"}, {"release.perimeter=high.geojson", "release.thickness=attribute:depth"}}) {
+        const std::string told = check(keys).err;
+        expect_words(told, {"release 280 m thick: that is the elevation of its ground"});
+        EXPECT_EQ(told.find("in cm"), std::string::npos) << told;
+    }
 }
 
 // A byte raster's rim of 255 that it does not declare as no data.
@@ -94,6 +112,7 @@ TEST_F(Mistakes, AReleaseScaledFarFromItsThicknessIsTold) {
     write_dtm(rim, true, "thickness.asc");
     const std::string raster = "release.thickness=raster:thickness.asc", cells = "terrain.cell-size=4";
     expect_words(check({raster, cells}).err, {"the thickness was scaled by 0.", "no data"});
+    expect_words(check({raster}).err, {"release up to 255 m thick: declare that value as no data"});
     EXPECT_EQ(check({raster, cells, "release.volume=3000"}).err.find("scaled by"), std::string::npos)
         << "the volume was asked for";
     write_dtm([](int, int) { return 2.0; }, true, "thickness.asc");
@@ -132,6 +151,42 @@ TEST_F(Mistakes, UnitsOfAHydrographAreConvertedOrRefused) {
     for (const std::string csv : {"time,volume_1000m3\n0,0\n3,7\n", "time_d,discharge\n0,1\n3,7\n",
                                   "time,discharge_m3/h\n0,1\n3,7\n", "time,discharge,velocity_kn\n0,1,1\n3,7,1\n"})
         expect_refused(inflow(csv), {"unknown unit", "flood.csv", "Convert"});
+}
+
+TEST_F(Mistakes, AHydrographOfOtherUnitsThanUnderstoodIsTold) {
+    struct Case {
+        std::string csv, words;
+    };
+    const auto told = [&](const std::string& csv) {
+        write("flood.csv", csv);
+        return check({"inflow.line=line.geojson", "inflow.hydrograph=flood.csv", "time.end=400"}).err;
+    };
+    for (const Case& one : std::vector<Case>{
+             {"time,discharge\n0,0\n0.5,20\n3,0\n", "hydrograph ends at 3 s of 400 s: name its unit"},
+             {"time,discharge\n0,0\n50,100000\n60,0\n", "m deep on its line: name its unit, as discharge_l/s"},
+             {"time,discharge,velocity\n0,0,10\n50,9,36\n60,0,10\n",
+              "hydrograph velocity = 36 is unusual: if it is in km/h, write 10"},
+         })
+        expect_words(told(one.csv), {one.words});
+    for (const std::string good : {"time_s,discharge\n0,0\n2,2\n3,0\n", "time_min,discharge_l/s\n0,0\n1,9000\n2,0\n",
+                                   "time,discharge,velocity\n0,0,5\n50,9,5\n60,0,5\n"})
+        EXPECT_EQ(told(good).find("hydrograph"), std::string::npos) << good << told(good);
+}
+
+TEST_F(Mistakes, AnUnusualTurbulenceOfZonesIsTold) {
+    for (const std::string xi : {"5", "20000"}) {
+        write_dtm([&](int, int) { return std::stod(xi); }, true, "xi.asc");
+        expect_words(check({"material.turbulence=500", "zones.turbulence=raster:xi.asc"}).err,
+                     {"zones.turbulence = " + xi + " is unusual"});
+    }
+    write("zones.vrt",
+          "<OGRVRTDataSource><OGRVRTLayer name=\"zones\"><SrcDataSource>" + path("zones.csv") +
+              "</SrcDataSource><LayerSRS>EPSG:32632</LayerSRS><Field name=\"xi\" src=\"xi\" type=\"Real\"/>"
+              "</OGRVRTLayer></OGRVRTDataSource>");
+    write("zones.csv",
+          "WKT,xi\n\"POLYGON((527100 5094010,527200 5094010,527200 5094140,527100 5094140,527100 5094010))\",5\n");
+    expect_words(check({"material.turbulence=500", "terrain.friction-zones=zones.vrt"}).err,
+                 {"zones.turbulence = 5 is unusual"});
 }
 
 TEST_F(Mistakes, AHydrographAfterTheEndIsRefused) {
