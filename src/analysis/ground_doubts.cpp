@@ -151,9 +151,8 @@ bool is_round(double step) {
 }
 
 /// Finds blocks, by steps that run straight through many rows and columns, or else level ground between steps: it was
-/// rounded if these are of a round number of metres or feet, and copied if not. Returns whether the blocks are
-/// straight.
-bool find_level_ground(const Raster& ground, const Path& path, const Runs& east, const Runs& south,
+/// rounded if these are of a round number of metres or feet, and copied if not.
+void find_level_ground(const Raster& ground, const Path& path, const Runs& east, const Runs& south,
                        GroundDoubts& doubts) {
     constexpr double k_least_block = 1.2, k_least_agreement = 0.7, k_least_share = 0.1;
     GroundDoubts::Blocks blocks{east.mean(), south.mean(), 0};
@@ -172,17 +171,16 @@ bool find_level_ground(const Raster& ground, const Path& path, const Runs& east,
     terraces.share = fraction(between_steps, path.size());
     std::vector<double> steps = east.steps;
     steps.insert(steps.end(), south.steps.begin(), south.steps.end());
-    if (!straight && terraces.share < k_least_share) return false;
+    if (!straight && terraces.share < k_least_share) return;
     terraces.step = percentile(std::move(steps), 0.5);
     if (!straight && is_round(terraces.step)) {
         doubts.terraces = terraces;
-        return false;
+        return;
     }
     // A slope that falls along one of the two has no steps along the other.
     if (east.lengths.empty()) blocks.columns = blocks.rows;
     if (south.lengths.empty()) blocks.rows = blocks.columns;
     doubts.blocks = blocks;
-    return straight;
 }
 
 /// The steps of lines folded to a period: on ground, all places of the period have the same share of its rise.
@@ -225,6 +223,8 @@ struct Rhythm {
 void find_blurred_blocks(const Raster& ground, const Raster& path, std::int64_t path_size, double cell_size,
                          GroundDoubts& doubts) {
     constexpr std::int64_t k_longest = 12, k_samples = 200'000;
+    constexpr double k_blocks = 1.4;  // what was interpolated has equal cells here and there
+    if (doubts.blocks && std::min(doubts.blocks->columns, doubts.blocks->rows) > k_blocks) return;
     for (std::int64_t period = 2; period <= k_longest; ++period) {
         const std::int64_t stride = 1 + path_size / k_samples;
         const Rhythm east(ground, path, cell_size, true, period, stride),
@@ -386,9 +386,9 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     GroundDoubts doubts;
     const Path on(path);
     const Runs east(ground, path, true), south(ground, path, false);
-    const bool is_told = find_level_ground(ground, on, east, south, doubts) || doubts.terraces;
+    find_level_ground(ground, on, east, south, doubts);
     find_pits(ground, on, cell_size, doubts);
-    if (!is_told) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
+    if (!doubts.terraces) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
     find_seam(ground, path, cell_size, true, doubts);
     find_seam(ground, path, cell_size, false, doubts);
