@@ -132,7 +132,11 @@ Table read_table(const std::string& path, const std::string& where) {
                                               "Check the path: a scene's is relative to the scene file, an "
                                               "option's to the current folder"});
     }
-    (void)refuse_special_file(path.c_str());
+    const auto refuse_access = [&] {
+        if (const auto cause = pop_access_problem())
+            throw Error(ErrorKind::input, Problem{cause->what, place, cause->value, "", cause->remedy});
+    };
+    if (refuse_special_file(path.c_str())) refuse_access();
     // "CSV:" makes the driver accept names without .csv.
     const char* const drivers[] = {"CSV", nullptr};
     const char* const options[] = {"HEADERS=YES", "AUTODETECT_TYPE=NO", "KEEP_GEOM_COLUMNS=YES", nullptr};
@@ -159,8 +163,7 @@ Table read_table(const std::string& path, const std::string& where) {
             for (int i = 0; i < fields.GetFieldCount(); ++i) row.push_back(feature->GetFieldAsString(i));
         }
     }
-    if (const auto cause = pop_access_problem())
-        throw Error(ErrorKind::input, Problem{cause->what, place, cause->value, "", cause->remedy});
+    refuse_access();
     if (!layer) table = table_of_one_column(path);
     if (table.rows.empty()) {
         throw Error(ErrorKind::input,

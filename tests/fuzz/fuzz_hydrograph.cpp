@@ -11,7 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace frana;
     const fuzz::MemoryFile file("/vsimem/fuzz/hydrograph.csv", data, size);
     fuzz::refused_or_done([&] {
-        const auto points = app::read_hydrograph(file.path(), "inflow.hydrograph", 9.81, 20);
+        const std::vector<HydrographPoint> points =
+            app::read_hydrograph(file.path(), "inflow.hydrograph", 9.81, 20).points;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const HydrographPoint& p = points[i];
             if (!std::isfinite(p.time + p.discharge + p.speed) || p.discharge < 0 || p.speed < 0) __builtin_trap();

@@ -9,12 +9,12 @@ namespace {
 
 class OnDisk : public TrialGround {
   protected:
-    /// Whether a path was synced to the disk before the first call that satisfies `then`.
+    /// Whether a path was synced to the disk before the last call that satisfies `then`.
     template <class Then>
     static bool is_synced_before(const std::vector<SystemCall>& calls, const std::string& path, const Then& then) {
-        const auto end = std::find_if(calls.begin(), calls.end(), then);
-        EXPECT_NE(end, calls.end());
-        return std::any_of(calls.begin(), end,
+        const auto last = std::find_if(calls.rbegin(), calls.rend(), then);
+        EXPECT_NE(last, calls.rend());
+        return std::any_of(last, calls.rend(),
                            [&](const SystemCall& call) { return call.name == "fsync" && call.path == path; });
     }
 };

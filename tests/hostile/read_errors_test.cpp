@@ -31,6 +31,8 @@ class ReadError : public TrialGround {
         trials.ended(ending.exit_code);
         if (ending.exit_code != 0) {
             EXPECT_NE(ending.err.find(k_outlines), std::string::npos) << ending.err;
+        } else if (!fs::exists(at(drawing.map))) {  // a picture fails no run
+            EXPECT_NE(read_text(at("out/r/log.txt")).find("could not be drawn"), std::string::npos);
         } else {
             EXPECT_TRUE(map_of(drawing) == expected) << "exit code 0, and another map";
         }

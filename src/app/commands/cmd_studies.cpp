@@ -160,9 +160,9 @@ int publish_result(const std::string& identity, const study::StudyOutcome& outco
     directory.publish({text_hash(identity), 0, true}, log);
     remove_working_files(directory.target(), false, log);
     log.info("result in " + directory.target());
-    if (refused || outcome.too_many_failed || outcome.pictures_failed) log.print_deferred_warnings();
-    if (refused || outcome.too_many_failed) return static_cast<int>(ExitCode::numerical);
-    return static_cast<int>(outcome.pictures_failed ? ExitCode::environment : ExitCode::done);
+    if (!refused && !outcome.too_many_failed) return static_cast<int>(ExitCode::done);
+    log.print_deferred_warnings();
+    return static_cast<int>(ExitCode::numerical);
 }
 
 /// With study.until, errors are looked at after so many members, whatever the number of threads; later after a quarter

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -147,14 +148,31 @@ std::optional<LookedAt> on_own_cells(const SceneReading& reading, const Prepared
     return here;
 }
 
+std::string last_part(const std::string& path) {
+    return path.substr(path.find_last_of('/') + 1);
+}
+
 Sentence whole_percent(double share) {
     return numeral(number_text(std::round(100 * share), 3));
 }
 
+/// Elevations in feet that are read as metres make a slope of 17 degrees one of 45.
+void tell_of_unit(double slope, const Prepared& prepared, RunLog& log) {
+    constexpr double k_steep = 42, k_foot = 0.3048;  // degrees; metres
+    const gis::RasterInfo& file = prepared.ground.file;
+    const double degrees = slope * 180 / std::numbers::pi;
+    if (degrees < k_steep || file.vertical_unit_stated || prepared.spec.terrain.vertical_unit != "auto") return;
+    log.warn(worded(
+        "DTM {1} states no unit of its elevations, and half of its slopes are over {2} degrees; in feet, over {3}. "
+        "Set terrain.vertical-unit",
+        {last_part(file.path), numeral(number_text(degrees, 2)),
+         numeral(number_text(std::atan(k_foot * std::tan(slope)) * 180 / std::numbers::pi, 2))}));
+}
+
 void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, bool by_frana, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
-    const std::string& from = prepared.ground.file.path;
-    const std::string file = from.substr(from.find_last_of('/') + 1);
+    const std::string file = last_part(prepared.ground.file.path);
+    tell_of_unit(doubts.slope, prepared, log);
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.

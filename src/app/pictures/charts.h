@@ -58,19 +58,17 @@ std::string page_chart_svg(const render::Chart& chart);
 /// picture never fails what was computed.
 bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw);
 
-/// Writes the charts of a study or a calibration to charts/ of its folder; returns false if one could not be drawn,
-/// with a warning.
+/// Writes the charts of a study or a calibration to charts/ of its folder, with a warning of one that could not be
+/// drawn.
 template <class Rows, class Data>
-bool draw_chart_rows(const Rows& rows, const Data& data, const MapSource& source, const std::string& folder,
+void draw_chart_rows(const Rows& rows, const Data& data, const MapSource& source, const std::string& folder,
                      bool for_page, RunLog& log) {
-    bool good = true;
     for (const auto& row : rows) {
-        good &= is_drawn("charts/" + std::string(row.of.name), log, [&] {
+        is_drawn("charts/" + std::string(row.of.name), log, [&] {
             if (auto chart = row.draw(data, source.style.words(row.of.title), source))
                 write_chart({row.of.name, std::move(*chart)}, source.style, folder, for_page);
         });
     }
-    return good;
 }
 
 /// Returns their files in a folder.

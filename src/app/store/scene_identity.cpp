@@ -17,6 +17,8 @@
 #include "core/text.h"
 #include "gis/raster/raster_out.h"
 #include "params/grammar/ini_file.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/laws.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 #include "params/scene/read_scene.h"
@@ -89,6 +91,10 @@ std::map<std::string, std::string> provenance(const Prepared& prepared) {
                 {"SCENE_HASH", text_hash(echoed_scene_without_places(prepared))},
                 {gis::k_depth_item, prepared.spec.output.depth == k_normal_depth ? k_normal : k_vertical},
                 {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}});
+    if (const std::string key = "material.density"; model_reads(prepared.spec, key)) {
+        const bool is_default = prepared.spec.origin_of(key) == Origin::default_value;
+        all["DENSITY"] = shortest_text(prepared.spec.material.density) + " kg/m3" + (is_default ? " (default)" : "");
+    }
     for (const Sentence& doubt : prepared.doubts) {
         std::string& told = all["DOUBTS"];
         told += (told.empty() ? "" : "; ") + doubt.text();

@@ -44,9 +44,12 @@ void serialise(Archive& archive, CellRun& run) {
 /// and what a surveyed deposit is compared with.
 enum class Quantity { depth, velocity, arrival, pressure, intensity, deposit };
 
-/// Columns of a table of members with what MemberEnd holds, its number of warnings the last.
-inline constexpr const char* k_end_columns[] = {
-    "stop_reason", "end_s", "moving_fraction", "left_domain_fraction", "held_by_no_data", "energy_error", "warnings"};
+/// The key with which `frana run` repeats a member that ran on.
+inline constexpr const char* k_end_key = "time.end";
+
+/// Columns of a table of members with what MemberEnd holds besides its end, its number of warnings the last.
+inline constexpr const char* k_end_columns[] = {"stop_reason",     "moving_fraction", "left_domain_fraction",
+                                                "held_by_no_data", "energy_error",    "warnings"};
 
 /// How a member's run ended, and what it warned of: what one run tells must reach the study's maps.
 struct MemberEnd {

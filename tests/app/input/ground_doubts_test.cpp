@@ -71,6 +71,21 @@ class GroundDoubts : public TinyScene {
     }
 };
 
+// A slope of 17 degrees, its elevations in feet: read as metres, it is one of 45. A steep one is none of the kind.
+TEST_F(GroundDoubts, FeetAreToldOnAGentleSlopeWhereNoUnitIsStated) {
+    const auto ramp = [](double degrees, double unit) -> Elevation {
+        return [=](double x, double y) {
+            return (std::tan(degrees * std::numbers::pi / 180) * std::max(600 - x, 0.0) + 50 + 0.02 * y) / unit;
+        };
+    };
+    write_grid("bed", 10, ramp(17, 0.3048));
+    expect_words(doubts(), {"DTM bed.asc states no unit", "over 45 degrees; in feet, over 17"});
+    EXPECT_EQ(doubts({"terrain.vertical-unit=foot"}), "");
+    EXPECT_EQ(doubts({"terrain.vertical-unit=metre"}), "") << "the user's word";
+    write_grid("bed", 10, ramp(38, 1));
+    EXPECT_EQ(doubts(), "");
+}
+
 /// A model of cells of `coarse` metres, each copied into the finer ones.
 Elevation copied(double coarse, const Elevation& ground) {
     return [=](double x, double y) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -103,6 +104,7 @@ TEST_F(ThinFlow, ZonesOfPressureFollowThePressureRasterToTheCell) {
         shallow += kPa > 3 && depth.values[i] <= 0.5 ? 1 : 0;
     }
     EXPECT_GT(shallow, 0) << "margins that a least depth would take away";
+    EXPECT_EQ(gis::read_raster_text(path("result/max_pressure.tif")).metadata["DENSITY"], "2000 kg/m3");
 }
 
 }  // namespace

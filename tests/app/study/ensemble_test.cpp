@@ -115,7 +115,6 @@ TEST_F(Ensemble, AMembersFiguresAreThoseOfARunWithItsValues) {
     for (const auto& row : rows) {
         ASSERT_EQ(row.at("status"), "finished");
         std::vector<std::string> arguments{"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet"};
-        arguments.insert(arguments.end(), {"--set", "time.end=" + row.at("end_s")});
         for (const auto& [key, value] : row)
             if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
         ASSERT_EQ(frana(arguments).exit_code, 0);
@@ -142,11 +141,8 @@ TEST_F(Ensemble, MembersWithOtherFilesHaveTheirOwnGround) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::map<std::string, std::size_t> areas;
     for (const auto& row : members()) {
-        std::vector<std::string> arguments{"run",     "scene.ini",
-                                           "--out",   "alone",
-                                           "--quiet", "--overwrite",
-                                           "--set",   "terrain.error=0.3, 40, 7",
-                                           "--set",   "time.end=" + row.at("end_s")};
+        std::vector<std::string> arguments{"run",     "scene.ini",   "--out", "alone",
+                                           "--quiet", "--overwrite", "--set", "terrain.error=0.3, 40, 7"};
         for (const auto& [key, value] : row)
             if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
         ASSERT_EQ(frana(arguments).exit_code, 0);

@@ -89,7 +89,7 @@ TEST_F(Region, UnionIsTheGreatestOfTheRunsOnTheirWindows) {
     for (const auto& row : rows) {
         ASSERT_EQ(row.at("status"), "finished") << row.at("reason");
         std::vector<std::string> arguments{"run",         "scene.ini", "--out", "alone",
-                                           "--overwrite", "--quiet",   "--set", "time.end=" + row.at("end_s")};
+                                           "--overwrite", "--quiet",   "--set", "time.end=" + row.at("time.end")};
         for (const std::string key :
              {"release.perimeter-filter", "release.thickness", "material.friction-coefficient", "terrain.bounds"}) {
             arguments.insert(arguments.end(), {"--set", key + "=" + row.at(key)});

@@ -94,20 +94,16 @@ std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, con
 std::vector<std::string> end_values(const MemberEnd& end) {
     const bool ran = !end.stop_reason.empty();
     const auto cell = [&](double value) { return ran && !std::isnan(value) ? shortest_text(value) : std::string(); };
-    return {end.stop_reason,
-            cell(end.end),
-            cell(end.moving_fraction),
-            cell(end.left_fraction),
-            ran ? std::to_string(static_cast<int>(end.is_held)) : "",
-            cell(end.energy_error),
-            std::to_string(end.warnings.size())};
+    return {end.stop_reason,         cell(end.moving_fraction),
+            cell(end.left_fraction), ran ? std::to_string(static_cast<int>(end.is_held)) : "",
+            cell(end.energy_error),  std::to_string(end.warnings.size())};
 }
 
 void add_end(const MemberEnd& end, std::map<std::string, double>& numbers, std::map<std::string, std::string>& texts) {
     texts["stop_reason"] = end.stop_reason;
     numbers["warnings"] = static_cast<double>(end.warnings.size());
     if (end.stop_reason.empty()) return;
-    numbers["end_s"] = end.end;
+    numbers[k_end_key] = end.end;
     numbers["moving_fraction"] = end.moving_fraction;
     numbers["left_domain_fraction"] = end.left_fraction;
     numbers["held_by_no_data"] = end.is_held ? 1 : 0;

@@ -218,16 +218,16 @@ constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
 
 }  // namespace
 
-bool draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
+void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
                              const ResultDirectory& directory, RunLog& log) {
     const SceneSpec& scene = input.own.front().base.spec;
-    if (scene.output.maps.front() == "off" || !scene.output.charts) return true;
+    if (scene.output.maps.front() == "off" || !scene.output.charts) return;
     MapSource source;
     source.title = calibration_title(input);
     source.style = calibration_style(scene);
     directory.make_folder("charts");
-    return draw_chart_rows(k_calibration_charts, CalibrationData{input, result}, source, directory.folder(),
-                           scene.output.report, log);
+    draw_chart_rows(k_calibration_charts, CalibrationData{input, result}, source, directory.folder(),
+                    scene.output.report, log);
 }
 
 std::vector<ChartTitle> calibration_chart_titles() {

@@ -117,10 +117,9 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result, 
 
 }  // namespace
 
-bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
+void publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
                               const CalibrationResult& result, const Troubles& troubles,
                               const ResultDirectory& directory, RunLog& log) {
-    bool good = true;
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventGround ground = ground_of(input, runs, result, e);
         if (ground.window.rows == 0 || ground.window.columns == 0) continue;
@@ -137,7 +136,7 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
             .write_probability(name, maps.probability.front(), maps.margin.front(), bounds ? &bounds->upper : nullptr);
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
-        good &= is_drawn("maps/" + name, log, [&] {
+        is_drawn("maps/" + name, log, [&] {
             const MapSource source = source_of(ground, result, troubles);
             const MapLayer layer =
                 read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
@@ -149,7 +148,6 @@ bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
             drawer.draw(layer, false, directory.path("maps/" + name));
         });
     }
-    return good;
 }
 
 namespace {

@@ -14,8 +14,8 @@ namespace frana::app::study {
 
 /// Writes posterior_EVENT.tif for each event: the probability under the posterior that the maximum depth exceeds the
 /// threshold of the survey, with its margin as second band. The map of it shows the surveyed outline and the
-/// trace of the best member. Returns false if a map could not be drawn, with a warning. Throws Error(environment).
-bool publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
+/// trace of the best member. A map that could not be drawn is a warning. Throws Error(environment).
+void publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
                               const CalibrationResult& result, const Troubles& troubles,
                               const ResultDirectory& directory, RunLog& log);
 
@@ -32,8 +32,8 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
 
 /// Draws the charts of a calibration, if the scene asks for any: `forecast`, the scores of each event, fitted and
 /// predicted from the others; `posterior`, the distribution of each key before and after; `response`, the posterior
-/// over pairs of keys. Returns false if one could not be drawn, with a warning.
-bool draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
+/// over pairs of keys. One that could not be drawn is a warning.
+void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
                              const ResultDirectory& directory, RunLog& log);
 
 /// Returns those that a calibration may have, in the order of the page.

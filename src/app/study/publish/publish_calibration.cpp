@@ -500,8 +500,8 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
             write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
-    const bool mapped = publish_calibration_maps(input, runs, result, troubles, directory, log);
-    outcome.pictures_failed = !draw_calibration_charts(input, result, directory, log) || !mapped;
+    publish_calibration_maps(input, runs, result, troubles, directory, log);
+    draw_calibration_charts(input, result, directory, log);
     tell(input, result, log);
     const CalibrationFacts facts{troubles, since_start.seconds(), threads, log.warnings(), today()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);

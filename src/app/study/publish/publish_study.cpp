@@ -406,7 +406,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
             facts.median = median_member(input, result);
-            if (facts.median) outcome.pictures_failed = !film_member(input, result, *facts.median, directory, log);
+            if (facts.median) film_member(input, result, *facts.median, directory, log);
         }
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
@@ -419,11 +419,11 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     write_kept_members(input, result, directory);
     // Maps show what the summary says; what drawing adds to it comes at the end.
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
-    if (!result.finished_at.empty() && !draw_study(input, result, figures, directory, log))
-        outcome.pictures_failed = true;
-    if (!result.finished_at.empty())
+    if (!result.finished_at.empty()) {
+        draw_study(input, result, figures, directory, log);
         publish_project(directory.folder(), input.base.spec.output.title.value_or(scene_name(input.base.spec)) +
                                                 (is_region ? ", region" : ", study"));
+    }
     std::optional<StudyComparison> comparison;
     if (!result.finished_at.empty()) comparison = compare_study(input, directory, log);
     facts.wall_seconds = study.since_start.seconds();

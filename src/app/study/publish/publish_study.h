@@ -22,7 +22,6 @@ struct FinishedStudy {
 
 struct StudyOutcome {
     bool too_many_failed = false;
-    bool pictures_failed = false;
     bool has_troubles = false;  ///< Troubles::any
 };
 

@@ -489,12 +489,11 @@ void load_study_drawing(const StudyInput& input, Loading loading) {
     load_drawing(films || output.maps.front() != "off", films, loading);
 }
 
-bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
+void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
                 const ResultDirectory& directory, RunLog& log) {
     const OutputSpec& output = input.base.spec.output;
-    if (output.maps.front() == "off") return true;
-    bool good = true;
-    const bool begun = is_drawn("the pictures", log, [&] {
+    if (output.maps.front() == "off") return;
+    is_drawn("the pictures", log, [&] {
         const ResultReader written(directory.folder());
         MapSource source = written.map_source();
         source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
@@ -507,15 +506,13 @@ bool draw_study(const StudyInput& input, const StudyResult& result, const std::v
         make_drawing_folder(written.path("maps"));
         for (const std::string& name : written.drawable()) {
             if (!is_drawn_at_once(name)) continue;
-            good &= is_drawn("maps/" + name, log,
-                             [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
+            is_drawn("maps/" + name, log,
+                     [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
         }
         if (!output.charts || input.reading.study.per_polygon()) return;  // of sources there is no distribution
         make_drawing_folder(written.path("charts"));
-        good &= draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report,
-                                log);
+        draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report, log);
     });
-    return begun && good;
 }
 
 }  // namespace frana::app::study

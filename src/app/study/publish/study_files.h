@@ -69,9 +69,9 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 /// missing.
 void load_study_drawing(const StudyInput& input, Loading loading);
 
-/// Draws the maps and charts that the scene's output.maps and output.charts ask for. Returns false if one could not be
-/// drawn, with a warning.
-bool draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
+/// Draws the maps and charts that the scene's output.maps and output.charts ask for, with a warning of one that could
+/// not be drawn.
+void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
                 const ResultDirectory& directory, RunLog& log);
 
 }  // namespace frana::app::study

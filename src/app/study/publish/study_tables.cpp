@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study/publish/study_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -78,11 +79,10 @@ std::optional<MedianMember> median_member(const StudyInput& input, const StudyRe
     return std::nullopt;
 }
 
-bool film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
+void film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
                  const ResultDirectory& directory, RunLog& log) {
     const OutputSpec& output = input.base.spec.output;
-    if (!output.animation) return true;
-    bool complete = false;
+    if (!output.animation) return;
     try {
         write_frames(input, result, median.member, directory);
         const ResultReader written(directory.folder());
@@ -96,8 +96,7 @@ bool film_member(const StudyInput& input, const StudyResult& result, const Media
         AnimationRequest film{
             animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
         film.stop_requested = [] { return stop_signal() != 0; };
-        complete = stop_signal() == 0 && write_animation(film, directory.path(k_animation_file));
-        if (complete)
+        if (stop_signal() == 0 && write_animation(film, directory.path(k_animation_file)))
             log.note(std::string("drew ") + k_animation_file + ": " + sentence(median));
         else
             log.warn(worded("{1} is left out because of the signal", {k_animation_file}));
@@ -105,7 +104,6 @@ bool film_member(const StudyInput& input, const StudyResult& result, const Media
         log.warn(worded("{1} could not be drawn: {2}", {k_animation_file, std::string(error.what())}));
     }
     remove_frames(directory);
-    return complete;
 }
 
 namespace {
@@ -161,6 +159,10 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
     if (has_levels) text += std::string(",level,") + k_cell_size_key;
     text += slope_columns(input);
     for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
+    // A member that was cut ran on: its row repeats it all the same.
+    const auto& keys = input.table.keys;
+    const bool has_end = std::find(keys.begin(), keys.end(), k_end_key) == keys.end();
+    if (has_end) text += std::string(",") + k_end_key;
     for (const std::string& figure : figures) text += "," + csv_cell(figure);
     text += ",engine_seconds";
     for (const char* column : k_end_columns) text += std::string(",") + column;
@@ -177,6 +179,7 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
         }
         text += slope_cells(input, member);
         for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
+        if (has_end) text += "," + (member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
         for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
         text += "," + shortest_text(member.engine_seconds);
         for (const std::string& cell : end_values(member.end)) text += "," + csv_cell(cell);

@@ -30,9 +30,9 @@ struct MedianMember {
 std::optional<MedianMember> median_member(const StudyInput& input, const StudyResult& result);
 
 /// Runs a member again, with frames, and writes animation.mp4 if the scene asks for one; the terrain and the outlines
-/// of the study must have been written. The frames are removed. Returns false with a warning if there is no animation
-/// although it was asked for.
-bool film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
+/// of the study must have been written. The frames are removed. There is a warning if the animation could not
+/// be made.
+void film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
                  const ResultDirectory& directory, RunLog& log);
 
 /// Returns members.csv: a row for each member, with its values as after `--set` and its figures.

@@ -43,7 +43,7 @@ TEST_F(PolygonMembers, EachPolygonIsAScenarioOfItsOwn) {
     for (const auto& row : rows) {
         ASSERT_EQ(row.at("status"), "finished") << row.at("reason");
         const Outcome alone = frana({"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet", "--set",
-                                     "time.end=" + row.at("end_s"), "--set",
+                                     "time.end=" + row.at("time.end"), "--set",
                                      "release.perimeter-filter=" + row.at("release.perimeter-filter")});
         ASSERT_EQ(alone.exit_code, 0) << alone.err;
         const std::string summary = read_text(path("alone/summary.json"));

@@ -175,7 +175,7 @@ key = 1
     EXPECT_TRUE(has_problem(all, "event nowhere.runout", "4"));
     EXPECT_TRUE(has_problem(all, "vary.terrain.cell-size", "uniform(1, 2)"));
     for (const char* place : {": vary.material.friction-angle", ": vary b.material.friction-angle"})
-        EXPECT_TRUE(has_problem(all, place, "uniform(10, 95)", "0 to 60"));
+        EXPECT_TRUE(has_problem(all, place, "uniform(10, 95)", "0, or 1 to 60"));
     EXPECT_TRUE(has_problem(all, "vary b.material.turbulense", "uniform(1, 2)"));
     EXPECT_TRUE(has_problem(all, "vary b.material.friction-angle", "uniform(1, 2)")) << "given by the shared ones too";
     EXPECT_TRUE(has_problem(all, "vary.material.turbulence", "uniform(100, 200)")) << "of an event that is not there";

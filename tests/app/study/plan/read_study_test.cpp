@@ -54,7 +54,7 @@ TEST_F(ReadStudy, ReportsEveryProblemInOnePass) {
     EXPECT_TRUE(has_problem(all, "vary.material.turbulance", "uniform(1, 2)"));
     EXPECT_TRUE(has_problem(all, "vary.material.friction-coefficient", "uniform(1, 3)", "0 to 2"));
     EXPECT_TRUE(has_problem(all, "vary.material.density", "choice(x, y)", "10 to 10000"));
-    EXPECT_TRUE(has_problem(all, "vary.numerics.scheme", "uniform(1, 2)", "default, paper"));
+    EXPECT_TRUE(has_problem(all, "vary.numerics.scheme", "uniform(1, 2)", "default, paper, finite-volume"));
     EXPECT_TRUE(has_problem(all, "vary.release.thickness", "3"));
     EXPECT_TRUE(has_problem(all, "vary.terrain.error", "uniform(0, 1)"));
     EXPECT_TRUE(has_problem(all, "correlate.material.density release.volume", "2", "greater than -1, less than 1"));
