@@ -152,7 +152,7 @@ int run_bench(Arguments words) {
     if (!values) return static_cast<int>(ExitCode::done);
     const auto operands = text_options(*values, "operand");
     const std::string& which = operands.front();
-    const bool needs_scene = which == "robustness" || which == "estimate" || which == "ensemble";
+    const bool needs_scene = which == "robustness";
     if (operands.size() > (needs_scene ? 2U : 1U)) {
         throw Error(ErrorKind::input,
                     Problem{"is not expected here", "command line", operands.back(), "", "See frana bench --help"});
@@ -161,17 +161,14 @@ int run_bench(Arguments words) {
     if (which == "stability") return bench_stability(*values);
     if (which == "speed") return bench_speed(*values);
     if (!needs_scene) {
-        throw Error(ErrorKind::input,
-                    Problem{"no such bench", "command line", which,
-                            "accuracy, stability, speed, robustness, estimate, ensemble", "Give one of these"});
+        throw Error(ErrorKind::input, Problem{"no such bench", "command line", which,
+                                              "accuracy, stability, speed, robustness", "Give one of these"});
     }
     if (operands.size() < 2) {
         throw Error(ErrorKind::input,
-                    Problem{std::string(which == "ensemble" ? "STUDY.ini" : "SCENE.ini") + " is missing",
-                            "command line", "", "", "See frana bench --help"});
+                    Problem{"SCENE.ini is missing", "command line", "", "", "See frana bench --help"});
     }
-    if (which == "ensemble") return bench_ensemble(operands.back(), *values);
-    return which == "estimate" ? bench_estimate(operands.back(), *values) : bench_robustness(operands.back(), *values);
+    return bench_robustness(operands.back(), *values);
 }
 
 }  // namespace
