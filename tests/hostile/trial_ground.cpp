@@ -150,8 +150,6 @@ std::vector<TriedCommand> TrialGround::commands() {
                                             "--quiet",  "--set",        "time.end=1"};
     std::vector<std::string> converge_again = converge;
     converge_again.emplace_back("--overwrite");
-    const std::vector<std::string> robustness{"bench",   "robustness", "in/scene.ini", "--out",  "out/tried",
-                                              "--quiet", "--set",      "time.end=1",   "--case", "turned-90"};
     const std::vector<std::string> new_scene{
         "new", "in/dtm.asc", "in/perimeter.geojson", "--out", "out/mine.ini", "--thickness", "2"};
     std::vector<std::string> new_again = new_scene;
@@ -172,7 +170,6 @@ std::vector<TriedCommand> TrialGround::commands() {
         {"render", "older", render, render, false},
         {"compare", "older", compare, compare, false},
         {"converge", "inputs", converge, converge_again, false},
-        {"bench robustness", "inputs", robustness, robustness, false},
         {"ensemble", "inputs", ensemble, ensemble_with({"--resume"})},
         {"ensemble --overwrite", "older alone", ensemble_with({"--overwrite"}),
          ensemble_with({"--overwrite", "--resume"})},

@@ -15,28 +15,20 @@ namespace frana::app {
 
 CommandForm bench_form() {
     CommandForm form{
-        "frana bench accuracy|stability|speed [options]\n"
-        "       frana bench robustness SCENE.ini [options]",
+        "frana bench accuracy|stability|speed [options]",
         "Measures frana itself. accuracy: cases with exact solutions, every scheme, several resolutions.\nstability: "
         "hard cases. speed: particle-steps per second. Prints the table; with --out also writes\naccuracy.csv and "
-        "accuracy.png, stability.csv or speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and "
-        "speed.png.\naccuracy takes some ten minutes, with --quick under a minute.\nrobustness: change of a scene's "
-        "results with its grid shifted and rotated, with rough ground, with other\nnumbers of particles and Courant "
-        "numbers. robustness.csv, robustness.json. It takes as long as some twenty\nruns without pictures.",
-        "accuracy|stability|speed|robustness SCENE.ini",
+        "accuracy.png, stability.csv, or speed.csv and speed.png.\naccuracy takes some ten minutes, with --quick under "
+        "a minute.",
+        "accuracy|stability|speed",
         {}};
     form.repeats = true;
     form.options.add_options()("out", one("FOLDER"), "folder for the files")(
         "quick", "accuracy: two resolutions; speed: at most a million particles")(
-        "case", many("CASE"), "accuracy, stability, robustness: only this case (may be repeated)")(
-        "set", many("KEY=VALUE"), "robustness: section.key=value, overrides the scene; repeatable")(
-        "seed", one("N"), "robustness: seed of the noise on the ground (default 1)")(
-        "quiet,q", "robustness: no progress on the terminal")(
+        "case", many("CASE"), "accuracy, stability: only this case (may be repeated)")(
         "json", "print one JSON document for scripts instead (share/doc/scripts.md)")(
         "threads", one("N"),
-        "stability, robustness: threads of a run; speed: maximum number of threads (default: all; accuracy "
-        "always uses "
-        "one)");
+        "stability: threads of a run; speed: maximum number of threads (default: all; accuracy always uses one)");
     return form;
 }
 

@@ -45,11 +45,9 @@ class BenchOutput {
 
 /// Returns the output of --out, if given; the folder is made before anything is computed, so that an invalid one is
 /// reported first.
-/// @param inputs files that must not be among the outputs
 /// Throws Error(input) if a file would replace one that frana did not write, Error(environment).
 std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
-                                        const std::vector<const char*>& names,
-                                        const std::vector<std::string>& inputs = {});
+                                        const std::vector<const char*>& names);
 
 /// A table of a bench: its member in the document of --json, and its CSV.
 struct BenchTable {

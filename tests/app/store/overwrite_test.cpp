@@ -50,7 +50,7 @@ TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
         {"least", k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\nreport = off\n"},
         {"film", k_voellmy + "[output]\nmaps = off\nframes = off\nmap-size = 640x480\n"},
         {"scar", k_voellmy + k_numbers_only + "[scar]\nperimeter = scar.geojson\n"},
-        {"other_frames", k_voellmy + "[output]\nmaps = off\nanimation = off\nformats = geotiff, zarr\n"}};
+        {"other_frames", k_voellmy + "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n"}};
     for (const auto& [name, text] : scenes) run(text, name);
     for (const auto& [older, older_text] : scenes) {
         if (!older.starts_with("all") && older != "film") continue;
