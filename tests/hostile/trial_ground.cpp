@@ -38,11 +38,6 @@ bool is_result(const std::string& path) {
 
 }  // namespace
 
-// A copy of files written but not listed when the program was killed, of damaged files, and of unreadable ones.
-bool is_kept_copy(const std::string& difference) {
-    return difference.rfind("new: ", 0) == 0 && difference.find(".kept-") != std::string::npos;
-}
-
 bool is_users(const std::string& path) {
     static const std::vector<std::string> k_files = users_files();
     return path.rfind("in/", 0) == 0 || std::any_of(k_files.begin(), k_files.end(), [&](const auto& file) {
@@ -212,7 +207,6 @@ void TrialGround::expect_old_or_new(const TriedCommand& command, const Ending& e
     if (differences(before, found).empty()) return;
     if (ending.exit_code > 128) return;  // stopped: the files until then are published
     std::vector<std::string> wrong = differences(after, found);
-    std::erase_if(wrong, is_kept_copy);
     if (ending.exit_code == 4)
         std::erase_if(wrong, [](const auto& text) { return text.rfind("missing: ", 0) == 0 && is_picture(text); });
     EXPECT_TRUE(wrong.empty()) << "neither the older result nor the new one, which would differ so:\n"
@@ -228,7 +222,6 @@ void TrialGround::expect_nothing_lost(const TriedCommand& command, const Ending&
     expect_old_or_new(command, ending, now);
     if (ending.exit_code != 0) return;
     std::vector<std::string> wrong = differences(command.after, now);
-    std::erase_if(wrong, is_kept_copy);
     if (by == Disturbance::removal) {
         const auto is_new = [](const auto& text) { return text.rfind("new: ", 0) == 0; };
         // Files that remain in a result remain in its list too.
@@ -246,7 +239,6 @@ void TrialGround::expect_repaired(const TriedCommand& command) const {
     const Ending ending = run(command.again);
     EXPECT_EQ(ending.exit_code, 0) << "the same again: " << ending.err;
     std::vector<std::string> wrong = differences(command.after, state());
-    std::erase_if(wrong, is_kept_copy);
     EXPECT_TRUE(wrong.empty()) << "the same again does not end in the same:\n" << in_lines(wrong) << ending.err;
 }
 

@@ -297,13 +297,6 @@ void FrameWriter::cut_to(const CellWindow& window) {
     folder_ = cut.string();
     list(times_);
     folder_ = folder.string();
-    std::vector<fs::path> of_the_user;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (existing_file(std::string(k_frame_folder) + "/" + name) == nullptr) of_the_user.push_back(name);
-    }
-    for (const fs::path& name : of_the_user)
-        attempt(cut / name, [&](std::error_code& error) { fs::rename(folder / name, cut / name, error); });
     sync_path(cut.string());
     attempt(whole, [&](std::error_code& error) { fs::rename(folder, whole, error); });
     attempt(folder, [&](std::error_code& error) { fs::rename(cut, folder, error); });
